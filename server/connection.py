@@ -34,7 +34,7 @@ TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
 """A session ends whose client has read nothing for so long although answers wait ..."""
-LINGER_S = 5.0
+GRACE_S = 5.0
 """... and the client has so long to read why."""
 MOST_MESSAGES = 4096
 MOST_BYTES = 2**20
@@ -42,7 +42,7 @@ MOST_BYTES = 2**20
 client has left. A client that sends more than this is read again after the wait."""
 
 
-class Refusal(NamedTuple):
+class Violation(NamedTuple):
     """Why the protocol below has ended a connection; the client has been told.
 
     ``code`` is ``None`` for what breaks the rules of WebSockets, for which there is no code of ours.
@@ -62,7 +62,7 @@ class Receiver(Protocol):
     def flush(self) -> None:
         """The client reads again."""
 
-    def disconnect(self, refusal: Refusal | None) -> None:
+    def disconnect(self, refusal: Violation | None) -> None:
         """Nothing more comes, and nothing can be sent."""
 
 
@@ -163,7 +163,7 @@ class Connection:
         sent, stuck_s = 0, 0.0
         self._socket.attach(self)
         try:
-            while stuck_s < STUCK_S + LINGER_S:
+            while stuck_s < STUCK_S + GRACE_S:
                 self._flush()
                 before = self._loop.time()
                 await asyncio.wait((self._over,), timeout=TICK_S)
@@ -214,7 +214,7 @@ class Connection:
         except Exception as error:
             self._fail(error)
 
-    def disconnect(self, refusal: Refusal | None) -> None:
+    def disconnect(self, refusal: Violation | None) -> None:
         """The client has left, or was refused by the protocol; what it sent before is still taken in."""
         self._left = True
         if refusal is not None and refusal.code is None:

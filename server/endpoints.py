@@ -18,7 +18,7 @@ from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.access import Receive, Scope, Send, admits_origin, has_token, header
 from pointpred.server.compiling.parts import parts_for
-from pointpred.server.connection import FRAMES, LINGER_S, Connection, FrameSocket
+from pointpred.server.connection import FRAMES, GRACE_S, Connection, FrameSocket
 from pointpred.server.logs import place_of
 from pointpred.server.service import Service
 from pointpred.server.sessions.lifecycle import FAILED, Session
@@ -183,7 +183,7 @@ async def send_error(send: Send, code: Code, message: str, close: int) -> None:
     """An error and the close, where the client takes them."""
     text = encode(ErrorMessage(code, message, None, recoverable=False)).decode()
     try:
-        async with asyncio.timeout(LINGER_S):
+        async with asyncio.timeout(GRACE_S):
             await send({"type": "websocket.send", "text": text})
             await send({"type": "websocket.close", "code": close, "reason": message[:120]})
     except (OSError, RuntimeError) as error:  # a timeout is an OSError

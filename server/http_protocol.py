@@ -36,9 +36,9 @@ BODY_BYTES = 2**24
 """Bytes of a body that are thrown away after the response, until the connection idles for too long."""
 UNREAD_S = 10.0
 """So long a client may read nothing of what is sent to it."""
-LINGER_S = 2.0
+DRAIN_S = 2.0
 """So long a client whose request is refused may take to read why ..."""
-LINGER_BYTES = 2**20
+DRAIN_BYTES = 2**20
 """... and so much may it still send. Closing at once would reset the connection, and lose the response."""
 
 TOO_LONG = Refusal(
@@ -113,7 +113,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def data_received(self, data: bytes) -> None:
         """Parse received data, and bound the length of a header that is not complete."""
         if self._refused:
-            self._throw_away(len(data), LINGER_BYTES)
+            self._throw_away(len(data), DRAIN_BYTES)
             return
         try:
             self.parser.feed_data(data)
@@ -251,7 +251,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         self.transport.write(refusal.response())
         if self.transport.can_write_eof():
             self.transport.write_eof()
-        self._linger_timer = self.loop.call_later(LINGER_S, self.transport.abort)
+        self._linger_timer = self.loop.call_later(DRAIN_S, self.transport.abort)
 
 
 def counting(count: Callable[[Code], None], rates: RequestRates) -> type[BoundedHttpProtocol]:

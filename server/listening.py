@@ -30,7 +30,7 @@ SEND_BUFFER_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be old predictions."""
 CLOSE_S = 2.0
 """Seconds that clients have to close: closing earlier would reset the connection, and lose the ``bye``."""
-STOP_S = 3
+REQUESTS_END_S = 3
 """Seconds that requests have to finish when the service stops."""
 PROBE_S = 1.0
 """Seconds that the process on a port has to say whether it is pointpred."""
@@ -145,7 +145,7 @@ class PointpredServer(uvicorn.Server):
             log.warning(
                 "%d requests were cancelled: they had not ended %d s after the stop",
                 cancellations.requests,
-                STOP_S,
+                REQUESTS_END_S,
             )
 
     def _has_websockets(self) -> bool:
@@ -176,7 +176,7 @@ def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
         server_header=False,
         proxy_headers=bool(service.settings.trust_proxy),
         forwarded_allow_ips=list(service.settings.trust_proxy),  # else uvicorn asks the environment
-        timeout_graceful_shutdown=STOP_S,
+        timeout_graceful_shutdown=REQUESTS_END_S,
     )
 
 

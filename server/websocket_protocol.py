@@ -22,7 +22,8 @@ from pointpred.protocol.frames import Frame as Message
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.server.access import usual_address
-from pointpred.server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Refusal
+from pointpred.server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Violation
+from pointpred.server.sessions.lifecycle import STANDSTILL_S
 from pointpred.server.upgrade import FrameReader
 from pointpred.server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
 
@@ -43,8 +44,6 @@ FRAGMENTS_MOST = 64
 """Fragments of one message; our own clients send one."""
 CONTROL_FRAMES_PER_S = 100
 """Pings and pongs together."""
-LATE_S = 1.0
-"""A timer that is late by more than this shows that the process stood still."""
 PONG = bytes([0x80 | Opcode.PONG])
 
 
@@ -326,7 +325,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         if self.close_sent:
             return
         now, patience_s = self.loop.time(), self.ping_timeout or 0.0
-        if self._heard or now - self.ping_sent_at > patience_s + LATE_S:
+        if self._heard or now - self.ping_sent_at > patience_s + STANDSTILL_S:
             self._heard, self.ping_sent_at = False, now
             self.pong_timer = self.loop.call_later(patience_s, self.keepalive_timeout)
             return
@@ -373,7 +372,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self.stop_keepalive()
         self.queue.put_nowait({"type": "websocket.disconnect", "code": close, "reason": reason})
         if self._receiver is not None:
-            self._receiver.disconnect(Refusal(refused, reason, close))
+            self._receiver.disconnect(Violation(refused, reason, close))
         self._linger()
 
     def _linger(self) -> None:

@@ -19,7 +19,7 @@ TARGET_S = 2e-6
 """A target that is registered."""
 BUILD_S = 250e-6
 """A pipeline that is built: by ``hello``, ``configure`` and ``person``, ..."""
-PERSON_S = 1.2e-3
+PERSON_S = 1.3e-3
 """... and one that gets to know a person with many places and habits."""
 TRIAL_S, TRIAL_EVENT_S = 1e-3, 1e-6
 """The end of a trial, and each event of it."""
@@ -28,13 +28,13 @@ REFUSED_S = 120e-6
 REFUSED_BYTE_S = 6e-10
 """... with copies of the memory of the stages."""
 
-_FRAME_S = 11e-6  # read, decoded and answered
+_FRAME_S = 20e-6  # read, decoded and answered
 _EVENT_S = 0.9e-6  # by the slowest predictor, where the last one is answered
 _SUBSTEP_S = 20e-9
 _ASSISTED_S = 6e-6
 _ANSWER_S = 2e-6  # a prediction sent for each event,
 _LIKELIEST_S = 5e-6  # with the likeliest targets
-_TARGET_S = 0.3e-6  # a target, at each event
+_TARGET_S = 0.2e-6  # a target, at each event
 _PLACES_S = 120e-6  # as many places as are remembered, read at each event
 _BYTE_S = 5e-11  # a byte of memory, which is copied for each frame
 

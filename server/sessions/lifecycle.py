@@ -17,7 +17,7 @@ from pointpred.server.sessions.work import Completion, Work
 
 HELLO_S = 10.0
 """A client sends hello within this time."""
-LATE_S = 1.0
+STANDSTILL_S = 1.0
 """A process that is late by more than this stood still: it was stopped, or the machine slept."""
 SLOW = "the answers are not read"
 FAILED = "the server failed; the session ends"
@@ -150,7 +150,7 @@ class Session:
         ``late_s``: how much later than it was due this is called. So long nobody could receive anything,
         because the process stood still, and what came meanwhile comes all at once.
         """
-        if late_s > LATE_S:
+        if late_s > STANDSTILL_S:
             self.last_received += late_s
             self._quota.extend(late_s)
         if self.waits_for_compiler:

@@ -17,7 +17,7 @@ EVENTS_FOR_PLACES = 7
 """An event counts so many times more where the client asked for places: they are read after it."""
 
 USUAL = Limits()
-SHARE = 0.5
+SHARE = 0.3
 """Seconds of the processor that one session may use a second, by the costs of its messages; more in
 proportion where the service is started with more events a second than usual."""
 

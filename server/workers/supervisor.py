@@ -45,11 +45,11 @@ HUNG_S = 60.0
 """A worker that has not answered for so long is killed and started again."""
 START_S = 120.0
 """The same for a worker that has not answered yet: it imports the package first."""
-LATE_S = 1.0
+WATCH_LATE_S = 1.0
 """Where this process is late by more than this, it stood still itself, and heard no answer."""
 COLLECT_S = 1.0
 """So long the metrics wait for a worker; then those that it sent last are shown."""
-STOP_S = 10.0
+WORKERS_END_S = 10.0
 """Seconds that workers have to end, which end by themselves in less."""
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 
@@ -124,9 +124,11 @@ class Supervisor:
         self._stopping.set()
         for worker in self.workers.values():
             worker.send(Stop())
-        _, late = await asyncio.wait(keepers, timeout=STOP_S)
+        _, late = await asyncio.wait(keepers, timeout=WORKERS_END_S)
         if late:
-            log.error("%d workers had not ended %g s after the stop, and were killed", len(late), STOP_S)
+            log.error(
+                "%d workers had not ended %g s after the stop, and were killed", len(late), WORKERS_END_S
+            )
             for worker in self.workers.values():
                 worker.kill()
             await asyncio.wait(keepers)
@@ -188,7 +190,7 @@ class Supervisor:
             await self._collect()
             late_s = time.monotonic() - before - WATCH_S - COLLECT_S
             for worker in self.workers.values():
-                if late_s > LATE_S:
+                if late_s > WATCH_LATE_S:
                     worker.excuse(late_s)
                 most_s = HUNG_S if worker.started else START_S
                 if worker.silent_s > most_s:

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from pointpred.cli.app import app
 from pointpred.server.service import STOP_TOTAL_S
 from pointpred.server.settings import Settings
-from pointpred.server.workers.supervisor import STOP_S as WORKERS_STOP_S
+from pointpred.server.workers.supervisor import WORKERS_END_S
 from tests.operations.monitoring import DEPLOY
 
 UNIT, ENVIRONMENT = DEPLOY / "pointpred.service", DEPLOY / "pointpred.env"
@@ -93,5 +93,5 @@ def test_the_environment_file_names_settings_that_exist_and_holds_no_token(
 
 def test_systemd_waits_longer_than_the_service_takes_to_stop() -> None:
     section = service_section()
-    assert float(section["TimeoutStopSec"]) > WORKERS_STOP_S > STOP_TOTAL_S
+    assert float(section["TimeoutStopSec"]) > WORKERS_END_S > STOP_TOTAL_S
     assert section["KillMode"] == "mixed"

@@ -18,7 +18,7 @@ import pytest
 
 from benchmarks.longest_messages import targets
 from pointpred.protocol.frames import Frame
-from pointpred.server.connection import Refusal
+from pointpred.server.connection import Violation
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -226,7 +226,7 @@ class Holding:
     def flush(self) -> None:
         """It sends nothing."""
 
-    def disconnect(self, refusal: Refusal | None) -> None:
+    def disconnect(self, refusal: Violation | None) -> None:
         self.left = True
 
 

@@ -223,7 +223,7 @@ def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitt
 def test_an_endless_upload_is_cancelled_when_the_service_stops(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
     head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
     with running() as here:
         opened = half(here, head)

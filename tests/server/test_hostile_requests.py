@@ -94,7 +94,7 @@ def test_an_upgrade_that_the_application_does_not_answer_ends(monkeypatch: pytes
         await asyncio.Event().wait()
 
     monkeypatch.setattr("pointpred.server.endpoints.StreamEndpoint._admit", silent)
-    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
     with running() as here, half(here, LINE + UPGRADE + b"\r\n") as opened:
         assert not answer_or_reset(opened)
         soon(lambda: not here.server.server_state.connections, "it is closed")
@@ -183,7 +183,7 @@ def test_writing_recordings_may_take_what_a_client_that_hangs_has_left_of_the_ti
 
     monkeypatch.setattr(Recorder, "close", measured)
     monkeypatch.setattr("pointpred.server.service.STOP_TOTAL_S", 0.3)
-    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
     with running(record=tmp_path) as here:
         opened = half(here, LINE + UPGRADE + b"\r\n")
         assert opened.recv(4096).startswith(b"HTTP/1.1 101 ")

@@ -89,7 +89,7 @@ def test_what_breaks_in_a_session_ends_that_session_only(
 def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its session ends as too slow, and its connection with it, although it stays open on its side."""
     monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 1.0)
-    monkeypatch.setattr(pointpred.server.connection, "LINGER_S", 1.0)
+    monkeypatch.setattr(pointpred.server.connection, "GRACE_S", 1.0)
     monkeypatch.setattr(pointpred.server.websocket_protocol, "LINGER_S", 0.5)
     with running(max_events_per_s=10**8) as here:
         with here.greeted(EACH, max_queue=1, close_timeout=0.1) as silent:
@@ -109,7 +109,7 @@ def test_a_slow_reader_goes_on_and_a_stuck_one_is_ended(
     """Something always waits to be sent, far longer than a client may be stuck."""
     monkeypatch.setattr(pointpred.server.connection, "TICK_S", 0.1)
     monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 0.5)
-    monkeypatch.setattr(pointpred.server.connection, "LINGER_S", 0.3)
+    monkeypatch.setattr(pointpred.server.connection, "GRACE_S", 0.3)
 
     async def talk() -> Close | None:
         loop = asyncio.get_running_loop()

@@ -187,7 +187,7 @@ def test_a_worker_that_hangs_before_it_answers_is_killed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(sys, "executable", program(tmp_path, "#!/bin/sh\nexec sleep 600\n"))
-    for name, seconds in (("START_S", 0.2), ("WATCH_S", 0.02), ("STOP_S", 0.2)):
+    for name, seconds in (("START_S", 0.2), ("WATCH_S", 0.02), ("WORKERS_END_S", 0.2)):
         monkeypatch.setattr(supervisor_module, name, seconds)
     supervisor = Supervisor(listen("127.0.0.1", 0), Settings(workers=1), lambda: None)
 
@@ -215,7 +215,7 @@ def test_a_worker_that_is_being_started_when_the_service_stops_is_asked_to_stop(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(sys, "executable", program(tmp_path, STOPPED_ONLY_WHEN_ASKED))
-    monkeypatch.setattr(supervisor_module, "STOP_S", 5.0)
+    monkeypatch.setattr(supervisor_module, "WORKERS_END_S", 5.0)
     supervisor = Supervisor(listen("127.0.0.1", 0), Settings(workers=1), lambda: None)
     start = WorkerProcess.start
 

@@ -94,11 +94,11 @@ def test_a_session_remembers_at_most_a_megabyte() -> None:
 ADAPTIVE = hello("kinematic-adaptive")
 KNOWN = hello(**dict(MESSAGES["configure, the person stays"].hello or {}))
 SECOND: dict[str, tuple[dict[str, Any], list[Any], Any, int, int]] = {
-    "targets": (hello(), [], targets(1000), 150, 500),
+    "targets": (hello(), [], targets(1000), 120, 300),
     "late events": (hello(), [packed(1, start_s=5.0)], packed(1), 2000, 5000),
-    "person": (ADAPTIVE, [], MESSAGES["person"].frame, 400, 490),
-    "configure": (KNOWN, [], MESSAGES["configure, the person stays"].frame, 400, 490),
-    "one event": (hello("ktm", parameters={"templates": 1000}), [targets(0)], packed(1), 9000, 12_000),
+    "person": (ADAPTIVE, [], MESSAGES["person"].frame, 200, 260),
+    "configure": (KNOWN, [], MESSAGES["configure, the person stays"].frame, 200, 260),
+    "one event": (hello("ktm", parameters={"templates": 1000}), [targets(0)], packed(1), 4000, 6500),
 }
 """What is sent first, and again and again, and how often it may come in a second, at least and at most."""
 

@@ -224,7 +224,7 @@ static void open_clients(void) {
         if (plan->rounds) group->turns_us = calloc((size_t)plan->rounds, sizeof *group->turns_us);
         for (int k = 0; k < group->clients; k++, client++) {
             client->group = group;
-            client->offset_ns = group->gap_ns * k / group->clients;
+            client->offset_ns = group->gap_ns * ((int64_t)k * plan->group_count + i) / ((int64_t)group->clients * plan->group_count);
             if (group->size) {
                 size_t frames = group->event_count / (size_t)group->size;
                 client->place = frames * (size_t)k / (size_t)group->clients * (size_t)group->size;
