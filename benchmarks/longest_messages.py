@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from benchmarks.load.costly import person, templates
 from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.data import PAGES, Table, keep
-from pages.load.costly import person, templates
 from pointpred.protocol.records import EVENT
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.pointing import PointingSession

@@ -42,6 +42,8 @@ client whose events come faster than they are used has to wait with more. Less t
 interface would stop a client again and again."""
 FRAGMENTS_MOST = 64
 """Fragments of one message; our own clients send one."""
+FRAGMENTS_PER_S = 5000
+"""Fragments of all messages: parsing one takes 4 us. Messages in one frame are not counted."""
 CONTROL_FRAMES_PER_S = 100
 """Pings and pongs together."""
 PONG = bytes([0x80 | Opcode.PONG])
@@ -114,6 +116,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self.client = usual_address(self.client)
         self.transport.set_write_buffer_limits(high=WAITING_BYTES)
         self._control_frames = TokenBucket(CONTROL_FRAMES_PER_S, self.loop.time())
+        self._fragments = TokenBucket(FRAGMENTS_PER_S, self.loop.time())
 
     def open(self, request: Request) -> bool:
         """Answer a request that has been parsed; False where its headers do not ask for a WebSocket."""
@@ -134,16 +137,18 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
             self.transport.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """What came before is still given on; nothing is left to abort."""
+        """What came before is still given on, in turns; nothing is left to abort."""
+        if self._unparsed and not self._ended:
+            self._held = False  # the receiver may hold it again at each turn
+            self._take_turn()
+            if self._turn is not None:
+                self._turn.cancel()
+                self._turn = self.loop.call_soon(self.connection_lost, exc)
+                return
         if self._upgrade_timer is not None:
             self._upgrade_timer.cancel()
         if self._abort_timer is not None:
             self._abort_timer.cancel()
-        parsed = b""
-        while self._unparsed != parsed and not self._ended:
-            parsed = self._unparsed
-            self._held = False  # the receiver may hold it again at each turn
-            self._take_turn()
         self.can_write = True
         super().connection_lost(exc)
         if self._receiver is not None:
@@ -164,9 +169,9 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
     def _parse(self, data: bytes) -> None:
         """Give on the messages in received data; of much data the rest waits until others had their turn."""
         messages: list[Message] = []
-        at, size = 0, len(data)
+        at, size, most = 0, len(data), FRAMES_AT_ONCE
         while at < size and not self._ended:
-            if at >= READ_BYTES or len(messages) >= FRAMES_AT_ONCE:
+            if at >= READ_BYTES or len(messages) >= most:
                 self._begin_turn()
                 break
             end = at + self._parser_bytes if self._parser_bytes else frame_end(data, at)
@@ -183,7 +188,8 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
                 continue
             self._deliver(messages)
             messages, begin = [], at
-            at = self._end_of_others(data, at, end)
+            at, count = self._end_of_others(data, at, end)
+            most -= count
             self._parser_bytes = max(end - size, 0)
             super().data_received(data[begin:at])
             if self.conn.close_rcvd is not None:
@@ -191,17 +197,17 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self._unparsed = b"" if self._ended or at >= size else data[at:]
         self._deliver(messages)
 
-    def _end_of_others(self, data: bytes, begin: int, end: int) -> int:
-        """Where the frames end that the parser reads together, such as pings that came together."""
-        size = len(data)
+    def _end_of_others(self, data: bytes, begin: int, end: int) -> tuple[int, int]:
+        """Where the frames end that the parser reads together, such as fragments, and how many they are."""
+        size, count = len(data), 1
         if data[begin] in WHOLE_MESSAGES and self.conn.current_size is None:
-            return min(end, size)
-        while end < size and data[end] not in WHOLE_MESSAGES:
+            return min(end, size), count
+        while end < size and data[end] not in WHOLE_MESSAGES and count < FRAMES_AT_ONCE:
             following = frame_end(data, end)
             if not 0 < following <= min(size, begin + READ_BYTES):
                 break
-            end = following
-        return min(end, size)
+            end, count = following, count + 1
+        return min(end, size), count
 
     def _deliver(self, messages: list[Message]) -> None:
         if not messages or self.close_sent or self._ended or self._detached:
@@ -270,9 +276,15 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
 
     def handle_cont(self, event: Frame) -> None:
         """A further fragment of a message."""
+        if self._ended:
+            return
+        # The second fragment counts for the first as well, which looks like a whole message.
+        count = 2 if len(self.frames) == 1 else 1
         if len(self.frames) >= FRAGMENTS_MOST:
             self._refuse("too_large", f"a message has at most {FRAGMENTS_MOST} fragments", 1009)
-        elif not self._ended:
+        elif not self._fragments.take(count, self.loop.time()):
+            self._refuse("too_fast", f"at most {FRAGMENTS_PER_S} fragments of messages a second", 1008)
+        else:
             super().handle_cont(event)
 
     def handle_ping(self) -> None:

@@ -19,6 +19,24 @@ SOURCES = Path(__file__).parent / "generator"
 BUILD = ROOT / "build" / "load"
 FLAGS = ("-std=c11", "-O2", "-Wall", "-Wextra")
 TEXT = 1
+MORE = 0x80
+"""With the opcode of a frame: more fragments of its message follow."""
+
+
+class Fragment(msgspec.Struct, frozen=True):
+    """A fragment of a text: which of ``of``, from 0."""
+
+    payload: bytes
+    which: int
+    of: int
+
+    @property
+    def opcode(self) -> int:
+        """As the generator reads it."""
+        return (0 if self.which else TEXT) | (MORE if self.which < self.of - 1 else 0)
+
+
+Message = str | bytes | Fragment
 
 
 class Group(msgspec.Struct, frozen=True):
@@ -38,8 +56,8 @@ class Group(msgspec.Struct, frozen=True):
     rate: float = 1000.0
     size: int = 1
     json: bool = False
-    greeting: tuple[str | bytes, ...] = ()
-    messages: tuple[str | bytes, ...] = ()
+    greeting: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 class Plan(msgspec.Struct, frozen=True):
@@ -133,12 +151,16 @@ def built() -> Path:
     return program
 
 
-def packed(messages: Sequence[str | bytes]) -> bytes:
+def packed(messages: Sequence[Message]) -> bytes:
     """Messages as the generator reads them: opcode, size, payload."""
     parts = []
     for message in messages:
-        payload = message.encode() if isinstance(message, str) else message
-        opcode = TEXT if isinstance(message, str) else TEXT + 1
+        if isinstance(message, Fragment):
+            opcode, payload = message.opcode, message.payload
+        elif isinstance(message, str):
+            opcode, payload = TEXT, message.encode()
+        else:
+            opcode, payload = TEXT + 1, message
         parts += [bytes([opcode]), len(payload).to_bytes(4, "little"), payload]
     return b"".join(parts)
 

@@ -12,10 +12,10 @@ from urllib.request import Request, urlopen
 import msgspec
 
 from benchmarks.load.cores import LAST
+from benchmarks.load.costly import CostlyClient, costly_clients, person, targets, upload
 from benchmarks.load.generator import Group, Plan, run
 from benchmarks.load.movements import hello
 from benchmarks.load.servers import Server
-from pages.load.costly import CostlyClient, costly_clients, person, targets, upload
 
 FRAMES_HZ = 25.0
 """Costly frames a second of a client that is measured, few enough to leave the core to the others."""

@@ -106,19 +106,19 @@ class PointingSession(Session):
         """
         if self._apart:
             self._apart -= 1
-        elif len(tables := self._joinable(frames)) > 1:
+        elif len(tables := self._joinable(frames, now)) > 1:
             if self._feed_whole(np.concatenate(tables), now):
                 return len(tables)
             self._apart = len(tables) - 1
         self.receive(frames[0], now)
         return 1
 
-    def _joinable(self, frames: Sequence[str | bytes]) -> list[FloatArray]:
+    def _joinable(self, frames: Sequence[str | bytes], now: float) -> list[FloatArray]:
         """The events of the first of some frames, as far as one table of them is allowed and cheap."""
         tables: list[FloatArray] = []
         events, ended = 0, float("-inf")
         for frame in frames:
-            table = self._usable_table(frame)
+            table = self._usable_table(frame, now)
             if table is None or not ended < table[-1, 0]:
                 break
             events, ended = events + len(table), float(table[-1, 0])
@@ -128,14 +128,18 @@ class PointingSession(Session):
             tables.append(table)
         return tables
 
-    def _usable_table(self, frame: str | bytes) -> FloatArray | None:
-        """The events of a frame of an allowed size; ``None`` for everything else."""
+    def _usable_table(self, frame: str | bytes, now: float) -> FloatArray | None:
+        """The events of a frame of an allowed size; ``None`` for everything else.
+
+        A text that is not used is decoded again in its turn, and pays for both.
+        """
         if self.stream is None or not frame or len(frame) > self.limits.max_frame_bytes:
             return None
         if isinstance(frame, bytes):
             return None if len(frame) % RECORD_BYTES else unpack_events(frame)
         try:
             self._quota.check_size(frame)
+            self._quota.take_text(frame, now)
             message = decode_client_message(frame)
         except ProtocolError:
             return None
@@ -188,6 +192,7 @@ class PointingSession(Session):
         if isinstance(frame, bytes):
             self._receive_table(frame, now)
             return
+        self._quota.take_text(frame, now)
         try:
             message = decode_client_message(frame)
         except ProtocolError:
@@ -242,8 +247,8 @@ class PointingSession(Session):
 
     def handle_targets(self, message: Targets, now: float) -> TargetsTaken:
         """Replace the set of targets."""
-        self._quota.check_targets(message.targets)
         self._quota.spend(TARGET_S * len(message.targets), now)
+        self._quota.check_targets(message.targets)
         self._open_stream.replace_targets(message.targets, self.outbox)
         self._targets = len(message.targets)
         self._weigh_events()

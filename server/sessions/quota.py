@@ -6,6 +6,7 @@ from pointpred.protocol.client_messages import Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Limits
 from pointpred.protocol.token_bucket import TokenBucket
+from pointpred.server.sessions.costs import TEXT_BYTE_S
 
 MESSAGES_PER_S = 500
 """Messages other than events, a second: two for each refresh of a fast display."""
@@ -85,6 +86,10 @@ class Quota:
         if not self.costs.take(cost_s, now):
             sentence = f"the messages of a session may take {self._share:g} s of the processor a second"
             raise ProtocolError("too_fast", sentence, close=1008)
+
+    def take_text(self, frame: str, now: float) -> None:
+        """What decoding a text costs."""
+        self.spend(TEXT_BYTE_S * len(frame), now)
 
     def take_invalid(self, frame: str, now: float) -> None:
         """A text that is not a message."""

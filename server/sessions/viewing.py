@@ -51,6 +51,7 @@ class ViewingSession(Session):
         if isinstance(frame, bytes):
             self._quota.take_message(now)
             raise ProtocolError("out_of_place", f"{READ_ONLY}a binary frame")
+        self._quota.take_text(frame, now)
         try:
             message = decode_client_message(frame)
         except ProtocolError:

@@ -17,11 +17,12 @@ from pointpred.protocol.decoding import EXTREME_MOST
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import REGISTRY, build, parameters
 from pointpred.server import connection, http_protocol, request_rates, websocket_protocol
-from pointpred.server.sessions import lifecycle, outbox, pipelines, quota, trials
+from pointpred.server.sessions import costs, lifecycle, outbox, pipelines, quota, trials
 from pointpred.server.settings import Settings
 
 CONSTANTS = {
     "fragments of a message": websocket_protocol.FRAGMENTS_MOST,
+    "fragments a second, of messages in several": websocket_protocol.FRAGMENTS_PER_S,
     "other messages a second": quota.MESSAGES_PER_S,
     "pings and pongs a second": websocket_protocol.CONTROL_FRAMES_PER_S,
     "parameters of a message": pipelines.PARAMETERS_MOST,
@@ -45,6 +46,23 @@ CONSTANTS = {
 }
 """Limits of the service that are no settings, by their rows in its guide."""
 
+PRICES = {
+    "{:g} ns for each character of a text": 1e9 * costs.TEXT_BYTE_S,
+    "{:g} us for each target registered": 1e6 * costs.TARGET_S,
+    "{:g} ms for `hello`": 1e3 * costs.BUILD_S,
+    "{:g} ms where these": 1e3 * costs.PERSON_S,
+    "{:g} ms for the end of a trial": 1e3 * costs.TRIAL_S,
+    "{:g} us for each of its events": 1e6 * costs.TRIAL_EVENT_S,
+    "{:g} ms for a frame of which something is refused": 1e3 * costs.REFUSED_S,
+    "{:g} us for a frame of events": 1e6 * costs._FRAME_S,
+    "{:g} us for each of them": 1e6 * costs._EVENT_S,
+    "more than {:g} ms is processed": 1e3 * costs.AT_ONCE_S,
+    "slices of some {:g} ms": 1e3 * costs.SLICE_S,
+    "After {:g} ms of one client's messages": 1e3 * connection.TURN_S,
+    "| {:g} s a second: some": quota.SHARE,
+}
+"""Costs of messages in the guide to the service."""
+
 PAGES = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",
@@ -57,6 +75,12 @@ PAGES = [
 @pytest.mark.parametrize("path", everything())
 def test_made_pages_are_current(path: str) -> None:
     assert (ROOT / path).read_text(encoding="utf-8") == made(path), "run `make docs`"
+
+
+@pytest.mark.parametrize("words", PRICES)
+def test_the_guide_to_the_service_says_what_messages_cost(words: str) -> None:
+    page = (ROOT / "docs/guide/service.md").read_text(encoding="utf-8")
+    assert words.format(float(f"{PRICES[words]:.6g}")) in page
 
 
 def test_every_predictor_and_parameter_is_listed() -> None:

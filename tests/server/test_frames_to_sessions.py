@@ -231,7 +231,7 @@ class Holding:
 
 
 def test_what_was_read_before_a_connection_was_lost_is_taken_in() -> None:
-    """Also where the receiver holds reading at each turn."""
+    """Also where the receiver holds reading at each turn; others have their turns in between."""
     with running() as here, Client(here.port):
         (session,) = here.service._open
         connection, _ = here.service._open[session]
@@ -239,6 +239,12 @@ def test_what_was_read_before_a_connection_was_lost_is_taken_in() -> None:
         protocol = connection._socket
         assert isinstance(protocol, BoundedWebSocketProtocol)
         receiver, done = Holding(protocol), threading.Event()
+        taken: list[int] = []  # so far, at each turn of the loop
+
+        def note() -> None:
+            taken.append(receiver.messages)
+            if not receiver.left:
+                protocol.loop.call_soon(note)
 
         def lose() -> None:
             protocol.pause_frames()
@@ -246,11 +252,13 @@ def test_what_was_read_before_a_connection_was_lost_is_taken_in() -> None:
             protocol.data_received(frame(TEXT, text(1.0)) * 1000)
             protocol.transport.abort()
             protocol.loop.call_soon(protocol.loop.call_soon, done.set)
+            note()
 
         protocol.loop.call_soon_threadsafe(lose)
         assert done.wait(PATIENCE_S)
         soon(lambda: receiver.left, "it is lost")
         assert receiver.messages == 1000
+        assert len(set(taken)) >= 1000 // 64
         protocol.loop.call_soon_threadsafe(connection.disconnect, None)
 
 

@@ -13,6 +13,7 @@ from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.websocket_protocol
+from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -41,6 +42,8 @@ PONGS = raw(Opcode.PONG, b"x") * 2000
 BEGUN = raw(Opcode.TEXT, b" ", fin=False)
 EMPTY = BEGUN + raw(Opcode.CONT, b"", fin=False) * 2000
 ONES = BEGUN + raw(Opcode.CONT, b" ", fin=False) * 45_000
+DIVIDED = raw(Opcode.TEXT, b'{"type":"reset"}', fin=False) + raw(Opcode.CONT, b"", fin=False) * 62
+DIVIDED += raw(Opcode.CONT, b"")
 LONG = raw(Opcode.BINARY, b"\0" * (2**20 + 1))
 GROWN = raw(Opcode.BINARY, b"\0" * 2**19, fin=False) + raw(Opcode.CONT, b"\0" * (2**19 + 1), fin=False)
 
@@ -52,6 +55,7 @@ GROWN = raw(Opcode.BINARY, b"\0" * 2**19, fin=False) + raw(Opcode.CONT, b"\0" * 
         pytest.param(PONGS, "too_fast", 1008, id="pongs"),
         pytest.param(EMPTY, "too_large", 1009, id="empty pieces"),
         pytest.param(ONES, "too_large", 1009, id="pieces of a byte"),
+        pytest.param(DIVIDED * 200, "too_fast", 1008, id="messages in pieces"),
         pytest.param(LONG, "too_large", 1009, id="one frame above the framework's limit"),
         pytest.param(GROWN, "too_large", 1009, id="pieces above the framework's limit"),
     ],
@@ -93,6 +97,27 @@ def test_a_message_in_some_pieces_and_pings_between_them_are_answered() -> None:
         throw(socket, frames + raw(Opcode.CONT, pieces[-1]))
         assert told(socket)["t"] == 1.0
         assert socket.ping("here").wait(PATIENCE_S)
+
+
+def test_others_have_their_turn_after_64_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    pieces: list[int] = []  # parsed in each turn
+    parse, take = BoundedWebSocketProtocol._parse, BoundedWebSocketProtocol.handle_cont
+
+    def parse_noted(self: BoundedWebSocketProtocol, data: bytes) -> None:
+        pieces.append(0)
+        parse(self, data)
+
+    def take_noted(self: BoundedWebSocketProtocol, piece: Frame) -> None:
+        pieces[-1] += 1
+        take(self, piece)
+
+    monkeypatch.setattr(BoundedWebSocketProtocol, "_parse", parse_noted)
+    monkeypatch.setattr(BoundedWebSocketProtocol, "handle_cont", take_noted)
+    with running() as here, here.greeted() as socket:
+        throw(socket, DIVIDED * 30 + raw(Opcode.TEXT, event(1.0).encode()))
+        assert told(socket)["t"] == 1.0
+    assert sum(pieces) == 30 * 63
+    assert max(pieces) <= 64
 
 
 def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,6 +16,7 @@ from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.arrivals import Arrivals
 from pointpred.server.connection import Connection
+from pointpred.server.sessions.costs import SLICE_S
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.sessions.work import Completion, Work
 from pointpred.server.work_threads import WorkThreads
@@ -134,7 +135,7 @@ def frames_of_a_way() -> list[bytes]:
     return [packed_rows(*rows[first : first + 150]) for first in range(0, len(rows), 150)]
 
 
-def test_no_slice_of_a_frame_takes_many_events() -> None:
+def test_a_frame_is_divided_into_slices_by_what_it_costs() -> None:
     talk = Talk(greet=hello("kinematic"))
     talk.say(targets(1000))
     talk.session.receive(packed(1024), 10.0)
@@ -142,7 +143,8 @@ def test_no_slice_of_a_frame_takes_many_events() -> None:
     slices = 1
     while talk.session.work.advance() is None:
         slices += 1
-    assert slices >= 1024 // 8
+    assert talk.session.stream is not None
+    assert slices >= talk.session.stream.costs.of(1024) / SLICE_S > 50
 
 
 def test_a_frame_that_is_being_worked_on_when_its_client_leaves_is_taken_in() -> None:

@@ -51,6 +51,25 @@ def test_no_message_at_its_limits_held_the_loop_for_2_ms_when_it_was_measured() 
     assert [row[0] for row in table.rows if float(row[at]) >= 2.0] == []
 
 
+def test_no_message_repeated_as_often_as_allowed_takes_much_more_than_its_share() -> None:
+    """By the times that were measured, and what is taken from the budgets of a second for one message."""
+    table = stored("costs", "longest_messages").tables["longest_messages"]
+    shares = {}
+    for name, _, on_loop_ms, beside_ms in table.rows:
+        session = session_before(MESSAGES[name])
+        budgets = session._quota.costs, session._quota.events, session._quota._messages
+        for budget in budgets:
+            budget.take(0.0, 1e4)
+        session.receive(MESSAGES[name].frame, 1e4)
+        if session.work is not None:
+            session.finish(session.work())
+        if session.close is None:
+            most = min(budget.most / max(budget.most - budget.left, 1e-9) for budget in budgets)
+            shares[name] = most * (float(on_loop_ms) + float(beside_ms)) / 1e3
+    assert len(shares) > 40
+    assert {name: share for name, share in shares.items() if share > 1.25 * SHARE} == {}
+
+
 @pytest.mark.parametrize("name", ["hello, list of 5e-324", "events of 5e-324", "targets of 5e-324"])
 def test_numbers_that_take_long_to_decode_are_refused_before_they_are(name: str) -> None:
     one = MESSAGES[name]
@@ -95,6 +114,9 @@ ADAPTIVE = hello("kinematic-adaptive")
 KNOWN = hello(**dict(MESSAGES["configure, the person stays"].hello or {}))
 SECOND: dict[str, tuple[dict[str, Any], list[Any], Any, int, int]] = {
     "targets": (hello(), [], targets(1000), 120, 300),
+    "targets, too many": (hello(), [], MESSAGES["targets, too many"].frame, 100, 150),
+    "targets, one id": (hello(), [], MESSAGES["targets, one id"].frame, 100, 150),
+    "unknown parameters": (hello(), [], MESSAGES["configure, unknown parameters"].frame, 150, 250),
     "late events": (hello(), [packed(1, start_s=5.0)], packed(1), 2000, 5000),
     "person": (ADAPTIVE, [], MESSAGES["person"].frame, 200, 260),
     "configure": (KNOWN, [], MESSAGES["configure, the person stays"].frame, 200, 260),

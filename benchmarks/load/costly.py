@@ -13,16 +13,16 @@ import msgspec
 import numpy as np
 
 import pointpred.datasets
+from benchmarks.load.generator import Fragment, Message
 from benchmarks.load.movements import hello, resampled, tables
 from pointpred import build
 from pointpred.columns import FloatArray
 from pointpred.protocol.records import pack_events
 
-MESSAGES_PER_S, EVENTS_PER_S = 450.0, 19_000.0
+MESSAGES_PER_S, EVENTS_PER_S, FRAGMENTS_PER_S = 450.0, 19_000.0, 4500.0
 """What a client tries first, somewhat below the limits of a session."""
 MOVEMENTS = 150
 """Movements that a person is learned from."""
-Message = str | bytes
 
 
 class CostlyClient(msgspec.Struct, frozen=True):
@@ -66,6 +66,13 @@ def targets(first: int, count: int = 1000) -> str:
     return text("targets", targets=[{**place, "width": 20, "height": 20} for place in places])
 
 
+def fragments(message: str, count: int) -> Iterator[Fragment]:
+    """A text in so many fragments; where it is shorter, the last ones are empty."""
+    size = -(-len(message) // count)
+    for which in range(count):
+        yield Fragment(message[which * size : (which + 1) * size].encode(), which, count)
+
+
 @cache
 def templates() -> tuple[bytes, ...]:
     """1,000 movements of 15 events with pauses between, within one second's allowance of events."""
@@ -106,6 +113,10 @@ def costly_clients() -> list[CostlyClient]:
     return [
         CostlyClient(
             "1,000 targets replaced", MESSAGES_PER_S, (hello("switched"),), (targets(0), targets(9))
+        ),
+        CostlyClient("1,001 targets, refused", MESSAGES_PER_S, (hello("switched"),), (targets(0, 1001),)),
+        CostlyClient(
+            "messages in 64 fragments", FRAGMENTS_PER_S, (hello("switched"),), tuple(fragments(RESET, 64))
         ),
         CostlyClient(
             "events with 1,000 targets",
