@@ -31,6 +31,8 @@ def digest(
     for name, pipeline in pipelines.items():
         whole.update(f"{name} {type(pipeline.differentiator)} {type(pipeline.predictor)}".encode())
         whole.update(pickle.dumps(pipeline.fresh(), protocol=5))
+        for shared in pipeline.predictor.shared:  # a pickle holds the path of a coefficient file only
+            whole.update(shared.tobytes())
     whole.update(repr([events_of(chunk) for chunk in chunks]).encode())
     if isinstance(source, Recording):
         whole.update(msgspec.msgpack.encode((source.name, source.trials, source.provenance)))

@@ -24,12 +24,19 @@ def answer(order: Order, body: bytes) -> tuple[Outcome, bytes]:
             else score_body(body, order.predictors, order.query)
         )
         response = msgspec.json.encode(result)
-    except (PointpredError, UploadError) as error:
+    except Exception as error:
+        if _is_out_of_memory(error):
+            status, response = refusal_of(UploadError("too_large", TOO_LARGE, 413))
+            return Outcome(status, len(response), exhausted=True), response
+        if not isinstance(error, PointpredError | UploadError):
+            return Outcome(500, 0, place_of(error)), b""
         status, response = refusal_of(error)
         return Outcome(status, len(response)), response
-    except MemoryError:
-        status, response = refusal_of(UploadError("too_large", TOO_LARGE, 413))
-        return Outcome(status, len(response), exhausted=True), response
-    except Exception as error:
-        return Outcome(500, 0, place_of(error)), b""
     return Outcome(200, len(response)), response
+
+
+def _is_out_of_memory(error: BaseException | None) -> bool:
+    """Whether memory ran out, perhaps where a reader took that for a damaged file."""
+    while error is not None and not isinstance(error, MemoryError):
+        error = error.__context__
+    return error is not None

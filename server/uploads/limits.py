@@ -70,7 +70,7 @@ def _check_parquet(body: bytes) -> None:
             with pq.ParquetFile(file, read_dictionary=text_columns) as opened:
                 size += sum(_text_bytes(column) for column in opened.read(columns=text_columns).columns)
             check_most("bytes", size, MOST_UNPACKED)
-    except RecordingError:
+    except (RecordingError, MemoryError):
         raise
     except UNREADABLE as error:
         raise RecordingError(f"the recording: {' '.join(str(error).split())}") from None

@@ -23,6 +23,7 @@ from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
 from pointpred.scoring import score, summarise
 from pointpred.scoring.scorer import scoring_with
@@ -194,6 +195,24 @@ def test_what_is_there_is_not_done_again_unless_something_differs(
         assert asked(short) == 0
         assert asked(file) > 0
         assert asked(file) == 0
+
+
+def test_coefficients_written_anew_in_place_are_scored_anew(short: Recording, tmp_path: Path) -> None:
+    with np.load(coefficient_file.OWN) as own:
+        arrays = {name: np.asarray(own[name]) for name in own.files}
+    path = tmp_path / "me.npz"
+
+    def scored(seconds: int, folder: str, **changes: Any) -> bytes:
+        np.savez(path, **(arrays | changes))
+        os.utime(path, (seconds, seconds))
+        scoring = scoring_with(["kinematic"], parameters={"kinematic": {"coefficients": path}})
+        with open_executor(threads=1) as executor:
+            return document(score_in_chunks(short, scoring, executor, checkpoints=tmp_path / folder))
+
+    before = scored(1, "kept")
+    after = scored(2, "kept", mean=arrays["mean"] + 1.0)
+    assert after != before
+    assert after == scored(3, "fresh", mean=arrays["mean"] + 1.0)
 
 
 @pytest.mark.parametrize("kind", ["durations", "scores"])

@@ -261,6 +261,8 @@ def as_arrow(column: Any) -> Any:
         return column
     try:
         array = pa.array(column)
+    except MemoryError:  # one of Arrow's, too: text takes even more
+        raise
     except (pa.ArrowException, TypeError, ValueError, OverflowError):
         array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
     if pa.types.is_null(array.type):

@@ -80,6 +80,8 @@ def _decimals(column: Any, good: Any) -> FloatArray | None:
         exact = pc.cast(words, DECIMAL)
         first = pc.drop_null(exact)[0]
         return arrow_tables.float64(pc.cast(pc.subtract(exact, first), pa.float64(), safe=False))
+    except MemoryError:  # one of Arrow's, too: not a matter of digits
+        raise
     except (pa.ArrowException, IndexError):
         return None
 

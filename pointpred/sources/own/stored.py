@@ -144,7 +144,8 @@ def stored(path: Path, beside: Path | None, rows_least: int = ROWS_LEAST) -> Sto
     """The recording in a long file that pointpred wrote, with its trials file; ``None`` for any other.
 
     Each trial's rows lie together, and both files have the trials in one order; otherwise, and where
-    something is wrong with a file, it is to be read as a whole, which says so.
+    something is wrong with a file, it is to be read as a whole, which says so. Raises RecordingError where
+    memory runs out.
     """
     if beside is None:
         return None
@@ -163,6 +164,8 @@ def stored(path: Path, beside: Path | None, rows_least: int = ROWS_LEAST) -> Sto
             empty = described(
                 beside, trials.schema_arrow.empty_table(), other, header.name, [], np.zeros(0, int)
             )
+    except MemoryError as error:
+        raise arrow_tables.unreadable(path, error) from error
     except arrow_tables.UNREADABLE:
         return None
     about = Recording.of(

@@ -30,9 +30,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     try:
         table, _ = arrow_tables.read_parquet(path)
     except arrow_tables.UNREADABLE as error:
-        if isinstance(error, RecordingError):
-            raise
-        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+        raise arrow_tables.unreadable(path, error) from error
     while any(pa.types.is_struct(kind) for kind in table.schema.types):
         table = table.flatten()
     arrow_tables.check_names(path, table.column_names)

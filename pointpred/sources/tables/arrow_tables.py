@@ -48,7 +48,7 @@ UNREADABLE = (
     IndexError,
     MemoryError,
 )
-"""Errors of Arrow on damaged bytes."""
+"""Errors of Arrow on damaged bytes, which may declare sizes that fit into no memory."""
 
 
 def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
@@ -62,9 +62,7 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
         table, header = read_parquet(path) if parquet else read_csv(path, text, separator)
         names = table.column_names
     except UNREADABLE as error:
-        if isinstance(error, RecordingError):
-            raise
-        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+        raise unreadable(path, error) from error
     check_names(path, names)
     for name, column in zip(names, table.columns, strict=True):
         kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
@@ -80,6 +78,16 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
     return table, header
 
 
+def unreadable(path: Path, error: BaseException) -> RecordingError:
+    """One of ``UNREADABLE`` as an error that names the file; a RecordingError as it is."""
+    if isinstance(error, RecordingError):
+        return error
+    why = " ".join(str(error).split())
+    if isinstance(error, MemoryError):
+        why = f"needs more memory than there is, or is damaged: {why}"
+    return RecordingError(f"{path}: {why}")
+
+
 def check_names(path: Path, names: Sequence[str]) -> None:
     """Raise RecordingError if two columns have the same name."""
     twice = sorted({name for name in names if names.count(name) > 1})
@@ -90,10 +98,15 @@ def check_names(path: Path, names: Sequence[str]) -> None:
 
 
 def parquet_names(path: Path) -> tuple[bool, set[str]]:
-    """Whether a Parquet file has pointpred's header, and its columns; neither if it is damaged."""
+    """Whether a Parquet file has pointpred's header, and its columns; neither if it is damaged.
+
+    Raises RecordingError where memory runs out.
+    """
     try:
         with open_file(path) as opened, pq.ParquetFile(opened) as file:
             return KEY in (file.metadata.metadata or {}), set(file.schema_arrow.names)
+    except MemoryError as error:
+        raise unreadable(path, error) from error
     except UNREADABLE:
         return False, set()
 
