@@ -1,16 +1,15 @@
 """What a session notices while the service is attacked: ``python -m benchmarks.attacked``.
 
 A client sends an event each 10 ms and takes the time from when it was due to its prediction. Meanwhile
-another process does one of ``ATTACKS``. The table has the delay before, during and after it, the share of a
-processor that the service takes, and its memory. Writes ``pages/attacks/attacked.json``. Linux only.
+another process does one of ``ATTACKS``. The table has how often it did that (connections, or blocks of frames),
+the delay before, during and after it, the share of a processor that the service takes, and its memory. It ends
+where an attack fails or does nothing. Writes ``pages/attacks/attacked.json``. Linux only.
 """
 
 from __future__ import annotations
 
 import gzip
-import json
 import multiprocessing
-import os
 import re
 import resource
 import socket
@@ -21,13 +20,15 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from urllib.request import urlopen
+from typing import Any
 
 import numpy as np
 from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection, connect
 
+from benchmarks.load.servers import wait_until_compiled
 from benchmarks.machine import machine
+from benchmarks.processes import processor_s
 from pages.arguments import parse
 from pages.data import Table, keep
 
@@ -42,135 +43,226 @@ UPGRADE = GET + (
     b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
 )
 LARGEST_FILE = b"GET /web/vendor/uPlot.esm.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
-COLUMNS = ("attack", "p50 before, ms", "p50", "p99", "p50 after", "share of a processor", "memory, MB")
+COLUMNS = (
+    "attack",
+    "times",
+    "p50 before, ms",
+    "p50",
+    "p99",
+    "p50 after",
+    "share of a processor",
+    "memory, MB",
+)
 
 
 def dial(port: int) -> socket.socket:
     return socket.create_connection(("127.0.0.1", port), 10)
 
 
-def silent(port: int, until: float) -> None:
-    """More connections than descriptors, which say nothing."""
-    opened = []
+def opened(port: int, most: int) -> list[socket.socket]:
+    """So many connections, or as many as the service and this process can have."""
+    connections: list[socket.socket] = []
     with suppress(OSError):
-        opened = [dial(port) for _ in range(MANY)]
+        while len(connections) < most:
+            connections.append(dial(port))
+    return connections
+
+
+def keep_open(connections: list[socket.socket], until: float) -> int:
+    """Do nothing with connections, then close them; how many they were."""
     time.sleep(max(0.0, until - time.monotonic()))
-    for one in opened:
+    for one in connections:
         one.close()
+    return len(connections)
 
 
-def slow_headers(port: int, until: float) -> None:
-    """Five hundred requests that go on by one byte each half second."""
-    opened = [dial(port) for _ in range(500)]
+def again(port: int, until: float, attack: Callable[[socket.socket], object]) -> int:
+    """Do something on one new connection after another; how often that was begun."""
+    count = 0
     while time.monotonic() < until:
-        for one in opened:
+        with suppress(OSError), dial(port) as one:
+            count += 1
+            attack(one)
+    return count
+
+
+def silent(port: int, until: float) -> int:
+    """More connections than descriptors, which say nothing."""
+    return keep_open(opened(port, MANY), until)
+
+
+def slow_headers(port: int, until: float) -> int:
+    """Five hundred requests that go on by one byte each half second."""
+    connections = opened(port, 500)
+    while time.monotonic() < until:
+        for one in connections:
             with suppress(OSError):
                 one.send(b"X")
         time.sleep(0.5)
+    return len(connections)
 
 
-def unread(port: int, until: float) -> None:
+def unread(port: int, until: float) -> int:
     """Five hundred connections that ask for the largest file sixteen times and read nothing."""
-    opened = [dial(port) for _ in range(500)]
-    for one in opened:
-        one.sendall(LARGEST_FILE * 16)
-    time.sleep(max(0.0, until - time.monotonic()))
-    for one in opened:
-        one.close()
+    connections = opened(port, 500)
+    for one in connections:
+        with suppress(OSError):
+            one.sendall(LARGEST_FILE * 16)
+    return keep_open(connections, until)
 
 
-def long_queries(port: int, until: float) -> None:
+def long_queries(port: int, until: float) -> int:
     """Requests with 30,000 empty parameters."""
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            one.sendall(b"GET /metrics?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
-            one.recv(4096)
+
+    def ask(one: socket.socket) -> None:
+        one.sendall(b"GET /metrics?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        one.recv(4096)
+
+    return again(port, until, ask)
 
 
-def handshakes(port: int, until: float) -> None:
+def handshakes(port: int, until: float) -> int:
     """One upgrade after another, each left at once."""
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            one.sendall(UPGRADE)
-            one.recv(4096)
+
+    def upgrade(one: socket.socket) -> None:
+        one.sendall(UPGRADE)
+        one.recv(4096)
+
+    return again(port, until, upgrade)
 
 
-def requests(port: int, until: float) -> None:
+def requests(port: int, until: float) -> int:
     """The largest file, asked for again and again on connections of their own."""
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            one.sendall(LARGEST_FILE.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
-            while one.recv(65536):
-                pass
+
+    def ask(one: socket.socket) -> None:
+        one.sendall(LARGEST_FILE.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+        while one.recv(65536):
+            pass
+
+    return again(port, until, ask)
 
 
-def flood(port: int, until: float, frames: bytes, hello: bool = True) -> None:
-    """Frames as fast as they are taken, and a new connection where it is ended."""
+def flood(port: int, until: float, frames: bytes, hello: bool = True) -> int:
+    """Frames as fast as they are taken, and a new connection where it is ended; how often they were sent."""
     greeting = Frame(Opcode.TEXT, HELLO.encode()).serialize(mask=True) if hello else b""
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            one.settimeout(1)
-            one.sendall(UPGRADE + greeting)
-            while time.monotonic() < until:
-                one.sendall(frames)
-                if not one.recv(65536):
-                    break
+    count = 0
+
+    def send(one: socket.socket) -> None:
+        nonlocal count
+        one.settimeout(1)
+        one.sendall(UPGRADE + greeting)
+        while time.monotonic() < until:
+            one.sendall(frames)
+            count += 1
+            if not one.recv(65536):
+                break
+
+    again(port, until, send)
+    return count
 
 
 def text(words: bytes) -> bytes:
     return Frame(Opcode.TEXT, words).serialize(mask=True)
 
 
-def pings(port: int, until: float) -> None:
+def pings(port: int, until: float) -> int:
     """Pings of the most bytes."""
-    flood(port, until, Frame(Opcode.PING, b"x" * 125).serialize(mask=True) * 200)
+    return flood(port, until, Frame(Opcode.PING, b"x" * 125).serialize(mask=True) * 200)
 
 
-def bad_text(port: int, until: float) -> None:
+def bad_text(port: int, until: float) -> int:
     """Text that is no UTF-8."""
-    flood(port, until, text(b"\xed\xa0\x80"))
+    return flood(port, until, text(b"\xed\xa0\x80"))
 
 
-def nested(port: int, until: float) -> None:
+def nested(port: int, until: float) -> int:
     """JSON of the most bytes, as deep as it is long."""
-    flood(port, until, text(b"[" * 65_000))
+    return flood(port, until, text(b"[" * 65_000))
 
 
-def unknown(port: int, until: float) -> None:
+def unknown(port: int, until: float) -> int:
     """Messages of the most bytes with thousands of unknown parameters."""
     names = b",".join(b'"p%d":1' % number for number in range(5000))
-    flood(port, until, text(b'{"type":"configure","parameters":{' + names + b"}}"))
+    return flood(port, until, text(b'{"type":"configure","parameters":{' + names + b"}}"))
 
 
-def bombs(port: int, until: float) -> None:
+def fragments(port: int, until: float) -> int:
+    """Messages in 64 fragments."""
+    pieces = [Frame(Opcode.TEXT, b'{"type":"reset"}', False)] + [Frame(Opcode.CONT, b"", False)] * 62
+    return flood(
+        port, until, b"".join(one.serialize(mask=True) for one in [*pieces, Frame(Opcode.CONT, b"")])
+    )
+
+
+def refused_targets(port: int, until: float) -> int:
+    """More targets than a session may have."""
+    one = b'{"id":"%d","x":0,"y":0,"width":1,"height":1}'
+    many = b",".join(one % number for number in range(1300))
+    return flood(port, until, text(b'{"type":"targets","targets":[' + many + b"]}"))
+
+
+def bombs(port: int, until: float) -> int:
     """Uploads that unpack to 2 GB."""
     packed = b"".join(gzip.compress(bytes(2**20), 9) for _ in range(2000))
     head = (
         b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nContent-Length: %d\r\n\r\n"
         % len(packed)
     )
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            one.sendall(head + packed)
-            while one.recv(65536):
-                pass
+
+    def send(one: socket.socket) -> None:
+        one.sendall(head + packed)
+        while one.recv(65536):
+            pass
+
+    return again(port, until, send)
 
 
-ATTACKS: tuple[Callable[[int, float], None], ...] = (
-    *(
-        silent,
-        slow_headers,
-        unread,
-        long_queries,
-        handshakes,
-        requests,
-        pings,
-        bad_text,
-        nested,
-        unknown,
-        bombs,
-    ),
+Attack = Callable[[int, float], int]
+ATTACKS: tuple[Attack, ...] = (
+    silent,
+    slow_headers,
+    unread,
+    long_queries,
+    handshakes,
+    requests,
+    pings,
+    bad_text,
+    nested,
+    unknown,
+    fragments,
+    refused_targets,
+    bombs,
 )
+
+
+def carry_out(attack: Attack, port: int, until: float, count: Any) -> None:
+    """In a process of its own, with as many descriptors as it may have."""
+    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+    count.value = attack(port, until)
+
+
+class Attacker:
+    """A process that attacks a service for some seconds."""
+
+    def __init__(self, attack: Attack, port: int, seconds: float) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._attack, self._count = attack, context.Value("q", 0)
+        until = time.monotonic() + seconds
+        self._process = context.Process(target=carry_out, args=(attack, port, until, self._count))
+        self._process.start()
+
+    def finish(self) -> int:
+        """How often it was done; raises SystemExit where the attack failed, did not end or did nothing."""
+        self._process.join(60)
+        self._process.kill()
+        self._process.join()
+        if self._process.exitcode != 0 or self._count.value == 0:
+            name, code = self._attack.__name__, self._process.exitcode
+            raise SystemExit(
+                f"the attack '{name}' did nothing: exit code {code}, done {self._count.value} times"
+            )
+        return int(self._count.value)
 
 
 def delays(session: ClientConnection, first: int, seconds: float) -> np.ndarray:
@@ -188,39 +280,31 @@ def delays(session: ClientConnection, first: int, seconds: float) -> np.ndarray:
     return np.array(result)
 
 
-def processor_s(pid: int) -> float:
-    """Processor time of the service so far."""
-    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
 def memory_mb(pid: int) -> float:
     status = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
     found = re.search(r"VmRSS:\s+(\d+)", status)
     return int(found[1]) / 1024 if found else 0.0
 
 
-def attacked(attack: Callable[[int, float], None], port: int, pid: int) -> tuple[str, ...]:
+def attacked(attack: Attack, port: int, pid: int) -> tuple[str, ...]:
     """One line of the table."""
-    context = multiprocessing.get_context("spawn")
     with connect(
         f"ws://127.0.0.1:{port}/v1/stream", compression=None, proxy=None, open_timeout=600
     ) as session:
         session.send(HELLO)
         session.recv(600)
         before = np.median(delays(session, 0, 2.0))
-        child = context.Process(target=attack, args=(port, time.monotonic() + SECONDS + 3.0))
-        child.start()
+        attacker = Attacker(attack, port, SECONDS + 3.0)
         time.sleep(2.0)
         used, began = processor_s(pid), time.monotonic()
         during = delays(session, 1000, SECONDS)
         share = (processor_s(pid) - used) / (time.monotonic() - began)
-        child.join(60)
-        child.kill()
+        times = attacker.finish()
         after = np.median(delays(session, 5000, 2.0))
     numbers = (before, np.median(during), np.quantile(during, 0.99), after)
     about = " ".join((attack.__doc__ or "").split()).rstrip(".")
-    return about, *(f"{number:.1f}" for number in numbers), f"{share:.2f}", f"{memory_mb(pid):.0f}"
+    shown = (f"{number:.1f}" for number in numbers)
+    return about, str(times), *shown, f"{share:.2f}", f"{memory_mb(pid):.0f}"
 
 
 def main() -> None:
@@ -234,8 +318,7 @@ def main() -> None:
         found = re.search(r":(\d+)/", service.stdout.readline())
         assert found is not None
         port = int(found[1])
-        while not compiled(port):
-            time.sleep(1.0)
+        wait_until_compiled(f"http://127.0.0.1:{port}/")
         try:
             rows = []
             for attack in ATTACKS:
@@ -245,13 +328,6 @@ def main() -> None:
             service.terminate()
     about = {"seconds": SECONDS, "files": FILES}
     keep("attacks", {"attacked": Table.of(COLUMNS, rows)}, part="attacked", machine=where, numbers=about)
-
-
-def compiled(port: int) -> bool:
-    """Whether the service has nothing left to compile."""
-    with urlopen(f"http://127.0.0.1:{port}/v1/compiling", timeout=60) as answer:
-        progress = json.load(answer)
-    return bool(progress["done"] == progress["of"])
 
 
 if __name__ == "__main__":

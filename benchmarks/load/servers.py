@@ -19,7 +19,7 @@ from urllib.request import urlopen
 import msgspec
 
 from benchmarks.load.cores import FIRST, on_cores
-from benchmarks.processes import family
+from benchmarks.processes import family, processor_s
 from pages import ROOT
 
 PATIENCE_S = 600.0
@@ -55,7 +55,7 @@ def service(
     limits = RAISED if raised else {"POINTPRED_MAX_SESSIONS": "1000"}
     with _process(words, cores, root, {**limits, "PYTHONPATH": str(root)}) as (process, lines):
         address = next(line.strip() for line in lines if line.startswith("http"))
-        _wait_until_compiled(address)
+        wait_until_compiled(address)
         _wait_until_idle(process.pid)
         yield Server(int(address.rstrip("/").rpartition(":")[2]), family(process.pid))
 
@@ -94,7 +94,8 @@ def _process(
                 process.terminate()
 
 
-def _wait_until_compiled(address: str) -> None:
+def wait_until_compiled(address: str) -> None:
+    """Until every predictor of a service answers at once; raises SystemExit where that takes too long."""
     until = time.monotonic() + PATIENCE_S
     while time.monotonic() < until:
         try:
@@ -114,12 +115,3 @@ def _wait_until_idle(pid: int) -> None:
     while abs((now_s := sum(map(processor_s, family(pid)))) - used_s) > IDLE_S / 50:
         used_s = now_s
         time.sleep(IDLE_S)
-
-
-def processor_s(pid: int) -> float:
-    """Processor time of all threads of a process so far; 0 once it has ended."""
-    tasks = Path(f"/proc/{pid}/task").glob("*/schedstat")
-    try:
-        return sum(int(task.read_text().split()[0]) for task in tasks) / 1e9
-    except (FileNotFoundError, ProcessLookupError):
-        return 0.0

@@ -21,6 +21,7 @@ from urllib.request import Request, urlopen
 
 import msgspec
 
+from benchmarks.load.servers import wait_until_compiled
 from benchmarks.machine import machine
 from benchmarks.processes import family
 from benchmarks.soak.reports import Plan, Report
@@ -58,8 +59,7 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             address = process.stdout.readline().strip()
             if not address:
                 raise SystemExit(f"the service did not start: {log.read_text(encoding='utf-8')[-500:]}")
-            while not _compiled(address):
-                time.sleep(0.2)
+            wait_until_compiled(address)
             with urlopen(Request(f"{address}v1/score?predictors=hold", recording())) as answer:
                 answer.read()  # starts the process that opens recordings
             while len(family(process.pid)) > 2:  # until those that compile have ended
@@ -70,13 +70,6 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             process.wait(60)
             if process.stdout:
                 process.stdout.close()
-
-
-def _compiled(address: str) -> bool:
-    """Whether every predictor answers at once."""
-    with urlopen(f"{address}v1/compiling") as answer:
-        state = msgspec.json.decode(answer.read())
-    return bool(state["done"] == state["of"])
 
 
 class Soak:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from contextlib import suppress
 from pathlib import Path
 
 import msgspec
 
-from benchmarks.processes import family
+from benchmarks.processes import family, processor_s
 
 
 class Usage(msgspec.Struct):
@@ -40,10 +39,9 @@ def _process(pid: int) -> tuple[float, int, int, float]:
     folder = Path("/proc") / str(pid)
     lines = (folder / "status").read_text().splitlines()
     status = dict(line.split(":", 1) for line in lines if ":" in line)
-    times = (folder / "stat").read_text().rpartition(")")[2].split()
     return (
         int(status["RssAnon"].split()[0]) / 1024,
         int(status["Threads"]),
         sum(1 for _ in (folder / "fd").iterdir()),
-        (int(times[11]) + int(times[12])) / os.sysconf("SC_CLK_TCK"),
+        processor_s(pid),
     )
