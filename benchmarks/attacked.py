@@ -1,9 +1,9 @@
 """What a session notices while the service is attacked: ``python -m benchmarks.attacked``.
 
 A client sends an event each 10 ms and takes the time from when it was due to its prediction. Meanwhile
-another process does one of ``ATTACKS``. The table has how often it did that (connections, or blocks of frames),
-the delay before, during and after it, the share of a processor that the service takes, and its memory. It ends
-where an attack fails or does nothing. Writes ``pages/attacks/attacked.json``. Linux only.
+another process does one of ``ATTACKS``. The table has how often it did that (connections, or blocks of
+frames), the delay before, during and after it, the share of a processor that the service takes, and its
+memory. It ends where an attack fails or does nothing. Writes ``pages/attacks/attacked.json``. Linux only.
 """
 
 from __future__ import annotations
@@ -188,10 +188,9 @@ def unknown(port: int, until: float) -> int:
 
 def fragments(port: int, until: float) -> int:
     """Messages in 64 fragments."""
-    pieces = [Frame(Opcode.TEXT, b'{"type":"reset"}', False)] + [Frame(Opcode.CONT, b"", False)] * 62
-    return flood(
-        port, until, b"".join(one.serialize(mask=True) for one in [*pieces, Frame(Opcode.CONT, b"")])
-    )
+    middle = [Frame(Opcode.CONT, b"", fin=False)] * 62
+    frames = [Frame(Opcode.TEXT, b"{", fin=False), *middle, Frame(Opcode.CONT, b"")]
+    return flood(port, until, b"".join(one.serialize(mask=True) for one in frames) * 4)
 
 
 def refused_targets(port: int, until: float) -> int:
@@ -203,7 +202,7 @@ def refused_targets(port: int, until: float) -> int:
 
 def bombs(port: int, until: float) -> int:
     """Uploads that unpack to 2 GB."""
-    packed = b"".join(gzip.compress(bytes(2**20), 9) for _ in range(2000))
+    packed = gzip.compress(bytes(2**20), 9) * 2000
     head = (
         b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nContent-Length: %d\r\n\r\n"
         % len(packed)
