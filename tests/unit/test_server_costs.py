@@ -11,7 +11,10 @@ import pytest
 from benchmarks.longest_messages import longest_messages, packed, session_before, targets, text
 from pages.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
+from pointpred.protocol.server_messages import Limits
+from pointpred.server.sessions.costs import TEXT_BYTE_S
 from pointpred.server.sessions.quota import SHARE
+from pointpred.server.sessions.viewing import ViewingSession
 from tests.unit.talking import Talk, events, hello
 
 MESSAGES = longest_messages()
@@ -181,3 +184,21 @@ def test_what_is_wrong_with_a_long_frame_is_answered_after_the_work() -> None:
     (error,) = talk.hear()
     assert (error["code"], error["path"]) == ("bad_field", "$.events[700][3]")
     assert talk.session.refusals == {"bad_field": 1}
+
+
+def test_a_viewer_pays_for_long_texts_too() -> None:
+    viewer, sent = ViewingSession("name", Limits(), 0.0), 0
+    while viewer.close is None:
+        viewer.receive(MESSAGES["targets, too many"].frame, 0.0)
+        sent += 1
+    assert viewer.close.code == 1008
+    assert 200 < sent < 250
+
+
+def test_a_text_that_is_decoded_to_be_joined_pays_for_that() -> None:
+    alone, joined = Talk(), Talk()
+    frame = MESSAGES["targets, too many"].frame
+    alone.session.receive(frame, 0.0)
+    assert joined.session.receive_together([frame, frame], 0.0) == 1
+    used = alone.session._quota.costs.left - joined.session._quota.costs.left
+    assert used == pytest.approx(TEXT_BYTE_S * len(frame))
