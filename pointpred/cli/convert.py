@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pointpred.cli.output_files import Force, Out, check_recording
-from pointpred.cli.reading_options import recordings_in, to_read, with_reading
+from pointpred.cli.reading_options import as_given, recordings_in, to_read, with_reading
 from pointpred.console import counted, remarks
 from pointpred.errors import RecordingError
 
@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 @with_reading
 def convert(
     source: Annotated[
-        Path, typer.Argument(callback=to_read, help="A file in any format pointpred reads, or a folder.")
+        Path,
+        typer.Argument(
+            callback=to_read, parser=as_given, help="A file in any format pointpred reads, or a folder."
+        ),
     ],
     out: Out,
     force: Force = False,

@@ -11,7 +11,7 @@ import typer
 from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.output_files import check_target
 from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import options_in, to_read, with_reading
+from pointpred.cli.reading_options import as_given, options_in, to_read, with_reading
 from pointpred.cli.serve import open_port, settings_of
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
@@ -107,6 +107,7 @@ def live(
         typer.Option(
             metavar="FILE",
             callback=to_read,
+            parser=as_given,
             help="Play this recording instead of reading a mouse; 'sample': the embedded one.",
             rich_help_panel=REPLAY,
         ),

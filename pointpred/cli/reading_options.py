@@ -82,6 +82,13 @@ def check_exists(value: Any) -> Any:
     return value
 
 
+def as_given(text: str) -> Path | str:
+    """One of the recordings given: a path, or an address as it was typed, which a path would change."""
+    from pointpred.sources.files.addresses import address_in
+
+    return address_in(text) or Path(text)
+
+
 def to_read(context: typer.Context, value: Any) -> Any:
     """The recordings given: ``sample`` is the embedded one, ``-`` stdin, a pattern all files that fit it.
 
@@ -99,14 +106,14 @@ def to_read(context: typer.Context, value: Any) -> Any:
     return files[0]
 
 
-def _matches(context: typer.Context, value: Path) -> list[Path]:
+def _matches(context: typer.Context, value: Path | str) -> list[Path]:
     """The files that are meant by one argument; raises ParameterError where no file matches a pattern."""
     if str(value) == STDIN:
         return [_save_stdin(context)]
-    from pointpred.sources.files.addresses import address_in, local_copy
+    if isinstance(value, str):
+        from pointpred.sources.files.addresses import local_copy
 
-    if address := address_in(value):
-        return [local_copy(address)]
+        return [local_copy(value)]
     if value.exists() or not PATTERN.search(str(value)):
         return [value]
     files = sorted(Path(value.anchor).glob(str(value.relative_to(value.anchor))))

@@ -11,7 +11,7 @@ import typer
 from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.output_files import check_target, write_json
 from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import Cpi, Dpi, to_read, with_reading
+from pointpred.cli.reading_options import Cpi, Dpi, as_given, to_read, with_reading
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
@@ -31,6 +31,7 @@ def replay(
         Path | None,
         typer.Argument(
             callback=to_read,
+            parser=as_given,
             help="A recording in any format pointpred reads. Not given: the embedded sample.",
         ),
     ] = None,

@@ -11,7 +11,7 @@ from rich.table import Table
 
 from pointpred.cli.executor_options import ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import to_read, with_reading
+from pointpred.cli.reading_options import as_given, to_read, with_reading
 from pointpred.cli.score_inputs import in_memory
 from pointpred.console import counted, plain, results
 from pointpred.errors import ParameterError, RecordingError
@@ -40,7 +40,10 @@ HELD_OUT = {
 @with_reading
 def train(
     files: Annotated[
-        list[Path], typer.Argument(callback=to_read, help="Recordings, as 'pointpred score' reads them.")
+        list[Path],
+        typer.Argument(
+            callback=to_read, parser=as_given, help="Recordings, as 'pointpred score' reads them."
+        ),
     ],
     out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write, such as me.npz.")],
     from_scratch: Annotated[

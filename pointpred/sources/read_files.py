@@ -85,7 +85,7 @@ def open_any(
 
 def _here(path: str | Path) -> Path:
     """A path, or the copy of what lies at an address."""
-    address = address_in(Path(path))
+    address = address_in(path)
     return Path(path) if address is None else local_copy(address)
 
 

@@ -112,3 +112,24 @@ def test_a_real_path_is_no_address(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     Path("s3:/a.csv").touch()
     assert addresses.address_in(Path("s3://a.csv")) is None
     assert addresses.address_in(Path("C:/a.csv")) is None
+
+
+def test_absolute_addresses_and_those_within_others_are_kept_as_they_were_given(
+    study: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with zipfile.ZipFile(study / "all.zip", "w") as archive:
+        archive.write(study / "study_samples.csv", "study_samples.csv")
+    for address in (
+        f"file://{study}/study_samples.csv",
+        f"zip://study_samples.csv::file://{study}/all.zip",
+    ):
+        assert len(read_any(Path(address))[0].events) == len(read_any(address)[0].events)
+        result = CliRunner().invoke(
+            app, ["convert", address, "--out", str(study / f"out_{len(address)}.csv")]
+        )
+        assert result.exit_code == 0, result.output
+    asked: list[str] = []
+    monkeypatch.setattr(addresses, "local_copy", lambda address: asked.append(address) or study)
+    for kept in ("hdfs:///study.csv", "https://host/get?u=https://other/x", "s3://bucket//a.csv"):
+        result = CliRunner().invoke(app, ["convert", kept, "--out", str(study / "none.csv")])
+        assert asked.pop() == kept, result.output

@@ -13,28 +13,36 @@ from typing import Any
 from pointpred.errors import MissingExtraError, PointpredError, RecordingError
 from pointpred.extras import require
 
-SCHEME = re.compile(r"(?<![\w:/])([a-z][a-z0-9+.-]+):/+", re.IGNORECASE)
+SCHEME = re.compile(r"(?<![\w/])([a-z][a-z0-9+.-]+):/+", re.IGNORECASE)
 CHAIN = "::"
 SAMPLES, TRIALS = "_samples", "_trials"
 ENDINGS = (".parquet", ".csv", ".csv.gz")
+LOCAL = ("file", "local")
 WEB = ("http", "https")
 """Protocols that have files only: to ask for a folder would fetch the file."""
 
 _copies: dict[str, Path] = {}
 
 
-def address_in(path: Path) -> str | None:
-    """The address that a command line's path was, whose ``//`` it has lost; ``None`` for a real path.
+def address_in(path: Path | str) -> str | None:
+    """The address that a text is, or that a path was, whose ``//`` it has lost; ``None`` for a real path.
 
-    >>> address_in(Path("s3://bucket/study.csv"))
-    's3://bucket/study.csv'
-    >>> address_in(Path("zip://a.csv::s3://bucket/all.zip")), address_in(Path("study.csv"))
-    ('zip://a.csv::s3://bucket/all.zip', None)
+    A text is taken as it is. Of a path, which cannot tell two slashes from three, a ``file:`` is absolute and
+    any other names its host.
+
+    >>> address_in("hdfs:///study.csv"), address_in("study.csv")
+    ('hdfs:///study.csv', None)
+    >>> address_in(Path("s3://bucket/study.csv")), address_in(Path("zip://a.csv::file:///data/all.zip"))
+    ('s3://bucket/study.csv', 'zip://a.csv::file:///data/all.zip')
     """
-    text = path.as_posix()
-    if path.exists() or not SCHEME.match(text):
+    text = path if isinstance(path, str) else path.as_posix()
+    if not SCHEME.match(text) or Path(path).exists():
         return None
-    return CHAIN.join(SCHEME.sub(r"\1://", part, count=1) for part in text.split(CHAIN))
+    return text if isinstance(path, str) else SCHEME.sub(_with_slashes, text)
+
+
+def _with_slashes(scheme: re.Match[str]) -> str:
+    return f"{scheme[1]}:///" if scheme[1].lower() in LOCAL else f"{scheme[1]}://"
 
 
 def address_of(path: Path) -> str | None:
