@@ -13,6 +13,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResp
 
 from pointpred.protocol.server_messages import Code
 from pointpred.server.access import usual_address
+from pointpred.server.http_reading import HeldReading
 from pointpred.server.request_rates import REQUESTS_PER_S, RequestRates
 from pointpred.server.request_refusal import Refusal
 from pointpred.server.upgrade import check_upgrade, upgrade_request
@@ -20,6 +21,9 @@ from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
 log = logging.getLogger("pointpred.service")
 
+PIECE_BYTES = 2**13
+"""Received data is parsed in pieces of this size, and others have their turn in between: a parser calls back
+for each header and each chunk, and a read of 250 kB may hold 60,000 of them."""
 HEADER_S = 10.0
 """So long a header may take: from the connection, or from the first byte of a further request."""
 HEADER_BYTES = 2**16
@@ -32,8 +36,12 @@ TARGET_FIELDS = 64
 """Parameters of a query, each of which costs time, however short it is."""
 PIPELINED = 16
 """Further requests that wait for the first one's response; no browser sends one."""
+CHUNKS = 2**14
+"""Chunks of a body, each of which costs time, however short it is: those of the longest recording may hold
+1 KiB each."""
 BODY_BYTES = 2**24
-"""Bytes of a body that are thrown away after the response, until the connection idles for too long."""
+"""Bytes of a body that are thrown away after the response; the connection is closed 5 s after the response,
+however much of the body still comes."""
 UNREAD_S = 10.0
 """So long a client may read nothing of what is sent to it."""
 DRAIN_S = 2.0
@@ -51,10 +59,18 @@ LONG_TARGET = Refusal(
     "too_large",
     f"the path and query of a request hold at most {TARGET_BYTES} bytes, and {TARGET_FIELDS} parameters",
 )
+TRAILER = Refusal(
+    HTTPStatus.BAD_REQUEST, "bad_field", "a request has no trailers: send its headers before its body"
+)
+MANY_CHUNKS = Refusal(
+    HTTPStatus.REQUEST_ENTITY_TOO_LARGE,
+    "too_large",
+    f"the body of a request holds at most {CHUNKS} chunks: send longer ones, or its Content-Length",
+)
 EARLY_UPGRADE = Refusal(
     HTTPStatus.BAD_REQUEST,
     "out_of_place",
-    "a WebSocket is opened after the responses to earlier requests have been sent",
+    "a WebSocket is opened after the responses to earlier requests have been read",
 )
 NO_HTTP = Refusal(HTTPStatus.BAD_REQUEST, "bad_field", "expected an HTTP request")
 TOO_MANY = Refusal(
@@ -63,7 +79,7 @@ TOO_MANY = Refusal(
 TOO_OFTEN = Refusal(
     HTTPStatus.TOO_MANY_REQUESTS,
     "too_fast",
-    f"at most {REQUESTS_PER_S} requests a second of one address are answered in the long run",
+    f"at most {REQUESTS_PER_S} requests a second of one address are answered by a worker in the long run",
 )
 
 
@@ -73,9 +89,14 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     The body of a request is bounded by what reads it; what of it is left after the response is bounded here.
     """
 
+    flow: HeldReading
+    _unparsed = b""  # received data that waits for its turn; nothing more is read meanwhile
+    _turn: asyncio.Handle | None = None  # when a piece of it is parsed
     _header_timer: asyncio.TimerHandle | None = None  # runs while a header is incomplete
     _header_bytes = 0  # received while a header is incomplete
     _in_body = False
+    _body_bytes = 0
+    _chunks = 0  # of this body
     _running: RequestResponseCycle | None = None  # what is answered now; ``cycle`` is the newest request
     _refused = False  # nothing more is parsed
     _linger_timer: asyncio.TimerHandle | None = None  # runs while a client may read why it was refused
@@ -85,6 +106,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """The first header is expected."""
         super().connection_made(transport)
+        self.flow = HeldReading(transport)
         self.client = usual_address(self.client)
         self.transport.set_write_buffer_limits(high=0)  # writing pauses as soon as anything is left unsent
         self._expect_header()
@@ -93,6 +115,9 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         """Nothing is expected any more."""
         self._stop_header_timer()
         self._stop_unread_timer()
+        self._unparsed = b""
+        if self._turn is not None:
+            self._turn.cancel()
         if self._linger_timer is not None:
             self._linger_timer.cancel()
         if self._running is not None:
@@ -111,7 +136,34 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         super().resume_writing()
 
     def data_received(self, data: bytes) -> None:
-        """Parse received data, and bound the length of a header that is not complete."""
+        """Parse received data; the rest of much data waits until others had their turn."""
+        if self._unparsed:
+            self._unparsed += data
+        elif len(data) <= PIECE_BYTES:
+            self._parse(data)
+        else:
+            self._unparsed = data
+            self._take_turn()
+
+    def _take_turn(self) -> None:
+        """Parse one piece of what waits."""
+        size = max(PIECE_BYTES, self._body_left() if self._in_body else 0)
+        data, self._unparsed, self._turn = self._unparsed[:size], self._unparsed[size:], None
+        self._parse(data)
+        if self._unparsed and not self.transport.is_closing():
+            self.flow.hold()
+            self._turn = self.loop.call_soon(self._take_turn)
+        else:
+            self._unparsed = b""
+            self.flow.release()
+
+    def _body_left(self) -> int:
+        """Bytes that are still to come of a body of a given length: they are parsed as one."""
+        given = [value for name, value in self.headers if name == b"content-length"]
+        return int(given[0]) - self._body_bytes if given else 0
+
+    def _parse(self, data: bytes) -> None:
+        """Parse one piece, and bound the length of a header that is not complete."""
         if self._refused:
             self._throw_away(len(data), DRAIN_BYTES)
             return
@@ -119,8 +171,8 @@ class BoundedHttpProtocol(HttpToolsProtocol):
             self.parser.feed_data(data)
         except HttpParserUpgrade as upgrade:
             if self._should_upgrade():
+                early, self._unparsed = data[upgrade.args[0] :] + self._unparsed, b""
                 self.handle_websocket_upgrade()
-                early = data[upgrade.args[0] :]
                 if early and not self._refused and not self.transport.is_closing():
                     self.transport.get_protocol().data_received(early)  # type: ignore[attr-defined]
         except HttpParserError:
@@ -134,13 +186,15 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         """Hand the connection to a WebSocket, with the request that has been parsed."""
         url, fields = self.url, self.headers
         refusal = check_upgrade(self.parser.get_method(), self.parser.get_http_version(), url, fields)
-        if self.cycle is not None and not self.cycle.response_complete:
-            refusal = EARLY_UPGRADE  # nobody would tell that response to go on, or that the client has gone
+        if self.flow.write_paused or (self.cycle is not None and not self.cycle.response_complete):
+            # Nobody would tell that response to go on, or that the client has gone; nor would the session
+            # learn that the client does not read, which the transport says once.
+            refusal = EARLY_UPGRADE
         if refusal is not None:
             self._refuse(refusal)
         if self._refused:
             return
-        self._stop_unread_timer()  # from now on the bounds are those of a WebSocket
+        self.flow.release()  # from now on the bounds are those of a WebSocket
         self.connections.discard(self)
         protocol = BoundedWebSocketProtocol(self.config, self.server_state, self.app_state)
         protocol.connection_made(self.transport)
@@ -158,17 +212,28 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def on_message_begin(self) -> None:
         """A request begins."""
         super().on_message_begin()
-        self._in_body, self._unread = False, 0
+        self._in_body, self._unread, self._body_bytes, self._chunks = False, 0, 0, 0
         self._unset_keepalive_if_required()
         if self._header_timer is None:
             self._expect_header()
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        """A line of its header; one behind a body is kept by nobody."""
+        if self._in_body:
+            self._refuse(TRAILER)
+        elif len(self.headers) >= HEADER_LINES:
+            self._refuse(TOO_LONG)
+        elif not self._refused:
+            super().on_header(name, value)
 
     def on_headers_complete(self) -> None:
         """Its header is complete; a request that is refused does not reach the application."""
         self._stop_header_timer()
         self._unset_keepalive_if_required()
+        if self._refused:
+            return
         length = len(self.url) + sum(len(name) + len(value) + 4 for name, value in self.headers)
-        if length > HEADER_BYTES or len(self.headers) > HEADER_LINES:
+        if length > HEADER_BYTES:
             self._refuse(TOO_LONG)
         elif len(self.url) > TARGET_BYTES or self.url.count(b"&") >= TARGET_FIELDS:
             self._refuse(LONG_TARGET)
@@ -180,8 +245,15 @@ class BoundedHttpProtocol(HttpToolsProtocol):
             super().on_headers_complete()
             self._in_body = True
 
+    def on_chunk_header(self) -> None:
+        """The length of a chunk has come."""
+        self._chunks += 1
+        if self._chunks > CHUNKS:
+            self._refuse(MANY_CHUNKS)
+
     def on_body(self, body: bytes) -> None:
         """A part of a body, thrown away where the response has been sent already."""
+        self._body_bytes += len(body)
         if self._refused:
             return
         super().on_body(body)

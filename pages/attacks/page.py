@@ -8,6 +8,7 @@ import msgspec
 
 from pages import PAGES, ROOT
 from pages.data import Table, Tables, read, stored
+from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
 
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 COLUMNS = (
@@ -35,9 +36,10 @@ class Run(msgspec.Struct, frozen=True):
 
 
 def context() -> dict[str, Any]:
-    """Every table of the page."""
+    """Every table of the page, and the limits that it names."""
     parts = ("tokens", "conformance", "attacked")
-    return {"fuzz": fuzzed(), **{part: stored("attacks", part) for part in parts}}
+    requests = {"at_once": REQUESTS_AT_ONCE, "a_second": REQUESTS_PER_S}
+    return {"fuzz": fuzzed(), "requests": requests, **{part: stored("attacks", part) for part in parts}}
 
 
 def fuzzed() -> Tables:

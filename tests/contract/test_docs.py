@@ -16,7 +16,7 @@ from pointpred.person import LARGEST
 from pointpred.protocol.decoding import EXTREME_MOST
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import REGISTRY, build, parameters
-from pointpred.server import connection, http_protocol, request_rates, websocket_protocol
+from pointpred.server import access, connection, http_protocol, request_rates, websocket_protocol
 from pointpred.server.sessions import costs, lifecycle, outbox, pipelines, quota, trials
 from pointpred.server.settings import Settings
 
@@ -43,6 +43,7 @@ CONSTANTS = {
     "requests of one other machine a second, in the long run": request_rates.REQUESTS_PER_S,
     "requests of one other machine at once": request_rates.REQUESTS_AT_ONCE,
     "requests that wait on one connection": http_protocol.PIPELINED,
+    "chunks of the body of a request": http_protocol.CHUNKS,
 }
 """Limits of the service that are no settings, by their rows in its guide."""
 
@@ -119,6 +120,15 @@ def test_every_test_that_shows_a_defence_exists() -> None:
     named = set(re.findall(r"tests/[\w/]+\.py", text))
     assert len(named) > 10
     assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
+
+
+def test_limits_of_requests_are_those_of_the_code() -> None:
+    text = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
+    at_once, a_second = request_rates.REQUESTS_AT_ONCE, request_rates.REQUESTS_PER_S
+    assert f"each worker answers {at_once:,} requests at once and {a_second} a second" in text
+    assert f"limited to {a_second} a second in the long run, by each worker" in text
+    assert f"at most {access.MOST_ORIGINS} of them" in text
+    assert f"{http_protocol.HEADER_LINES} headers, {http_protocol.CHUNKS:,} chunks" in text
 
 
 def anchors(page: Path) -> set[str]:

@@ -128,6 +128,21 @@ def test_a_client_that_sends_a_little_after_its_response_does_not_stay(dribble: 
         soon(lambda: not here.server.server_state.connections, "it is closed")
 
 
+def dribble(opened: socket_module.socket) -> None:
+    """Send a body that has no end."""
+    while True:
+        opened.sendall(b"x")
+        time.sleep(0.02)
+
+
+def test_a_body_that_still_comes_is_cut_some_seconds_after_the_response() -> None:
+    head = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 100000000\r\n\r\n"
+    with running() as here:
+        here.server.config.timeout_keep_alive = 0.2
+        with half(here, head) as opened, pytest.raises((ConnectionResetError, BrokenPipeError)):
+            dribble(opened)
+
+
 def test_requests_without_waiting_for_responses_are_bounded() -> None:
     one = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
     with running() as here, half(here, one * 1000) as opened:
@@ -254,6 +269,18 @@ def test_a_websocket_is_not_opened_before_an_earlier_response_has_been_read() ->
             soon(lambda: refused(here, "out_of_place") == 1.0, "it is refused")
             assert b"HTTP/1.1 101 " not in answer(opened)
         soon(lambda: not here.server.server_state.tasks, "nothing holds the file any more")
+
+
+def test_a_websocket_is_not_opened_while_the_client_reads_no_refusal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its session would never learn that what it sends is not read; the response itself is complete."""
+    monkeypatch.setattr("pointpred.server.access.HOST_REFUSED", b"x" * 8_000_000)
+    foreign = b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n"
+    with running() as here, reading_slowly(here, foreign) as opened:
+        connections = here.server.server_state.connections
+        soon(lambda: any(one.cycle and one.cycle.response_complete for one in connections), "it is refused")
+        assert all(one.flow.write_paused for one in connections)
+        opened.sendall(LINE + UPGRADE + b"\r\n")
+        soon(lambda: refused(here, "out_of_place") == 1.0, "it is refused")
 
 
 @pytest.mark.parametrize(
