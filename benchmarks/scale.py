@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -42,6 +43,10 @@ RECORDINGS = ((4_000, 1000), (30_000, 125))
 PREDICTORS = ("switched", "kinematic")
 ROUNDS = 3
 MILLION, MILLION_HZ = 1_000_000, 125
+KILLS, KILLED_AT = 3, 0.3
+"""How often a run is killed, and after which share of the time of one that is not."""
+LAST_MOST = 0.7
+"""The last run takes at most this share of that time, or the checkpoints were not used."""
 
 
 def recording(folder: Path, trials: int, rate_hz: int) -> Path:
@@ -94,16 +99,24 @@ def million(folder: Path) -> tuple[Table, dict[str, Any]]:
     path = recording(folder, MILLION, MILLION_HZ)
     events = pq.read_metadata(path).num_rows
     work = Path(tempfile.mkdtemp(dir=folder))
-    rows, same = [], []
+    rows, same, resumed = [], [], dict[str, float]()
     for name in PREDICTORS:
-        took, peak_mb = _scored(path, name, work / f"{name}-whole")
+        took, peak_mb, _ = _scored(path, name, work / f"{name}-whole")
         rows.append(
             (f"`{name}`", f"{took:.0f}", f"{events / took / 1e6:.2f}", f"{peak_mb:.0f}", _size_mb(work, name))
         )
         if name == PREDICTORS[0]:
-            for _ in range(3):
-                _scored(path, name, work / f"{name}-killed", killed_after_s=0.3 * took)
-            _scored(path, name, work / f"{name}-killed")
+            for _ in range(KILLS):
+                *_, was_killed = _scored(path, name, work / f"{name}-killed", killed_after_s=KILLED_AT * took)
+                if not was_killed:
+                    raise SystemExit(f"a run ended before it was killed: score more than {MILLION} trials")
+            last_s, *_ = _scored(path, name, work / f"{name}-killed")
+            if last_s > LAST_MOST * took:
+                raise SystemExit(
+                    f"after {KILLS} kills the last run took {last_s:.1f} s, expected at most {LAST_MOST:g} "
+                    f"of {took:.1f} s: checkpoints were not used"
+                )
+            resumed = {"kills": KILLS, "killed_at": KILLED_AT, "whole_s": took, "last_s": last_s}
             documents = [(work / f"{name}-{one}.json").read_bytes() for one in ("whole", "killed")]
             same.append(documents[0] == documents[1])
     shutil.rmtree(work)
@@ -113,12 +126,15 @@ def million(folder: Path) -> tuple[Table, dict[str, Any]]:
         "events": events,
         "file_mb": path.stat().st_size / 1e6,
         "resumed_same": all(same),
+        **resumed,
     }
     return Table.of(headings, rows), numbers
 
 
-def _scored(path: Path, name: str, out: Path, killed_after_s: float | None = None) -> tuple[float, float]:
-    """Seconds and peak memory of ``pointpred score`` on two threads, which may be killed on the way."""
+def _scored(
+    path: Path, name: str, out: Path, killed_after_s: float | None = None
+) -> tuple[float, float, bool]:
+    """Seconds, peak memory in MB, and whether ``pointpred score`` on two threads was killed on the way."""
     command = [sys.executable, "-m", "pointpred", "score", str(path), "--predictors", name, "--threads", "2"]
     command += ["--checkpoints", str(out), "--json", str(out.with_suffix(".json"))]
     start = time.perf_counter()
@@ -128,11 +144,14 @@ def _scored(path: Path, name: str, out: Path, killed_after_s: float | None = Non
             process.wait(killed_after_s)
         except subprocess.TimeoutExpired:
             process.kill()
-    _, status, usage = os.wait4(process.pid, 0) if process.returncode is None else (0, 0, None)
+    if process.returncode is not None:  # it ended before it was to be killed
+        return time.perf_counter() - start, 0.0, False
+    _, status, usage = os.wait4(process.pid, 0)
     took = time.perf_counter() - start
-    if killed_after_s is None and status:
+    code = os.waitstatus_to_exitcode(status)
+    if killed_after_s is None and code:
         raise SystemExit(f"{' '.join(command)} failed")
-    return took, 0.0 if usage is None else usage.ru_maxrss / 1024.0
+    return took, usage.ru_maxrss / 1024.0, code == -signal.SIGKILL
 
 
 def _size_mb(work: Path, name: str) -> str:
