@@ -1,4 +1,4 @@
-"""Compiling in the background: threads that have worker processes compile, and load the result.
+"""Compiling in the background: threads that have other processes compile, and load the result.
 
 Nothing of this runs on the event loop. Where everything is in the cache, it is only loaded.
 """
@@ -19,14 +19,14 @@ from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.compiling.alone import compiling_alone
 from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import FIRST, Part, parts
-from pointpred.server.compiling.worker import LOW_PRIORITY, CompilerProcess
+from pointpred.server.compiling.process import LOW_PRIORITY, CompilerProcess
 from pointpred.server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
 
-WORKERS = 2
+PROCESSES = 2
 REPLACEMENTS = 2
-"""Workers that may replace one that has ended; after them this process compiles by itself."""
+"""Processes that may replace one that has ended; after them this process compiles by itself."""
 
 
 class Progress(Struct, frozen=True):
@@ -43,17 +43,19 @@ class Compiler:
     """What is compiled, what is next, and who waits for it."""
 
     def __init__(
-        self, all: Sequence[Part] | None = None, start_worker: Callable[[], CompilerProcess] = CompilerProcess
+        self,
+        all: Sequence[Part] | None = None,
+        start_process: Callable[[], CompilerProcess] = CompilerProcess,
     ) -> None:
         self._queue = PartQueue(parts() if all is None else all, FIRST)
-        self._start_worker = start_worker
+        self._start_process = start_process
         self._changed = threading.Condition()
         self._loading = threading.Lock()
         self._waiting: set[tuple[asyncio.AbstractEventLoop, asyncio.Event]] = set()
         self._threads: list[threading.Thread] = []
-        self._workers: list[CompilerProcess] = []
+        self._processes: list[CompilerProcess] = []
         self._replacements = REPLACEMENTS
-        self._alone = False  # whether parts are compiled by this process, without workers
+        self._alone = False  # whether parts are compiled by this process itself
         self._progress_lock = threading.Lock()
         self._logged: set[str] = set()
         self._began = 0.0
@@ -70,17 +72,17 @@ class Compiler:
     def start(self) -> None:
         """Compile in threads, from now on."""
         self._began = time.monotonic()
-        for number in range(min(WORKERS, _processors())):
+        for number in range(min(PROCESSES, _processors())):
             thread = threading.Thread(target=self._run, name=f"compiling {number}", daemon=True)
             self._threads.append(thread)
             thread.start()
 
     def stop(self) -> None:
-        """Kill the workers and begin nothing further; nobody waits any more."""
+        """Kill the processes and begin nothing further; nobody waits any more."""
         with self._changed:
             self.stopped = True
-            for worker in self._workers:
-                worker.kill()
+            for process in self._processes:
+                process.kill()
             self._notify()
 
     def join(self) -> None:
@@ -129,13 +131,13 @@ class Compiler:
             return Progress(len(ready), len(REGISTRY), None if self.over else under_way, ready)
 
     def _run(self) -> None:
-        """One thread: part after part, with a worker where something is to be compiled."""
-        worker: CompilerProcess | None = None
+        """One thread: part after part, with a process where something is to be compiled."""
+        process: CompilerProcess | None = None
         while (part := self._next()) is not None:
             try:
                 if part.awaits:
                     with compiling_alone(part):
-                        worker = self._compile_missing(worker, part)
+                        process = self._compile_missing(process, part)
                 if not self.stopped:
                     with self._loading:
                         part.run()
@@ -143,46 +145,46 @@ class Compiler:
                 self.failed.add(part.name)
                 log.error("%s could not be compiled", part.name, extra={"error": place_of(error)})
             self._finish(part)
-        if worker is not None:
-            worker.end()
+        if process is not None:
+            process.end()
 
-    def _compile_missing(self, worker: CompilerProcess | None, part: Part) -> CompilerProcess | None:
+    def _compile_missing(self, process: CompilerProcess | None, part: Part) -> CompilerProcess | None:
         """Compile a part, unless another process has done so meanwhile; returns as ``_compile`` does."""
         if self.stopped or not part.awaits:
-            return worker
+            return process
         self.compiled_any = True
         self._report()
-        return self._compile(worker, part.name)
+        return self._compile(process, part.name)
 
-    def _compile(self, worker: CompilerProcess | None, name: str) -> CompilerProcess | None:
-        """Have a worker compile a part; returns the worker, ``None`` where this thread has to compile."""
-        while worker := worker or self._new_worker():
+    def _compile(self, process: CompilerProcess | None, name: str) -> CompilerProcess | None:
+        """Have a process compile a part; returns the process, ``None`` where this thread has to compile."""
+        while process := process or self._new_process():
             if name not in FIRST:
-                worker.compile(LOW_PRIORITY)
-            if worker.compile(name) or self.stopped:
-                return worker
-            worker.end()
-            worker = None
-            self._log_lost_worker("a compiling process has ended")
+                process.compile(LOW_PRIORITY)
+            if process.compile(name) or self.stopped:
+                return process
+            process.end()
+            process = None
+            self._log_lost_process("a compiling process has ended")
         return None
 
-    def _new_worker(self) -> CompilerProcess | None:
-        """A worker, which ends when all is done or the service stops; ``None`` where none can be started."""
+    def _new_process(self) -> CompilerProcess | None:
+        """A process, which ends when all is done or the service stops; ``None`` where none can be started."""
         if self._alone:
             return None
         try:
-            worker = self._start_worker()
+            process = self._start_process()
         except OSError as error:
-            self._log_lost_worker("no compiling process can be started", place_of(error), most=0)
+            self._log_lost_process("no compiling process can be started", place_of(error), most=0)
             return None
         with self._changed:
-            self._workers.append(worker)
+            self._processes.append(process)
             if self.stopped:
-                worker.kill()
-        return worker
+                process.kill()
+        return process
 
-    def _log_lost_worker(self, what: str, error: str | None = None, most: int = REPLACEMENTS) -> None:
-        """Log that a worker was lost, and whether another one replaces it."""
+    def _log_lost_process(self, what: str, error: str | None = None, most: int = REPLACEMENTS) -> None:
+        """Log that a process was lost, and whether another one replaces it."""
         with self._changed:
             if self._alone:
                 return

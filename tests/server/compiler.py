@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.compiling.parts import Part
-from pointpred.server.compiling.worker import LOW_PRIORITY
+from pointpred.server.compiling.process import LOW_PRIORITY
 
 
 class Awaited(Part):
@@ -19,8 +19,8 @@ class Awaited(Part):
         return True
 
 
-class FakeWorkers:
-    """Stands in the place of worker processes; ``asked`` has what they were asked for, in order."""
+class FakeProcesses:
+    """Stands in the place of compiling processes; ``asked`` has what they were asked for, in order."""
 
     def __init__(self) -> None:
         self.asked: list[str] = []
@@ -28,7 +28,7 @@ class FakeWorkers:
         self._allowed: dict[str, threading.Event] = defaultdict(threading.Event)
         self._all = threading.Event()
 
-    def __call__(self) -> FakeWorkers:
+    def __call__(self) -> FakeProcesses:
         return self
 
     def compiling(self, names: Sequence[str]) -> Compiler:

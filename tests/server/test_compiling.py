@@ -29,9 +29,9 @@ from pointpred.server.compiling.parts import (
     parts_for,
     predict,
 )
-from pointpred.server.compiling.worker import LOW_PRIORITY, CompilerProcess
+from pointpred.server.compiling.process import LOW_PRIORITY, CompilerProcess
 from pointpred.server.service import Service
-from tests.server.compiler import Awaited, FakeWorkers
+from tests.server.compiler import Awaited, FakeProcesses
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -45,17 +45,17 @@ def hello(predictor: str = RECOMMENDED) -> str:
 
 
 @pytest.fixture
-def compiler(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeWorkers]:
+def compiler(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeProcesses]:
     for name in (RECOMMENDED, "ktm", "switched"):
         predict(name)  # here, where nobody waits for the compiler
     monkeypatch.setattr(room, "_processors", lambda: 1)
-    one = FakeWorkers()
+    one = FakeProcesses()
     yield one
     one.allow()
 
 
 @pytest.fixture
-def here(compiler: FakeWorkers) -> Iterator[Running]:
+def here(compiler: FakeProcesses) -> Iterator[Running]:
     def prepare(service: Service) -> None:
         service.compiler = compiler.compiling([RECOMMENDED, TARGETS, TRIALS, *OTHERS])
 
@@ -144,7 +144,7 @@ def test_what_a_message_needs(message: dict[str, object], wanted: list[str]) -> 
     assert set(wanted) <= {part.name for part in parts()}
 
 
-def test_a_ready_predictor_is_served_while_others_compile(here: Running, compiler: FakeWorkers) -> None:
+def test_a_ready_predictor_is_served_while_others_compile(here: Running, compiler: FakeProcesses) -> None:
     with here.connect() as early, here.connect() as other:
         early.send(hello())
         with pytest.raises(TimeoutError):
@@ -166,7 +166,7 @@ def test_a_ready_predictor_is_served_while_others_compile(here: Running, compile
 
 
 def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
-    here: Running, compiler: FakeWorkers
+    here: Running, compiler: FakeProcesses
 ) -> None:
     compiler.allow(RECOMMENDED)
     with here.connect() as socket:
@@ -195,7 +195,7 @@ def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
         assert connection.prepare is None, "what follows is not looked at any more"
 
 
-def test_what_is_compiled_is_told(here: Running, compiler: FakeWorkers) -> None:
+def test_what_is_compiled_is_told(here: Running, compiler: FakeProcesses) -> None:
     def told() -> dict[str, object]:
         answer: dict[str, object] = get(f"{here.url}/v1/compiling", timeout=PATIENCE_S).json()
         return answer
@@ -235,7 +235,7 @@ def test_who_leaves_while_it_waits_leaves_its_place(here: Running) -> None:
     assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
 
 
-def test_waiting_for_the_compiler_is_not_idleness(compiler: FakeWorkers) -> None:
+def test_waiting_for_the_compiler_is_not_idleness(compiler: FakeProcesses) -> None:
     def prepare(service: Service) -> None:
         service.compiler = compiler.compiling([RECOMMENDED])
 
@@ -250,7 +250,9 @@ def test_waiting_for_the_compiler_is_not_idleness(compiler: FakeWorkers) -> None
         assert not session.waits_for_compiler
 
 
-def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, compiler: FakeWorkers) -> None:
+def test_a_recording_is_scored_once_its_predictors_are_compiled(
+    here: Running, compiler: FakeProcesses
+) -> None:
     body = "user,trial,t_s,x_px,y_px\n" + "".join(f"ann,1,{i / 100},{7 * i},{3 * i}\n" for i in range(60))
     compiler.allow(RECOMMENDED, TARGETS)
     answers: list[int] = []
@@ -287,8 +289,8 @@ def test_a_part_that_fails_is_logged_and_clients_are_served(
     assert "could not be compiled" in caplog.text
 
 
-def test_what_is_in_the_cache_needs_no_worker_and_is_not_spoken_of(caplog: pytest.LogCaptureFixture) -> None:
-    compiler, ran = FakeWorkers(), []
+def test_what_is_in_the_cache_needs_no_process_and_is_not_spoken_of(caplog: pytest.LogCaptureFixture) -> None:
+    compiler, ran = FakeProcesses(), []
     names = list(REGISTRY)
     compiling = Compiler([Part(name, lambda name=name: ran.append(name), ()) for name in names], compiler)  # type: ignore[arg-type, misc]
     compiling.start()
@@ -321,7 +323,7 @@ def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.Monk
 
 
 def test_until_ends_for_unknown_names_and_before_the_start() -> None:
-    compiler = FakeWorkers()
+    compiler = FakeProcesses()
     asyncio.run(compiler.compiling([RECOMMENDED]).until([RECOMMENDED]))
     compiling = compiler.compiling([RECOMMENDED])
     compiling.start()
@@ -330,30 +332,30 @@ def test_until_ends_for_unknown_names_and_before_the_start() -> None:
     compiling.join()
 
 
-def test_a_worker_compiles_what_is_named_and_ends_with_who_asked() -> None:
-    worker = CompilerProcess()
+def test_a_process_compiles_what_is_named_and_ends_with_who_asked() -> None:
+    process = CompilerProcess()
     try:
         for name in (LOW_PRIORITY, LOW_PRIORITY, "no such part", "hold"):
-            worker.compile(name)
-            assert worker.process.poll() is None
-        assert os.getpriority(os.PRIO_PROCESS, worker.process.pid) > os.getpriority(os.PRIO_PROCESS, 0)
-        assert worker.process.stdin is not None
-        worker.process.stdin.close()
-        assert worker.process.wait(30) == 1
+            process.compile(name)
+            assert process.process.poll() is None
+        assert os.getpriority(os.PRIO_PROCESS, process.process.pid) > os.getpriority(os.PRIO_PROCESS, 0)
+        assert process.process.stdin is not None
+        process.process.stdin.close()
+        assert process.process.wait(30) == 1
     finally:
-        worker.process.kill()
-        assert worker.process.stdout is not None
-        worker.process.stdout.close()
-        worker.process.wait()
+        process.process.kill()
+        assert process.process.stdout is not None
+        process.process.stdout.close()
+        process.process.wait()
 
 
-def test_a_worker_that_has_ended_keeps_nobody_waiting() -> None:
-    worker = CompilerProcess()
-    worker.kill()
-    worker.process.wait()
-    worker.compile("hold")
-    worker.compile("hold")
-    worker.end()
+def test_a_process_that_has_ended_keeps_nobody_waiting() -> None:
+    process = CompilerProcess()
+    process.kill()
+    process.process.wait()
+    process.compile("hold")
+    process.compile("hold")
+    process.end()
 
 
 @pytest.mark.skipif(not COMPILED, reason="plain Python compiles nothing")

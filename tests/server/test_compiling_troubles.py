@@ -19,17 +19,17 @@ from pointpred.server.compiling import compiler as room
 from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import PIECES, TARGETS, Part
-from pointpred.server.compiling.worker import LOW_PRIORITY, NICENESS
+from pointpred.server.compiling.process import LOW_PRIORITY, NICENESS
 from pointpred.server.service import Service
-from tests.server.compiler import Awaited, FakeWorkers
+from tests.server.compiler import Awaited, FakeProcesses
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
 NAMES = [RECOMMENDED, "hold", "ktm", "switched"]
 
 
-class Dying(FakeWorkers):
-    """A worker that ends at the names in ``deadly``; ``started`` counts how often one was asked for."""
+class Dying(FakeProcesses):
+    """A process that ends at the names in ``deadly``; ``started`` counts how often one was asked for."""
 
     def __init__(self, *deadly: str) -> None:
         super().__init__()
@@ -37,7 +37,7 @@ class Dying(FakeWorkers):
         self.started = 0
         self.allow()
 
-    def __call__(self) -> FakeWorkers:
+    def __call__(self) -> FakeProcesses:
         self.started += 1
         return self
 
@@ -48,8 +48,8 @@ class Dying(FakeWorkers):
         return super().compile(name)
 
 
-def compiled(worker: Callable[[], Any], parts: list[Part]) -> Compiler:
-    compiling = Compiler(parts, worker)
+def compiled(process: Callable[[], Any], parts: list[Part]) -> Compiler:
+    compiling = Compiler(parts, process)
     compiling.start()
     compiling.join()
     return compiling
@@ -73,7 +73,7 @@ def test_names_that_are_no_parts_are_not_kept() -> None:
 
 
 def test_who_misses_nothing_moves_nothing_to_the_front() -> None:
-    compiler = FakeWorkers()
+    compiler = FakeProcesses()
     compiling = compiler.compiling(NAMES)
     asyncio.run(compiling.until(["switched"]))  # nothing has begun
     part = compiling._queue.take()
@@ -104,7 +104,7 @@ def test_who_waited_on_a_loop_that_has_closed_disturbs_nobody() -> None:
         def call_soon_threadsafe(self, call: object) -> None:
             raise RuntimeError("Event loop is closed")
 
-    compiler = FakeWorkers()
+    compiler = FakeProcesses()
     compiler.allow()
     compiling = compiler.compiling(NAMES)
     compiling._waiting.add((Closing(), asyncio.Event()))  # type: ignore[arg-type]
@@ -113,12 +113,12 @@ def test_who_waited_on_a_loop_that_has_closed_disturbs_nobody() -> None:
     assert compiling.over
 
 
-def test_without_workers_a_thread_compiles(
+def test_without_processes_a_thread_compiles(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     threads: list[str] = []
 
-    def refused() -> FakeWorkers:
+    def refused() -> FakeProcesses:
         raise BlockingIOError(11, "no more processes")
 
     def prepare(service: Service) -> None:
@@ -134,7 +134,7 @@ def test_without_workers_a_thread_compiles(
     assert warnings(caplog) == 1
 
 
-def test_a_worker_that_dies_is_replaced(
+def test_a_process_that_dies_is_replaced(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(room, "_processors", lambda: 1)
@@ -146,7 +146,7 @@ def test_a_worker_that_dies_is_replaced(
     assert warnings(caplog) == 1
 
 
-def test_workers_that_die_again_and_again_are_given_up(
+def test_processes_that_die_again_and_again_are_given_up(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(room, "_processors", lambda: 1)
@@ -164,23 +164,23 @@ def test_what_failed_is_not_among_the_ready() -> None:
     def broken() -> None:
         raise RuntimeError("no compiler")
 
-    compiling = compiled(FakeWorkers(), [Part("hold", broken, ()), Part("ktm", lambda: None, ())])
+    compiling = compiled(FakeProcesses(), [Part("hold", broken, ()), Part("ktm", lambda: None, ())])
     assert compiling.progress().ready == ["ktm"]
 
 
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="no niceness here")
-def test_a_worker_of_a_nice_service_stays_as_nice_as_it_is() -> None:
+def test_a_process_of_a_nice_service_stays_as_nice_as_it_is() -> None:
     most = NICENESS + 4
     more = most - os.nice(0)
-    command = ["nice", "-n", str(more), sys.executable, "-m", "pointpred.server.compiling.worker"]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as worker:
-        assert worker.stdin is not None
-        assert worker.stdout is not None
-        worker.stdin.write(LOW_PRIORITY.encode() + b"\n")
-        worker.stdin.flush()
-        assert worker.stdout.readline() == b"\n"
-        assert os.getpriority(os.PRIO_PROCESS, worker.pid) == most
-        worker.stdin.close()
+    command = ["nice", "-n", str(more), sys.executable, "-m", "pointpred.server.compiling.process"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(LOW_PRIORITY.encode() + b"\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == b"\n"
+        assert os.getpriority(os.PRIO_PROCESS, process.pid) == most
+        process.stdin.close()
 
 
 def test_each_step_is_logged_once_and_in_order(
@@ -188,7 +188,7 @@ def test_each_step_is_logged_once_and_in_order(
 ) -> None:
     monkeypatch.setattr(room, "_processors", lambda: 2)
     caplog.set_level(logging.INFO)
-    compiler = FakeWorkers()
+    compiler = FakeProcesses()
     anybody, person, whole, motions = PIECES
     after = {whole: (anybody, person), RECOMMENDED: PIECES}
     names = [*PIECES, RECOMMENDED, TARGETS, *(name for name in REGISTRY if name != RECOMMENDED)]

@@ -18,7 +18,7 @@ from pointpred.registry import RECOMMENDED
 from pointpred.server.connection import FRAMES
 from pointpred.server.endpoints import StreamEndpoint
 from pointpred.server.service import Service
-from tests.server.compiler import FakeWorkers
+from tests.server.compiler import FakeProcesses
 from tests.server.fake_socket import FakeSocket
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -108,7 +108,7 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
 
 
 def test_leaving_while_the_service_stops_is_no_error() -> None:
-    service, compiler = Service(), FakeWorkers()
+    service, compiler = Service(), FakeProcesses()
     service.compiler = compiler.compiling([RECOMMENDED, "switched"])
     socket = FakeSocket()
 

@@ -18,7 +18,7 @@ import pytest
 from pointpred.cli.service_start import ServiceStart, changed_settings
 from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.settings import Settings
-from tests.server.compiler import FakeWorkers
+from tests.server.compiler import FakeProcesses
 from tests.server.running import PATIENCE_S
 
 MAKEFILE = Path(__file__).parents[2] / "Makefile"
@@ -112,7 +112,7 @@ class Terminal(io.StringIO):
 
 
 def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
-    compiler, screen = FakeWorkers(), Terminal()
+    compiler, screen = FakeProcesses(), Terminal()
     compiling = compiler.compiling([RECOMMENDED, "ktm"])
     ServiceStart(Settings(), "http://127.0.0.1:1/", screen).watch(compiling)
     compiler.allow()

@@ -1,4 +1,4 @@
-"""A process that compiles: ``python -m pointpred.server.compiling.worker``; names in, a line back for each.
+"""A process that compiles: ``python -m pointpred.server.compiling.process``; names in, a line back for each.
 
 The serving process only loads what this one puts into the cache, so its clients need not wait for a compiler.
 Garbage is collected between the parts: collections during compiling free nothing.
@@ -26,7 +26,7 @@ class CompilerProcess:
     def __init__(self) -> None:
         """Its input stays open while this process lives, however it ends."""
         self.process = subprocess.Popen(
-            command("pointpred.server.compiling.worker"),
+            command("pointpred.server.compiling.process"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
