@@ -121,6 +121,29 @@ def long_queries(port: int, until: float) -> int:
     return again(port, until, ask)
 
 
+def endless(port: int, until: float, first: bytes, piece: bytes) -> int:
+    """Chunked uploads that go on with the same piece for as long as the service takes it."""
+
+    def send(one: socket.socket) -> None:
+        one.sendall(
+            b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n" + first
+        )
+        while time.monotonic() < until:
+            one.sendall(piece)
+
+    return again(port, until, send)
+
+
+def small_chunks(port: int, until: float) -> int:
+    """Uploads in chunks of one byte."""
+    return endless(port, until, b"", b"1\r\nx\r\n" * 20_000)
+
+
+def trailers(port: int, until: float) -> int:
+    """Uploads whose end has headers of its own, without end."""
+    return endless(port, until, b"0\r\n", b"a:b\r\n" * 20_000)
+
+
 def handshakes(port: int, until: float) -> int:
     """One upgrade after another, each left at once."""
 
@@ -222,6 +245,8 @@ ATTACKS: tuple[Attack, ...] = (
     slow_headers,
     unread,
     long_queries,
+    small_chunks,
+    trailers,
     handshakes,
     requests,
     pings,
