@@ -16,6 +16,7 @@ from pointpred.batch.part_store import FolderStore, MemoryStore, PartStore, temp
 from pointpred.batch.plan import Chunk, Source, about, events_of, plan, read
 from pointpred.batch.scored_set import ScoredSet
 from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
 from pointpred.executors import Executor
 from pointpred.recording import Recording
 from pointpred.scoring.measures.time_left import clock_s
@@ -45,7 +46,7 @@ def score_in_chunks(
     the order in which they end. With ``checkpoints``, a folder, each chunk's result is kept there as soon
     as it is there; a later call with the same recording, settings and version goes on from what it finds,
     and the set holds nothing that was timed (``us_per_event`` is NaN). Raises RecordingError where a stored
-    recording cannot be read, ParameterError where ``checkpoints`` cannot be written.
+    recording cannot be read, ParameterError where ``checkpoints`` cannot be written or be read back.
     """
     whole = about(source)
     pipelines = scoring.pipelines(whole)
@@ -56,18 +57,29 @@ def score_in_chunks(
     if any(pipeline.predictor.claims_time for pipeline in pipelines.values()):
         missing = [number for number in range(len(chunks)) if store.durations(number) is None]
         run.each("durations", _durations, missing, store.put_durations)
-        known = [store.durations(number) for number in range(len(chunks))]
-        clock = clock_s(np.concatenate([np.empty(0), *(one for one in known if one is not None)]))
+        clock = clock_s(np.concatenate([np.empty(0), *_kept(store.durations, chunks)]))
     threads = executor.inner_threads if len(chunks) == 1 else 1
     work = partial(_score, scoring, whole, clock, store.packed, threads)
     missing = [number for number in range(len(chunks)) if store.outcome(number) is None]
     run.each("", work, missing, store.put)
-    outcomes = [one for number in range(len(chunks)) if (one := store.outcome(number)) is not None]
+    outcomes = _kept(store.outcome, chunks)
     scores = set_without_trials(whole, pipelines, outcomes, scoring.seed)
     if checkpoints is not None:
         untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in scores.predictors)
         scores = msgspec.structs.replace(scores, predictors=tuple(untimed))
     return ScoredSet(scores, chunks, store, scoring, pipelines)
+
+
+def _kept(read: Callable[[int], Answer | None], chunks: Sequence[Chunk]) -> list[Answer]:
+    """What the store has of every chunk; raises ParameterError where it no longer has something."""
+    answers = []
+    for number in range(len(chunks)):
+        answer = read(number)
+        if answer is None:
+            message = f"checkpoint {number} can no longer be read; score once more"
+            raise ParameterError(message, field="checkpoints")
+        answers.append(answer)
+    return answers
 
 
 class _Run(msgspec.Struct, frozen=True):

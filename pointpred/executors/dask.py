@@ -19,6 +19,13 @@ PATIENCE_S = 15.0
 """How long a scheduler may take to answer."""
 WITHOUT_WORKERS_S = 60.0
 """How long a cluster may have no workers while it has work: others may start in their place."""
+SETTINGS = {
+    "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 2**28,
+    "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 2**25,
+    "distributed.worker.profile.enabled": False,
+}
+"""Of a cluster made here. By default Dask has workers return memory after every chunk, only to ask for it again,
+and look at their stack a hundred times a second: together a third of their time."""
 CHECK_S = 5.0
 """How often it is asked for its workers while no answer comes."""
 
@@ -88,12 +95,14 @@ def cluster(address: str, workers: int) -> Iterator[Cluster]:
     without workers.
     """
     require("cluster", "a Dask cluster")
+    import dask
     import distributed
 
     client_of: Any = distributed.Client
     local_cluster: Any = distributed.LocalCluster
     if address == LOCAL:
         with (
+            dask.config.set(SETTINGS),
             local_cluster(
                 n_workers=workers,
                 threads_per_worker=1,

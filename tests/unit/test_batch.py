@@ -75,6 +75,26 @@ class Backwards:
             yield place, function(item)
 
 
+class Forgetful:
+    """An executor after which one file of a kind is gone from a folder."""
+
+    workers = inner_threads = 1
+
+    def __init__(self, folder: Path, kind: str) -> None:
+        self._folder, self._kind = folder, kind
+
+    def each(self, function: Any, items: Any) -> Iterator[tuple[int, Any]]:
+        yield from enumerate(map(function, items))
+        for path in self._folder.rglob(f"{self._kind}-000001.*"):
+            path.unlink()
+
+
+@pytest.mark.parametrize("kind", ["durations", "scores"])
+def test_a_checkpoint_that_is_lost_on_the_way_is_an_error(short: Recording, tmp_path: Path, kind: str) -> None:
+    with pytest.raises(ParameterError, match="checkpoint 1 can no longer be read"):
+        score_in_chunks(short, scoring_with(["kinematic"]), Forgetful(tmp_path, kind), checkpoints=tmp_path)
+
+
 def test_chunks_are_those_of_the_whole_in_every_bit(short: Recording, tmp_path: Path) -> None:
     with open_executor(threads=2) as executor:
         scored = score_in_chunks(short, scoring_with(NAMES), executor)
