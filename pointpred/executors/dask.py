@@ -24,8 +24,8 @@ SETTINGS = {
     "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 2**25,
     "distributed.worker.profile.enabled": False,
 }
-"""Of a cluster made here. By default Dask has workers return memory after every chunk, only to ask for it again,
-and look at their stack a hundred times a second: together a third of their time."""
+"""Of a cluster made here. By default Dask has workers return memory after every chunk, only to ask for it
+again, and look at their stack a hundred times a second: together a third of their time."""
 CHECK_S = 5.0
 """How often it is asked for its workers while no answer comes."""
 

@@ -90,7 +90,9 @@ class Forgetful:
 
 
 @pytest.mark.parametrize("kind", ["durations", "scores"])
-def test_a_checkpoint_that_is_lost_on_the_way_is_an_error(short: Recording, tmp_path: Path, kind: str) -> None:
+def test_a_checkpoint_that_is_lost_on_the_way_is_an_error(
+    short: Recording, tmp_path: Path, kind: str
+) -> None:
     with pytest.raises(ParameterError, match="checkpoint 1 can no longer be read"):
         score_in_chunks(short, scoring_with(["kinematic"]), Forgetful(tmp_path, kind), checkpoints=tmp_path)
 
