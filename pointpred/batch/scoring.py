@@ -57,12 +57,12 @@ def score_in_chunks(
     if any(pipeline.predictor.claims_time for pipeline in pipelines.values()):
         missing = [number for number in range(len(chunks)) if store.durations(number) is None]
         run.each("durations", _durations, missing, store.put_durations)
-        clock = clock_s(np.concatenate([np.empty(0), *_kept(store.durations, chunks)]))
+        clock = clock_s(np.concatenate([np.empty(0), *_read_all(store.durations, chunks)]))
     threads = executor.inner_threads if len(chunks) == 1 else 1
     work = partial(_score, scoring, whole, clock, store.packed, threads)
     missing = [number for number in range(len(chunks)) if store.outcome(number) is None]
     run.each("", work, missing, store.put)
-    outcomes = _kept(store.outcome, chunks)
+    outcomes = _read_all(store.outcome, chunks)
     scores = set_without_trials(whole, pipelines, outcomes, scoring.seed)
     if checkpoints is not None:
         untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in scores.predictors)
@@ -70,7 +70,7 @@ def score_in_chunks(
     return ScoredSet(scores, chunks, store, scoring, pipelines)
 
 
-def _kept(read: Callable[[int], Answer | None], chunks: Sequence[Chunk]) -> list[Answer]:
+def _read_all(read: Callable[[int], Answer | None], chunks: Sequence[Chunk]) -> list[Answer]:
     """What the store has of every chunk; raises ParameterError where it no longer has something."""
     answers = []
     for number in range(len(chunks)):

@@ -25,7 +25,7 @@ SETTINGS = {
     "distributed.worker.profile.enabled": False,
 }
 """Of a cluster made here. By default Dask has workers return memory after every chunk, only to ask for it
-again, and look at their stack a hundred times a second: together a third of their time."""
+again, and look at their stack a hundred times a second: together a quarter to two fifths of their time."""
 CHECK_S = 5.0
 """How often it is asked for its workers while no answer comes."""
 
