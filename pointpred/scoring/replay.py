@@ -173,6 +173,8 @@ def _replay_chunk(
             return _join(
                 [_replay_chunk(prepared, twin, clock, k, k + 1) for k, twin in enumerate(twins, first)]
             )
+        if isinstance(error, MemoryError):  # the machine's, not the pipeline's
+            raise
         reason = f"{type(error).__name__}: {error}"
         return _unanswered(prepared, clock, first, reason, time.thread_time() - before)
     seconds = time.thread_time() - before + shared_s

@@ -147,6 +147,14 @@ def test_a_trial_in_which_a_pipeline_fails_is_scored_as_unanswered_and_reported(
     assert (np.delete(errors.time_averaged, 2) != np.delete(held.time_averaged, 2)).all()
 
 
+def test_memory_that_runs_out_is_no_failure_of_a_pipeline() -> None:
+    def exhausted(motions: MotionColumns) -> FloatArray:
+        raise MemoryError("no room for 1 TB")
+
+    with pytest.raises(MemoryError, match="1 TB"):
+        replay(prepare(walks(3)), scripted(exhausted))
+
+
 def test_a_prediction_that_is_not_finite_fails_its_trial_only() -> None:
     prepared = prepare(walks(5))
 
