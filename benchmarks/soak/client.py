@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import tempfile
 from base64 import b64encode
 from collections import deque
@@ -53,7 +54,9 @@ class StreamClient:
         self.behind = 0
         """How often the service said that answers gave way to newer ones."""
         self.delays: list[float] = []
-        self.run = OfflineRun(predictor, Path(tempfile.mkstemp(dir=folder)[1]))
+        descriptor, file = tempfile.mkstemp(dir=folder)
+        os.close(descriptor)
+        self.run = OfflineRun(predictor, Path(file))
         self._number, self._rate_hz, self._binary = number, rate_hz, encoding == "binary"
         self._hello = {"type": "hello", "version": 1, "predictor": predictor, "encoding": encoding}
         self._hello |= {"reply": reply, "device": {"cpi": CPI}, "screen": {"dpi": DPI}}

@@ -27,6 +27,9 @@ COLUMNS = {
 FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
 FLAGS |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)  # the latter on Windows: LF stays LF
 
+POOL = pa.system_memory_pool()
+"""Arrow's own allocator keeps some 20 MB, now more, now less, where these rows take 3 MB at a time."""
+
 Words = Sequence[tuple[str | None, int]]
 """Words, and in how many consecutive rows each is; ``None`` is an empty cell."""
 Write = Callable[[int, bytes], int]
@@ -124,10 +127,12 @@ def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> 
     """Predictions as rows of the predictions file; empty cells where nothing was justified."""
     codes = table[:, 7]
     phases = pa.DictionaryArray.from_arrays(
-        pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes)), pa.array(PHASES)
+        pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes), memory_pool=POOL),
+        pa.array(PHASES, memory_pool=POOL),
     )
     *numbers, tail = (_numbers(table[:, column]) for column in (*range(7), 8))
-    return _csv([*numbers, phases.cast(pa.string()), tail, _repeated(predictors), _repeated(parameters)])
+    phases = phases.cast(pa.string(), memory_pool=POOL)
+    return _csv([*numbers, phases, tail, _repeated(predictors), _repeated(parameters)])
 
 
 def warm_rows() -> None:
@@ -144,7 +149,7 @@ def trial_row(user: str, trial: str, target: tuple[float, float, float] | None, 
 
 def _numbers(column: FloatArray) -> Any:
     values = np.ascontiguousarray(column)
-    return pa.array(values, mask=np.isnan(values))
+    return pa.array(values, mask=np.isnan(values), memory_pool=POOL)
 
 
 def _repeated(words: Words) -> Any:
@@ -152,12 +157,13 @@ def _repeated(words: Words) -> Any:
     distinct = [word for word, _ in words]
     counts = [count for _, count in words]
     index = np.repeat(np.arange(len(distinct), dtype=np.int32), counts)
-    return pa.DictionaryArray.from_arrays(index, pa.array(distinct, pa.string())).cast(pa.string())
+    words_array = pa.array(distinct, pa.string(), memory_pool=POOL)
+    return pa.DictionaryArray.from_arrays(index, words_array).cast(pa.string(), memory_pool=POOL)
 
 
 def _csv(columns: list[Any]) -> bytes:
     table = pa.table(columns, names=[str(place) for place in range(len(columns))])
-    out = pa.BufferOutputStream()
-    pacsv.write_csv(table, out, pacsv.WriteOptions(include_header=False))
+    out = pa.BufferOutputStream(POOL)
+    pacsv.write_csv(table, out, pacsv.WriteOptions(include_header=False), POOL)
     rows: bytes = out.getvalue().to_pybytes()
     return rows
