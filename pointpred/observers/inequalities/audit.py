@@ -10,8 +10,15 @@ from typing import Any, Self
 
 import numpy as np
 
+from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
+
+KAPPA = 1e8
+"""Largest condition number of a matrix that is declared positive."""
+WEAK = 1e-12
+"""An inequality that need not be strict may fail by this share of its terms."""
 
 
 class Inequalities:
@@ -20,7 +27,7 @@ class Inequalities:
     Each inequality reads block(v) < 0, where v holds the matrices.
     """
 
-    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = 1e4) -> None:
+    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = KAPPA) -> None:
         if not 0.0 < margin <= 1e-2:
             raise ParameterError(
                 f"margin must lie in (0, 0.01], received {margin!r}", field="margin", value=margin
@@ -82,14 +89,14 @@ class Inequalities:
         numbers = self.unknowns.numbers(dict(values))
         named = self.unknowns.matrices(numbers)
         margins = {
-            f"{name} > 0": float(np.linalg.eigvalsh(getattr(named, name)).min()) for name in self._normal
+            f"{name} > 0": least(getattr(named, name))[0] for name in self._normal
         }
         for one in self.unknowns.listed:
             if one.low > -np.inf:
                 entries = one.numbers(getattr(named, one.name)) - one.low
                 margins[f"{one.name} >= {one.low:g}"] = float(entries.min())
         for name, block in self.blocks.items():
-            margins[name] = -float(np.linalg.eigvalsh(self.unknowns.value(name, block, numbers)).max())
+            margins[name] = self._least(name, block, numbers)[0]
         for name, block in self._equalities.items():
             error = float(np.abs(np.asarray(block(named))).max())
             size = max(1.0, float(np.abs(numbers).max()))
@@ -112,11 +119,17 @@ class Inequalities:
             )
         return margins
 
+    def _least(self, name: str, block: Block, numbers: FloatArray) -> tuple[float, float]:
+        """The least eigenvalue of minus a block, and that in the units of its terms."""
+        sizes = self.unknowns.sizes(name, block, numbers)
+        return least(-self.unknowns.value(name, block, numbers), sizes)
+
     def _holds(self, name: str, margin: float, values: Mapping[str, Any]) -> bool:
-        if name in self._weak:
-            numbers = self.unknowns.numbers(dict(values))
-            return margin >= -1e-12 * self.unknowns.size(name, self.blocks[name], numbers)
-        return margin > 0.0 if name in self.blocks or name.endswith(" > 0") else margin >= 0.0
+        numbers = self.unknowns.numbers(dict(values))
+        if name in self.blocks:
+            relative = self._least(name, self.blocks[name], numbers)[1]
+            return relative >= -WEAK if name in self._weak else relative > ROUNDING
+        return margin > 0.0 if name.endswith(" > 0") else margin >= 0.0
 
     def _failure(self, name: str, margin: float) -> str:
         if name in self._above:

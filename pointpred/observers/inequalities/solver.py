@@ -1,4 +1,4 @@
-"""The call of the solver for ``matrix_inequalities``, and the bound that its multipliers prove."""
+"""The call of the solver for ``matrix_inequalities``."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
+from pointpred.observers.inequalities.affine import Affine, Block
+from pointpred.observers.inequalities.proof import Multipliers, multipliers
 
 CAP = 1e-2
 """Largest margin that is sought."""
@@ -19,39 +21,16 @@ TIGHT: dict[str, dict[str, float]] = {
 """Tight tolerances: kappa magnifies the rounding of the multipliers in the bound they prove."""
 LOOSER = 1e-9
 """Second tolerances, still tighter than a solver's own."""
-Block = tuple[FloatArray, FloatArray]
-
-
-class Affine(msgspec.Struct, frozen=True):
-    """A problem as numbers: constant and coefficients of each block, each scaled to a largest entry of 1.
-
-    ``strict`` blocks must lie below -margin I, ``bounds`` below 0; ``x0 + basis y`` are the numbers that
-    satisfy every equality; ``lows`` and ``highs`` bound the numbers, ``objective`` is linear in them.
-    """
-
-    strict: list[Block]
-    bounds: list[Block]
-    x0: FloatArray
-    basis: FloatArray
-    lows: FloatArray
-    highs: FloatArray
-    objective: FloatArray | None
 
 
 class Answer(msgspec.Struct, frozen=True):
-    """The numbers that the solver returned, if any, and a bound on the margin that its multipliers prove."""
+    """The numbers and the multipliers that the solver returned, if any."""
 
     status: str
     numbers: FloatArray | None
     claimed: float
     """The margin that the solver reports for its numbers."""
-    bound: float
-
-
-def scaled(constant: FloatArray, slopes: FloatArray) -> tuple[Block, float]:
-    """A block divided by its largest entry, and that entry."""
-    size = float(max(np.abs(constant).max(), np.abs(slopes).max(initial=0.0)))
-    return (constant / (size or 1.0), slopes / (size or 1.0)), size or 1.0
+    multipliers: Multipliers | None
 
 
 def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
@@ -69,55 +48,22 @@ def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
         return moved + cvxpy.reshape(flat, (rows, rows), order="C") + above * np.eye(rows) << 0
 
     strict = [block(pair, needed) for pair in problem.strict]
-    bounds = [block(pair, 0.0) for pair in problem.bounds]
-    boxes = [x >= problem.lows, x <= problem.highs, t <= CAP]
+    floors = [block(pair, 0.0) for pair in problem.floors]
+    caps = [block(pair, 0.0) for pair in problem.caps]
+    signed = np.flatnonzero(problem.lows > -np.inf)
+    signs = [x[signed] >= problem.lows[signed]] if len(signed) else []
     if margin is None or problem.objective is None:
-        goal = cvxpy.Maximize(t)
+        goal, signs = cvxpy.Maximize(t), [*signs, t <= CAP]
     else:
         goal = cvxpy.Minimize(problem.objective @ x)
-    whole = cvxpy.Problem(goal, [*strict, *bounds, *boxes])
+    whole = cvxpy.Problem(goal, [*strict, *floors, *caps, *signs])
     status = _solved(cvxpy, whole, solver)
-    numbers = None if y.value is None else problem.x0 + problem.basis @ y.value
-    if numbers is not None:
-        numbers = np.clip(numbers, problem.lows, problem.highs)
-    proof = np.inf
-    if margin is None:
-        proof = bound(problem, [one.dual_value for one in strict], [one.dual_value for one in bounds])
+    numbers = None
+    if y.value is not None and np.isfinite(y.value).all():
+        numbers = np.maximum(problem.x0 + problem.basis @ y.value, problem.lows)
+    proof = multipliers(*([one.dual_value for one in group] for group in (strict, floors, caps)))
     claimed = -np.inf if t.value is None else float(t.value)
     return Answer(status, numbers, claimed if margin is None else margin, proof)
-
-
-def bound(problem: Affine, strict: list[Any], bounds: list[Any]) -> float:
-    """An upper bound of the margin for any multipliers: weak duality, with the multipliers made admissible.
-
-    For Z_i >= 0 with sum tr Z_i = 1 over the strict blocks, the margin is at most the largest value of
-    -sum <Z_i, F_i(x)> over the box, which is a sum over the entries of x.
-    """
-    if any(one is None or not np.isfinite(one).all() for one in [*strict, *bounds]):
-        return np.inf
-    multipliers = [_positive(one) for one in [*strict, *bounds]]
-    weight = sum(float(np.trace(one)) for one in multipliers[: len(strict)])
-    if weight <= 0.0:
-        return np.inf
-    slack = max(0.0, 1.0 - weight) * CAP
-    size = max(1.0, weight)
-    level, slope = 0.0, np.zeros(len(problem.x0))
-    for z, (constant, slopes) in zip(multipliers, [*problem.strict, *problem.bounds], strict=True):
-        moved = constant + np.tensordot(problem.x0, slopes, 1)
-        level -= float((z * moved).sum()) / size
-        slope -= np.tensordot(slopes, z, 2) / size
-    if np.array_equal(problem.basis, np.eye(len(slope))):
-        return slack + level + float(np.maximum(slope * problem.lows, slope * problem.highs).sum())
-    reach = np.maximum(np.abs(problem.lows - problem.x0), np.abs(problem.highs - problem.x0))
-    return slack + level + float(np.linalg.norm(problem.basis.T @ slope) * np.linalg.norm(reach))
-
-
-def _positive(matrix: Any) -> FloatArray:
-    """The nearest positive semidefinite matrix."""
-    square = np.atleast_2d(np.asarray(matrix, np.float64))
-    values, vectors = np.linalg.eigh(0.5 * (square + square.T))
-    positive: FloatArray = (vectors * np.maximum(values, 0.0)) @ vectors.T
-    return positive
 
 
 def _solved(cvxpy: Any, whole: Any, solver: str) -> str:

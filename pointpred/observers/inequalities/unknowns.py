@@ -74,6 +74,7 @@ class Unknowns:
 
     def __init__(self) -> None:
         self.listed: list[Unknown] = []
+        self._kept: dict[str, tuple[Block, FloatArray, FloatArray]] = {}
 
     def add(self, unknown: Unknown) -> None:
         """Add one; raises ParameterError for a name in use."""
@@ -89,6 +90,11 @@ class Unknowns:
     def count(self) -> int:
         """Length of the vector."""
         return sum(unknown.count for unknown in self.listed)
+
+    def place(self, name: str) -> int:
+        """Where the entries of a matrix begin in the vector."""
+        names = [one.name for one in self.listed]
+        return sum(one.count for one in self.listed[: names.index(name)])
 
     def lows(self) -> FloatArray:
         """The least value of each number."""
@@ -114,7 +120,10 @@ class Unknowns:
 
         Raises ParameterError for a block that is not symmetric or not affine.
         """
-        return self._probed(name, lambda at: symmetric(name, block(at)))
+        kept = self._kept.get(name)
+        if kept is None or kept[0] is not block or len(kept[2]) != self.count:
+            kept = self._kept[name] = (block, *self._probed(name, lambda at: symmetric(name, block(at))))
+        return kept[1], kept[2]
 
     def equalities(self, blocks: dict[str, Block]) -> tuple[FloatArray, FloatArray]:
         """All numbers that satisfy every equality, as one solution and a basis of the rest.
@@ -160,11 +169,11 @@ class Unknowns:
             )
         return constant, slopes
 
-    def size(self, name: str, block: Block, numbers: FloatArray) -> float:
-        """The largest entry among the terms of a block, before they cancel, which scales its rounding."""
+    def sizes(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
+        """The size of each entry of a block's diagonal, summed over its terms before they cancel."""
         constant, slopes = self.coefficients(name, block)
-        terms = np.abs(slopes) * np.abs(numbers)[:, None, None]
-        return float(max(np.abs(constant).max(), terms.max(initial=0.0)))
+        terms: FloatArray = np.abs(np.diagonal(slopes, axis1=1, axis2=2)).T @ np.abs(numbers)
+        return np.abs(np.diag(constant)) + terms
 
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """A block as a symmetric matrix; raises ParameterError if it is not."""

@@ -1,0 +1,187 @@
+"""Coordinates in which the entries of an observer's error equation are near 1, whatever units it came in."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+
+STEPS_MOST = 200
+STEP_MOST = 4.0
+"""Largest change of the logarithm of an entry in one step."""
+
+
+class Coordinates(msgspec.Struct, frozen=True):
+    """The units of the balanced equation, each in the user's: ``states`` of the error (q), ``outputs`` (p),
+    ``values`` of f (k), ``arguments`` of f (r), and the unit of time, ``seconds``, 1 in discrete time.
+
+    A quantity in the user's units is its unit times the balanced one: e = ``states`` e~, t = ``seconds`` t~.
+    """
+
+    states: FloatArray
+    outputs: FloatArray
+    values: FloatArray
+    arguments: FloatArray
+    seconds: float
+
+    def slopes(
+        self, slopes: tuple[tuple[float, float], ...] | None
+    ) -> tuple[tuple[float, float], ...] | None:
+        """The slopes of f in the balanced units."""
+        if slopes is None:
+            return None
+        shares = self.arguments / self.values
+        return tuple(
+            (float(low * one), float(high * one)) for (low, high), one in zip(slopes, shares, strict=True)
+        )
+
+
+def inward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0) -> FloatArray:
+    """A matrix of the user's in balanced units: its rows have the units ``rows``, and it acts on ``columns``.
+
+    ``unit`` is what else it is multiplied by: the unit of time for a matrix in 1/s.
+
+    >>> inward([[0.0, 2.0], [1.0, 0.0]], np.array([1.0, 2.0]), np.array([1.0, 2.0])).tolist()
+    [[0.0, 4.0], [0.5, 0.0]]
+    """
+    entries: FloatArray = unit * np.asarray(matrix, np.float64) * columns / rows[:, None]
+    return entries
+
+
+def outward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0) -> FloatArray:
+    """The inverse of ``inward``."""
+    entries: FloatArray = np.asarray(matrix, np.float64) * rows[:, None] / columns / unit
+    return entries
+
+
+def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
+    """A quadratic form of the balanced coordinates in the user's units, divided by ``unit``.
+
+    >>> form([[1.0, 0.0], [0.0, 1.0]], np.array([1.0, 10.0])).tolist()
+    [[1.0, 0.0], [0.0, 0.01]]
+    """
+    entries: FloatArray = np.asarray(matrix, np.float64) / units / units[:, None] / unit
+    return entries
+
+
+def balanced(
+    drift: Any,
+    *,
+    seen: Any = None,
+    driven: Any = None,
+    shown: Any = None,
+    inner: Any = None,
+    slopes: tuple[tuple[float, float], ...] | None = None,
+    rates: tuple[float, ...] = (),
+    time: str = "continuous",
+) -> Coordinates:
+    """The coordinates in which e' = ``drift`` e + ``driven`` df, dy = ``seen`` e + ``shown`` df is balanced.
+
+    df = f(s + ``inner`` e) - f(s). Each argument may be a stack of matrices, of which the largest entries
+    count. ``rates`` in 1/s, such as a required decay, are entries as well; they help to choose the unit of
+    time.
+
+    Minimises the sum of m - log m over the entries m other than 0 (their distance from 1 after Itakura and
+    Saito) over all positive units. In the logarithms of the units it is convex and grows without bound in
+    every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
+    the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
+
+    Reference: Osborne 1960 minimises the sum of m^2, which has no minimum for a reducible matrix.
+
+    >>> slow = balanced([[0.0, 1e-3], [-1e-9, -1e-6]], seen=[[1e3, 0.0]])
+    >>> fast = balanced([[0.0, 1.0], [-1.0, -1.0]], seen=[[1.0, 0.0]])
+    >>> bool(np.isclose(slow.seconds / fast.seconds, 1e6))
+    True
+    """
+    a = _largest(drift)
+    n = len(a)
+    c, d = _largest(seen, None, n), _largest(driven, n, None)
+    h = _largest(inner, None, n)
+    p, k, r = len(c), d.shape[1], len(h)
+    e = _largest(shown, p, k)
+    spread = np.zeros((r, k))
+    if slopes is not None and r == k:
+        spread = np.diag([max(abs(low), abs(high)) for low, high in slopes])
+    x, y = 0, n
+    value, argument = n + p, n + p + k
+    clock = n + p + k + r
+    entries = _Entries(clock + 1)
+    tick = clock if time == "continuous" else None
+    entries.add(a, x, x, tick)
+    entries.add(c, y, x)
+    entries.add(d, x, value, tick)
+    entries.add(e, y, value)
+    entries.add(h, argument, x)
+    entries.add(spread, value, argument)
+    for one in rates:
+        entries.rate(one, tick)
+    units = np.exp(entries.least())
+    return Coordinates(
+        units[x:y], units[y:value], units[value:argument], units[argument:clock], float(units[clock])
+    )
+
+
+class _Entries:
+    """The logarithms of the entries, affine in the logarithms of the units."""
+
+    def __init__(self, units: int) -> None:
+        self.units = units
+        self.logs: list[float] = []
+        self.rows: list[FloatArray] = []
+
+    def add(self, sizes: FloatArray, row: int, column: int, clock: int | None = None) -> None:
+        """The entries of a matrix; ``row`` and ``column`` are the places of its first units."""
+        for i, j in zip(*np.nonzero(sizes), strict=True):
+            on = np.zeros(self.units)
+            on[row + i] -= 1.0
+            on[column + j] += 1.0
+            if clock is not None:
+                on[clock] += 1.0
+            self.logs.append(float(np.log(sizes[i, j])))
+            self.rows.append(on)
+
+    def rate(self, value: float, clock: int | None) -> None:
+        """A rate in 1/s."""
+        if value > 0.0 and clock is not None:
+            self.add(np.array([[value]]), 0, 0, clock)
+
+    def least(self) -> FloatArray:
+        """The logarithms of the units at the minimum, by damped Newton steps."""
+        if not self.rows:
+            return np.zeros(self.units)
+        matrix, start = np.array(self.rows), np.array(self.logs)
+        _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
+        moving = turned[sizes > 1e-9 * sizes[0]].T
+        slopes = matrix @ moving
+        at = np.linalg.lstsq(slopes, -start, rcond=None)[0]
+        for _ in range(STEPS_MOST):
+            m = np.exp(start + slopes @ at)
+            gradient = slopes.T @ (m - 1.0)
+            if np.abs(gradient).max() < 1e-12 * len(m):
+                break
+            # The second term keeps the step finite where every entry along a direction is tiny.
+            curvature = slopes.T @ (slopes * m[:, None]) + 1e-12 * np.eye(len(at))
+            step = np.linalg.solve(curvature, -gradient)
+            at = at + _share(start + slopes @ at, slopes @ step) * step
+        return np.asarray(moving @ at, np.float64)
+
+
+def _share(logs: FloatArray, change: FloatArray) -> float:
+    """The share of a change of the logarithms that lowers the sum."""
+    share = min(1.0, STEP_MOST / max(float(np.abs(change).max()), 1e-300))
+    before = float((np.exp(logs) - logs).sum())
+    while share > 1e-12 and float((np.exp(logs + share * change) - logs - share * change).sum()) > before:
+        share *= 0.5
+    return share
+
+
+def _largest(given: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
+    """The largest sizes of the entries of a matrix, or of a stack of them; ``None`` is a matrix of zeros."""
+    if given is None:
+        return np.zeros((rows or 0, columns or 0))
+    entries = np.abs(np.asarray(given, np.float64))
+    stacked = entries.reshape(-1, *entries.shape[-2:]) if entries.size else entries[None]
+    return np.asarray(stacked.max(axis=0, initial=0.0), np.float64)

@@ -1,0 +1,42 @@
+"""Definiteness of symmetric matrices whose rows have different units."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+
+ROUNDING = 1e-13
+"""Rounding of an entry, relative to its terms: a least eigenvalue must exceed it to count as positive."""
+
+
+def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, float]:
+    """The least eigenvalue of a symmetric matrix, and that of the matrix with rows and columns scaled.
+
+    ``sizes`` are those of the diagonal's terms before they cancel, by default of the diagonal. Scaled, d M d
+    with d = sizes^(-1/2), the matrix does not depend on the units of its rows, and by Sylvester's law it has
+    as many positive eigenvalues as M. A solver of eigenvalues errs by a share of the largest one, so that
+    the least eigenvalue of a positive M comes from the inverse of the scaled matrix, which is accurate.
+
+    >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
+    >>> [round(one, 6) for one in least(graded)]
+    [0.75, 0.5]
+    """
+    diagonal = np.abs(np.diag(matrix)) if sizes is None else sizes
+    used = diagonal > 0.0
+    if not used.all():
+        if np.abs(matrix[~used]).max() > 0.0:
+            plain = float(np.linalg.eigvalsh(matrix)[0])
+            return plain, min(-1.0, plain)
+        inner = least(matrix[np.ix_(used, used)], diagonal[used]) if used.any() else (0.0, 0.0)
+        return min(0.0, inner[0]), min(0.0, inner[1])
+    d = 1.0 / np.sqrt(diagonal)
+    if len(d) == 1:
+        return float(matrix[0, 0]), float(matrix[0, 0] * d[0] ** 2)
+    values, vectors = np.linalg.eigh(matrix * d * d[:, None])
+    relative = float(values[0])
+    if relative > ROUNDING * len(d):
+        inverse = (vectors / values) @ vectors.T * d * d[:, None]
+        return 1.0 / float(np.linalg.eigvalsh(inverse)[-1]), relative
+    along = d * vectors[:, 0]
+    return min(float(np.linalg.eigvalsh(matrix)[0]), relative / float(along @ along)), relative
