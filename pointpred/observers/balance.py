@@ -63,7 +63,7 @@ def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
     >>> form([[1.0, 0.0], [0.0, 1.0]], np.array([1.0, 10.0])).tolist()
     [[1.0, 0.0], [0.0, 0.01]]
     """
-    entries: FloatArray = np.asarray(matrix, np.float64) / units / units[:, None] / unit
+    entries: FloatArray = np.asarray(matrix, np.float64) / (units * units[:, None] * unit)
     return entries
 
 
@@ -89,6 +89,9 @@ def balanced(
     every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
     the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
 
+    In discrete time the unit of time is the step, and f keeps its units, because Theorem 3.3.2 weighs all its
+    components alike.
+
     Reference: Osborne 1960 minimises the sum of m^2, which has no minimum for a reducible matrix.
 
     >>> slow = balanced([[0.0, 1e-3], [-1e-9, -1e-6]], seen=[[1e3, 0.0]])
@@ -110,6 +113,8 @@ def balanced(
     clock = n + p + k + r
     entries = _Entries(clock + 1)
     tick = clock if time == "continuous" else None
+    if time == "discrete":
+        entries.fixed = slice(value, clock)
     entries.add(a, x, x, tick)
     entries.add(c, y, x)
     entries.add(d, x, value, tick)
@@ -131,6 +136,8 @@ class _Entries:
         self.units = units
         self.logs: list[float] = []
         self.rows: list[FloatArray] = []
+        self.fixed = slice(0, 0)
+        """Units that stay 1."""
 
     def add(self, sizes: FloatArray, row: int, column: int, clock: int | None = None) -> None:
         """The entries of a matrix; ``row`` and ``column`` are the places of its first units."""
@@ -140,6 +147,7 @@ class _Entries:
             on[column + j] += 1.0
             if clock is not None:
                 on[clock] += 1.0
+            on[self.fixed] = 0.0
             self.logs.append(float(np.log(sizes[i, j])))
             self.rows.append(on)
 
@@ -183,5 +191,5 @@ def _largest(given: Any, rows: int | None = None, columns: int | None = None) ->
     if given is None:
         return np.zeros((rows or 0, columns or 0))
     entries = np.abs(np.asarray(given, np.float64))
-    stacked = entries.reshape(-1, *entries.shape[-2:]) if entries.size else entries[None]
-    return np.asarray(stacked.max(axis=0, initial=0.0), np.float64)
+    leading = tuple(range(entries.ndim - 2))
+    return np.asarray(entries.max(axis=leading, initial=0.0), np.float64)

@@ -30,6 +30,8 @@ FINER = (1.0, 1e-2, 1e-4)
 """Shares of the margin at which the objective is minimised, until the gap is small."""
 TURNS = 4
 """How often a problem is posed again in coordinates scaled to its last answer."""
+SMALL = 1e3
+"""A proof up to a smaller condition number of P tells nothing."""
 LARGEST = 1e30
 """Up to here a number that only relaxes the inequalities is doubled."""
 
@@ -133,14 +135,14 @@ class MatrixInequalities(Inequalities):
         """Numbers that satisfy the inequalities, if any; those that only relax them are as large as needed."""
         free = relaxing(problem)
         posed = released(problem, free)
-        numbers: FloatArray | None = None
+        answers: list[Answer] = []
         for _ in range(TURNS):
-            answer = self._run(posed, solver, None, numbers)
-            numbers = answer.numbers
+            answers.append(self._run(posed, solver, None, answers[-1].numbers if answers else None))
+            numbers = answers[-1].numbers
             passing = None if numbers is None else self._relaxed(problem, numbers, free)
-            if passing is not None or numbers is None or reach(posed, answer.multipliers) >= ENTIRE:
-                break
-        return passing, answer
+            if passing is not None or numbers is None or reach(posed, answers[-1].multipliers) >= ENTIRE:
+                return passing, answers[-1]
+        return None, max(answers, key=lambda one: reach(posed, one.multipliers))
 
     @staticmethod
     def _run(problem: Affine, solver: str, margin: float | None, near: FloatArray | None) -> Answer:
@@ -175,10 +177,11 @@ class MatrixInequalities(Inequalities):
             )
         bound = largest_margin(posed, answer.multipliers, self.kappa, most=CAP)
         need = f"{self.name}: a margin of {self.margin:g} (relative) is needed"
-        if bound < self.margin:
+        most = self.kappa if bound < self.margin else extent
+        if most >= SMALL:
             raise UndecidedError(
-                f"{need}, no P with a condition number below kappa = {self.kappa:g} reaches more than {bound:.3g}: "
-                "raise kappa, or require less decay"
+                f"{need}, no P with a condition number below {most:.1g} allows one: raise kappa (it is "
+                f"{self.kappa:g}), or require less decay"
             )
         if answer.status == "optimal" and answer.claimed >= self.margin:
             raise CertificateError(

@@ -55,6 +55,7 @@ def reach(problem: Affine, found: Multipliers | None) -> float:
     """
     if found is None:
         return 0.0
+    found = _exact(problem, found, np.zeros(len(problem.x0)))
     level, slopes, weight = _sum(problem, found, capped=False)
     if weight <= 0.0:
         return 0.0
@@ -70,8 +71,34 @@ def least_objective(problem: Affine, found: Multipliers | None, kappa: float) ->
     """A lower bound of the objective over all P below kappa I and other numbers within +-kappa."""
     if found is None or problem.objective is None:
         return -np.inf
+    found = _exact(problem, found, problem.objective)
     level, slopes, _ = _sum(problem, found, capped=False)
     return -(level - float(problem.objective @ problem.x0) + _largest(problem, slopes - problem.objective, kappa))
+
+
+def _exact(problem: Affine, found: Multipliers, wanted: FloatArray) -> Multipliers:
+    """The multipliers moved a little, so that the slopes become ``wanted`` up to rounding; those of kappa are left out.
+
+    Z^(1/2) (I + S) Z^(1/2) with the least S: positive semidefinite as long as S is small.
+    """
+    pairs = [*zip(found.strict, problem.strict, strict=True), *zip(found.floors, problem.floors, strict=True)]
+    without = Multipliers(found.strict, found.floors, [])
+    _, slopes, _ = _sum(problem, without, capped=False)
+    missing = slopes - wanted
+    # A number that may grow as it likes towards its own side costs nothing.
+    missing[(problem.lows > -np.inf) & (missing < 0.0)] = 0.0
+    roots = [_root(z) for z, _ in pairs]
+    shares = [root @ block @ root for root, (_, (_, block)) in zip(roots, pairs, strict=True)]
+    flat = problem.basis.T @ np.hstack([one.reshape(len(one), -1) for one in shares])
+    moved = flat.T @ np.linalg.lstsq(flat @ flat.T, problem.basis.T @ missing, rcond=1e-13)[0]
+    exact, start = [], 0
+    for root in roots:
+        n = len(root)
+        s = moved[start : start + n * n].reshape(n, n)
+        exact.append(_positive(root @ (np.eye(n) + 0.5 * (s + s.T)) @ root))
+        start += n * n
+    strict = len(found.strict)
+    return Multipliers(exact[:strict], exact[strict:], [])
 
 
 def _sum(problem: Affine, found: Multipliers, *, capped: bool) -> tuple[float, FloatArray, float]:
@@ -110,6 +137,12 @@ def _dual(slopes: FloatArray, rows: int) -> FloatArray:
     r[above, right] += 0.5 * slopes
     r[right, above] += 0.5 * slopes
     return r
+
+
+def _root(matrix: FloatArray) -> FloatArray:
+    values, vectors = np.linalg.eigh(matrix)
+    root: FloatArray = (vectors * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
+    return root
 
 
 def _positive(matrix: Any) -> FloatArray:

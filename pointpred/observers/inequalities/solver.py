@@ -15,6 +15,8 @@ from pointpred.observers.inequalities.proof import Multipliers, multipliers
 
 CAP = 1e-2
 """Largest margin that is sought."""
+ACCEPTED: dict[str, dict[str, bool]] = {"CLARABEL": {"accept_unknown": True}}
+"""Numbers of a solver that gave up are audited like any others, and are where the next attempt begins."""
 TIGHT: dict[str, dict[str, float]] = {
     "CLARABEL": {"tol_feas": 1e-11, "tol_gap_abs": 1e-11, "tol_gap_rel": 1e-11}
 }
@@ -78,7 +80,7 @@ def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                whole.solve(solver=solver, **digits)
+                whole.solve(solver=solver, **digits, **ACCEPTED.get(solver, {}))
         except (cvxpy.error.SolverError, ArithmeticError, ValueError) as failure:
             failed = f"failed: {failure}"
         else:

@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
@@ -63,8 +64,8 @@ def design_observer(
     """The gain M of observer (3.5) for the generator's state, with its certificate.
 
     Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
-    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``; the size of the gain is
-    not minimised.
+    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units; the size
+    of the gain is not minimised.
 
     z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
 
@@ -97,7 +98,9 @@ def design_observer(
         require_detectable(connection.g.S0, connection.output, plant.time, "(S0, C0 Pi)")
     require_map(plant, generator, connection.pi)
     q, p = connection.g.q, plant.p
-    c = 2.0 * decay if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
+    units = connection.units(decay)
+    x, y, t = units.states, units.outputs, units.seconds
+    c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
     fixed: dict[str, Any] = {
         "Theta": lambda v: np.eye(q) + c * v.P,
         "Gamma": lambda v: v.bound * np.eye(p),
@@ -108,15 +111,23 @@ def design_observer(
         problem.free("U", q, p)
     else:
         fixed_gain = matrix("gain", gain, q, p)
-        fixed["U"] = lambda v: v.P @ fixed_gain
+        inner_gain = inward(fixed_gain, x, y, t)
+        fixed["U"] = lambda v: v.P @ inner_gain
     if connection.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
-    solution = connection.state(problem, **fixed).solve(minimise=lambda v: v.bound, solver=solver)
-    answer = msgspec.structs.asdict(solution)["values"]
-    m = np.linalg.solve(answer["P"], answer["U"]) if gain is None else fixed_gain
-    whole = {name: function(_Attributes(answer)) for name, function in fixed.items()}
-    values = {**answer, **whole, "U": answer["P"] @ m}
-    del values["bound"]
+    state = connection.inward(units).state(problem, **fixed)
+    answer = state.solve(minimise=lambda v: v.bound, solver=solver).values
+    inner = {**answer, **{name: function(_Attributes(answer)) for name, function in fixed.items()}}
+    m = outward(np.linalg.solve(answer["P"], answer["U"]), x, y, t) if gain is None else fixed_gain
+    values = {
+        "P": form(inner["P"], x),
+        "Theta": form(inner["Theta"], x, t),
+        "Gamma": form(inner["Gamma"], y, t),
+        "Xi": form(inner["Xi"], x, 1.0 / t),
+    }
+    if "W" in inner:
+        values["W"] = form(inner["W"], x, t)
+    values["U"] = values["P"] @ m
     # Audits the returned gain in the theorem as stated, not the solver's answer.
     margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values)
     bound = interconnection_bound(

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from operator import attrgetter
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Generator
@@ -36,8 +39,37 @@ class Interconnection:
         g = self.g
         if g.J is not None and g.J.shape == self.j.shape and not np.allclose(g.J, self.j, 1e-6, 1e-6):
             raise ParameterError(f"J must be H Pi, differs by {np.abs(g.J - self.j).max():.3g}")
+        self.shown: FloatArray = plant.C1
         self.sloped = bool(g.S1.any() or plant.C1.any())
         self.corners = vertices(plant.slopes) if self.sloped else {}
+
+    def units(self, *rates: float) -> Coordinates:
+        """The units in which the error equation is balanced; ``rates`` in 1/s are required of it."""
+        return balanced(
+            self.g.S0,
+            seen=self.output,
+            driven=self.g.S1,
+            shown=self.shown,
+            inner=self.j,
+            slopes=self.plant.slopes if self.sloped else None,
+            rates=rates,
+            time=self.plant.time,
+        )
+
+    def inward(self, units: Coordinates) -> Interconnection:
+        """The same blocks in these units."""
+        x, y, f, t = units.states, units.outputs, units.values, units.seconds
+        other = copy(self)
+        other.g = msgspec.structs.replace(
+            self.g,
+            S0=inward(self.g.S0, x, x, t),
+            S1=inward(self.g.S1, x, f, t),
+            G=inward(self.g.G, x, y, t),
+        )
+        other.j, other.output = inward(self.j, units.arguments, x), inward(self.output, y, x)
+        other.shown = inward(self.shown, y, f)
+        other.corners = vertices(units.slopes(self.plant.slopes)) if self.sloped else {}
+        return other
 
     def linear(self, v: Any) -> FloatArray:
         """P S0 - U C0 Pi."""
@@ -46,7 +78,7 @@ class Interconnection:
 
     def weight(self, v: Any) -> FloatArray:
         """F = P S1 - U C1, the weight of f."""
-        block: FloatArray = v.P @ self.g.S1 - v.U @ self.plant.C1
+        block: FloatArray = v.P @ self.g.S1 - v.U @ self.shown
         return block
 
     def sector(self, v: Any, corner: FloatArray) -> FloatArray:

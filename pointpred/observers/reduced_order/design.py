@@ -8,12 +8,13 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.observers.balance import balanced, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
-from pointpred.observers.reduced_order.upsilon import Choice, allowed, split
+from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
 
 
 class ReducedOrderDesign(msgspec.Struct, frozen=True):
@@ -65,11 +66,54 @@ def design_reduced_order(
         c = parts.seen + parts.shown @ corner @ parts.inner
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
     base, free = allowed(parts, sloped and not injection)
-    choice = Choice(plant, parts, corners, base, free, decay, solver, bounds)
-    upsilon = choice.made() if free.shape[1] else base
+    upsilon = base if not free.shape[1] else _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
     observer = invariant_observer(plant, pi, upsilon, injection=injection)
     certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
     return ReducedOrderDesign(observer, upsilon, certificate)
+
+
+def _chosen(
+    plant: Persidskii,
+    parts: Split,
+    sloped: bool,
+    choices: tuple[FloatArray, FloatArray],
+    decay: float,
+    solver: str,
+    bounds: dict[str, float],
+) -> FloatArray:
+    """Upsilon of ``choices``, U0 + N K, from a problem in balanced units."""
+    units = balanced(
+        parts.drift,
+        seen=parts.seen,
+        driven=parts.driven,
+        shown=parts.shown,
+        inner=parts.inner,
+        slopes=plant.slopes if sloped else None,
+        rates=(decay,),
+        time=plant.time,
+    )
+    x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
+    base, free = choices
+    slopes = units.slopes(plant.slopes)
+    choice = Choice(
+        Split(
+            inward(parts.drift, x, x, t),
+            inward(parts.seen, y, x),
+            inward(parts.driven, x, f, t),
+            inward(parts.shown, y, f),
+            inward(parts.inner, s, x),
+            parts.outer,
+        ),
+        vertices(slopes) if sloped else {"": np.zeros((plant.k, plant.r))},
+        slopes,
+        plant.time,
+        inward(base, x, y, t),
+        np.linalg.qr(free / x[:, None])[0],
+        decay * t,
+        solver,
+        bounds,
+    )
+    return outward(choice.made(), x, y, t)
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

@@ -10,7 +10,8 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
@@ -19,8 +20,10 @@ from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
-SHARES = (0.6, 0.4, 0.2, 0.05)
+SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
+KEPT = ("P", "Xi", "W", "Gamma", "alpha")
+"""The matrices of the two theorems; others only help to choose among them."""
 
 
 class Convergence(msgspec.Struct, frozen=True):
@@ -88,9 +91,9 @@ def theorem_3_3_1(
 
 
 def theorem_3_3_2(
-    connections: list[Connection], lipschitz: list[float], **bounds: float
+    connections: list[Connection], bounds_of_f: list[Any], **bounds: float
 ) -> MatrixInequalities:
-    """The inequalities of Theorem 3.3.2 with a constant P; ``lipschitz`` is its gamma for each.
+    """The inequalities of Theorem 3.3.2 with a constant P; ``bounds_of_f`` is its gamma, or L, for each.
 
     Unknowns: P, Xi, Gamma, alpha; the last row and column are q wide, as Gamma is q x q.
     """
@@ -98,7 +101,7 @@ def theorem_3_3_2(
     problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
 
-    for i, (one, constant) in enumerate(zip(connections, lipschitz, strict=True)):
+    for i, (one, constant) in enumerate(zip(connections, bounds_of_f, strict=True)):
         mark = f" at {i}" if len(connections) > 1 else ""
         problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
     return problem
@@ -145,15 +148,16 @@ def certify_convergence(
     slowest = max(_slowest(one, observer.plant) for one in connections)
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
-        problem = _problem(connections, observer.plant, rate, gamma or rate, bounds)
         try:
-            solution = problem.solve(minimise=_size, solver=solver)
-        except InfeasibleError:
+            values, margins = _solved(connections, observer.plant, rate, gamma or rate, solver, bounds)
+        except (InfeasibleError, UndecidedError) as failure:
             if rate == tried[-1]:
-                raise
+                unit = "1/step" if observer.plant.time == "discrete" else "1/s"
+                raise type(failure)(
+                    f"{failure}; with decay = {rate:g} {unit} and gamma = {gamma or rate:g} {unit}"
+                ) from failure
             continue
         break
-    values = {name: one for name, one in solution.values.items() if name not in ("bound", "noise")}
     if observer.plant.time == "discrete":
         bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
     else:
@@ -161,15 +165,18 @@ def certify_convergence(
         bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
     theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
     domain = observer.plant.domain if any(one.S1.any() for one in connections) else np.inf
-    return Convergence(theorem, values, solution.margins, bound, connections[0].J, domain)
+    return Convergence(theorem, values, margins, bound, connections[0].J, domain)
 
 
-def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:
-    """The gamma of Theorem 3.3.2: abs(f(Jw) - f(Jz)) <= gamma abs(w - z), from the slopes."""
-    if plant.slopes is None or not np.isfinite(np.array(plant.slopes)).all():
-        raise ParameterError(f"a certificate needs bounded slopes, received {plant.slopes}")
-    steepest = np.abs(np.array(plant.slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
-    return float(np.linalg.norm(steepest[:, None] * j, 2)) if j.size else 0.0
+def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
+    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
+
+    Theorem 3.3.2 has gamma I, gamma the largest singular value of L, which is larger and depends on the units.
+    """
+    if slopes is None or not np.isfinite(np.array(slopes)).all():
+        raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
+    steepest = np.abs(np.array(slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
+    return np.asarray(steepest[:, None] * j, np.float64)
 
 
 def symmetric(square: FloatArray) -> FloatArray:
@@ -194,14 +201,15 @@ def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
     return lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
 
 
-def _next(one: Connection, lipschitz: float) -> Block:
+def _next(one: Connection, steepest: Any) -> Block:
     """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
+    share = steepest.T @ steepest if isinstance(steepest, np.ndarray) else steepest**2 * np.eye(q)
     onward = np.hstack([one.S0, one.S1, -np.eye(q)])
 
     def block(v: Any) -> FloatArray:
         diagonal = np.zeros((2 * q + k, 2 * q + k))
-        diagonal[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
+        diagonal[:q, :q] = v.Xi - v.P + v.alpha * share
         diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
         diagonal[q + k :, q + k :] = -v.Gamma
         return np.asarray(diagonal + onward.T @ v.P @ onward)
@@ -209,20 +217,60 @@ def _next(one: Connection, lipschitz: float) -> Block:
     return block
 
 
-def _problem(
-    connections: list[Connection], plant: Persidskii, decay: float, gamma: float, bounds: dict[str, float]
-) -> MatrixInequalities:
-    """The theorem's inequalities with the required decay and the bounds to minimise."""
-    identity = np.eye(len(connections[0].S0))
-    if plant.time == "discrete":
-        problem = theorem_3_3_2(
-            connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
+def _solved(
+    connections: list[Connection],
+    plant: Persidskii,
+    decay: float,
+    gamma: float,
+    solver: str,
+    bounds: dict[str, float],
+) -> tuple[dict[str, Any], dict[str, float]]:
+    """Matrices and margins in the user's units, from a problem in balanced ones."""
+    units = balanced(
+        [one.S0 for one in connections],
+        driven=[one.S1 for one in connections],
+        inner=[one.J for one in connections],
+        slopes=plant.slopes,
+        rates=(decay, gamma),
+        time=plant.time,
+    )
+    x, t = units.states, units.seconds
+    inner = [
+        msgspec.structs.replace(
+            one,
+            S0=inward(one.S0, x, x, t),
+            S1=inward(one.S1, x, units.values, t),
+            J=inward(one.J, units.arguments, x),
         )
+        for one in connections
+    ]
+    problem = _theorem(inner, plant.time, units.slopes(plant.slopes), decay * t, gamma * t, bounds)
+    identity = np.eye(len(x))
+    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+    if plant.time == "discrete":
         problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
+    found = problem.solve(minimise=_size, solver=solver).values
+    values = {name: found[name] if name == "alpha" else form(found[name], x) for name in found if name in KEPT}
+    for name in ("Xi", "W"):
+        if name in values:
+            values[name] = values[name] / t
+    return values, _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds).check(values)
+
+
+def _theorem(
+    connections: list[Connection],
+    time: str,
+    slopes: tuple[tuple[float, float], ...] | None,
+    decay: float,
+    gamma: float,
+    bounds: dict[str, float],
+) -> MatrixInequalities:
+    """The theorem's inequalities with the required decay."""
+    if time == "discrete":
+        problem = theorem_3_3_2(connections, [lipschitz(slopes, one.J) for one in connections], **bounds)
         share = -expm1(-2.0 * decay)
     else:
-        problem, share = theorem_3_3_1(connections, plant.slopes, gamma, **bounds), 2.0 * decay
-    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+        problem, share = theorem_3_3_1(connections, slopes, gamma, **bounds), 2.0 * decay
     return problem.above("Xi for the decay", lambda v: v.Xi - share * v.P, strict=False)
 
 

@@ -14,7 +14,7 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.reversed_certificate import lipschitz_constant, symmetric
+from pointpred.observers.reduced_order.reversed_certificate import lipschitz, symmetric
 
 SLACK = 1e3
 """Offset of the slack, since unknown numbers must not be negative."""
@@ -96,9 +96,10 @@ class Choice(msgspec.Struct, frozen=True):
     and no conservatism; otherwise X and K are improved alternately, each time by the solver.
     """
 
-    plant: Persidskii
     parts: Split
     corners: dict[str, FloatArray]
+    slopes: tuple[tuple[float, float], ...] | None
+    time: str
     base: FloatArray
     free: FloatArray
     decay: float
@@ -114,7 +115,7 @@ class Choice(msgspec.Struct, frozen=True):
         problem = self._problem(tilt, rest, slack=False).number("size")
         problem.above(
             "size - K2' P2^-1 K2",
-            lambda v: np.block([[v.size * np.eye(self.plant.p), v.K2.T], [v.K2, v.P2]]),
+            lambda v: np.block([[v.size * np.eye(len(self.parts.seen)), v.K2.T], [v.K2, v.P2]]),
             strict=False,
         )
         return self._upsilon(problem.solve(minimise=lambda v: v.size, solver=self.solver).values)
@@ -146,7 +147,7 @@ class Choice(msgspec.Struct, frozen=True):
         problem = MatrixInequalities("choice of Upsilon", **self.bounds).positive("P2", width)
         if other:
             problem.positive("P1", other)
-        problem.free("K2", width, self.plant.p)
+        problem.free("K2", width, len(self.parts.seen))
 
         def p(v: Any) -> FloatArray:
             whole = tilt @ v.P2 @ tilt.T
@@ -177,19 +178,19 @@ class Choice(msgspec.Struct, frozen=True):
         def spare(v: Any) -> float:
             return float(v.slack) - SLACK if slack else 0.0
 
-        if self.plant.time == "continuous":
+        if self.time == "continuous":
             for name, corner in self.corners.items():
                 slope = corner @ parts.inner
                 a, c = parts.drift + parts.driven @ slope, parts.seen + parts.shown @ slope
                 problem.below(f"the inequality, D = diag({name})", self._dissipation(p, closed, spare, a, c))
             return problem
-        q, k = len(parts.drift), self.plant.k
-        constant, keep = lipschitz_constant(self.plant, parts.inner), exp(-3.0 * self.decay)
+        q, k = parts.driven.shape
+        steepest, keep = lipschitz(self.slopes, parts.inner), exp(-3.0 * self.decay)
         problem.number("alpha")
 
         def block(v: Any) -> FloatArray:
             diagonal = np.zeros((q + k, q + k))
-            diagonal[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
+            diagonal[:q, :q] = v.alpha * steepest.T @ steepest - keep * p(v)
             diagonal[q:, q:] = -v.alpha * np.eye(k)
             onward = np.hstack([closed(v, parts.drift, parts.seen), closed(v, parts.driven, parts.shown)])
             whole = np.block([[diagonal, onward.T], [onward, -p(v)]])

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.observers.balance import balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import matrix
@@ -84,12 +85,18 @@ def certify(
             f"rate must be a positive number of 1/s, received {rate!r}", field="rate", value=rate
         )
     require_detectable(system, output, "continuous", "(A, C)")
-    problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)
+    units = balanced(system, seen=output, rates=(rate,))
+    x, y, t = units.states, units.outputs, units.seconds
+    problem = inequalities(inward(system, x, x, t), inward(output, y, x))
+    problem.above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * t * v.P)
     if gain is not None:
         fixed_gain = matrix("gain", gain, len(system), len(output))
-        problem.equal("U = P L", lambda v: v.U - v.P @ fixed_gain)
-    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma))
-    return certificate(solution.values, solution.margins)
+        inner_gain = inward(fixed_gain, x, y, t)
+        problem.equal("U = P L", lambda v: v.U - v.P @ inner_gain)
+    found = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma)).values
+    values = {"P": form(found["P"], x), "Q": form(found["Q"], x, t), "Gamma": form(found["Gamma"], y, t)}
+    values["U"] = outward(found["U"], 1.0 / x, y, t)
+    return certificate(values, inequalities(system, output).check(values))
 
 
 def certificate(values: dict[str, Any], margins: dict[str, float]) -> InterlacedCertificate:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.inequalities.definite import least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):
@@ -30,13 +31,12 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     @property
     def phi1(self) -> float:
         """sqrt(chi2 / chi1), chi the extreme eigenvalues of P."""
-        values = np.linalg.eigvalsh(self.p)
-        return float(sqrt(values[-1] / values[0]))
+        return sqrt(float(np.linalg.eigvalsh(self.p)[-1]) / least(self.p)[0])
 
     @property
     def phi2(self) -> float:
         """sqrt(gamma / (sigma chi1)), s."""
-        return sqrt(self.gamma / (self.sigma * float(np.linalg.eigvalsh(self.p)[0])))
+        return sqrt(self.gamma / (self.sigma * least(self.p)[0]))
 
     @property
     def largest_sigma(self) -> float:
@@ -94,14 +94,14 @@ def audit(
             f"sigma must be positive and finite, received {sigma!r}", field="sigma", value=sigma
         )
     for name, matrix in (("P", p), ("F", force)):
-        least = float(np.linalg.eigvalsh(matrix)[0]) if np.allclose(matrix, matrix.T) else -np.inf
-        if not least > 0.0:
+        lowest = least(matrix)[0] if np.allclose(matrix, matrix.T) else -np.inf
+        if not lowest > 0.0:
             raise CertificateError(
-                f"{name} must be symmetric and positive definite, its least eigenvalue is {least:.6g}"
+                f"{name} must be symmetric and positive definite, its least eigenvalue is {lowest:.6g}"
             )
     largest, vertex = -np.inf, 0
     for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
-        eigenvalue = float(np.linalg.eigvalsh(inequality(gamma_i, t_i, c, p, w_i, force, sigma))[-1])
+        eigenvalue = -least(-inequality(gamma_i, t_i, c, p, w_i, force, sigma))[0]
         if not eigenvalue <= largest:
             largest, vertex = eigenvalue, i
     if not largest < 0.0:

@@ -12,8 +12,6 @@ from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.invariant_zeros import kernel
 
-KAPPA = 1e6
-"""Largest condition number of P."""
 MODEST = 0.01
 """Weight of the trace of P beside gamma in the objective; without it P and the gains grow needlessly."""
 ROOM = 1.001
@@ -24,8 +22,8 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
     """P and gamma with F = gamma I from (27c) on the kernel of C, where no gain acts.
 
     The gains drop out (elimination lemma). If C T = 0, the outputs' part of P drops out as well and is set to
-    the identity; vertices that differ only in terms that a gain can cancel share one inequality. P lies
-    between I and 1e6 I: the certificate does not change with its scale.
+    the identity; vertices that differ only in terms that a gain can cancel share one inequality. The certificate does
+    not change with the scale of P.
 
     Raises UndecidedError if no such P is found although the zeros allow one.
     """
@@ -37,7 +35,7 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
     cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
 
     def problem(name: str) -> MatrixInequalities:
-        inequalities = MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA)
+        inequalities = MatrixInequalities(f"unknown input observer, {name}")
         return inequalities.positive("P", frame.shape[1])
 
     def corner(case: FloatArray, v: Any) -> FloatArray:
@@ -60,8 +58,7 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
             values = any_p.solve().values
         except InfeasibleError as none:
             raise UndecidedError(
-                f"the invariant zeros allow sigma = {sigma:g}, but too closely for a P of condition "
-                f"{KAPPA:g}: choose a smaller sigma or a smaller box ({none})"
+                f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma or a smaller box ({none})"
             ) from none
     p = rest + frame @ values["P"] @ frame.T
     return p, ROOM * least_gamma(gammas, ts, c, p, sigma)

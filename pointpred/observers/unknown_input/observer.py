@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.balance import balanced, form, inward, outward
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
     UnknownInputCertificate,
@@ -86,13 +87,20 @@ class UnknownInputObserver:
         refuse(box, zeros, sigma)
         gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
         ts = TakagiSugeno.of(system.t, box, "T").matrices
-        p, gamma = lyapunov(gammas, ts, system.c, sigma)
-        force = gamma * np.eye(len(p))
-        ws = np.array(
-            [gain(one, t, system.c, p, gamma, sigma, output_rate) for one, t in zip(gammas, ts, strict=True)]
-        )
+        units = balanced(gammas, seen=system.c, rates=(sigma,))
+        x, y, t = units.states, units.outputs, units.seconds
+        c, inner = inward(system.c, y, x), [inward(one, x, x, t) for one in gammas]
+        inner_ts = np.array([inward(one, x, x) for one in ts])
+        p, gamma = lyapunov(np.array(inner), inner_ts, c, sigma * t)
+        ks = [
+            outward(np.linalg.solve(p, gain(one, two, c, p, gamma, sigma * t, output_rate * t)), x, y, t)
+            for one, two in zip(inner, inner_ts, strict=True)
+        ]
+        # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
+        p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
+        ws = np.array([p @ one for one in ks])
         certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
-        return cls(system, box, certificate, TakagiSugeno(box, np.linalg.solve(p, ws)))
+        return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
 
     def start(self, estimate: FloatArray) -> None:
         """Forget every sample and start at an estimate; the first sample replaces its outputs."""
