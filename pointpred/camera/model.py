@@ -83,7 +83,12 @@ def decoupled(point: Mapping[str, float]) -> FloatArray:
 def camera_system() -> ParameterVaryingSystem:
     """(15) for the design of an observer: its zeros are ``zero`` and ``eta`` for any gains."""
     return ParameterVaryingSystem(
-        dynamics, unknown_input, C, rates={"w_x": "dw_x", "w_y": "dw_y"}, decoupled=decoupled
+        dynamics,
+        unknown_input,
+        C,
+        rates={"w_x": "dw_x", "w_y": "dw_y"},
+        decoupled=decoupled,
+        sizes=np.ones(4),
     )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.balance import balanced, form, inward, outward
+from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
     UnknownInputCertificate,
@@ -87,7 +87,7 @@ class UnknownInputObserver:
         refuse(box, zeros, sigma)
         gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
         ts = TakagiSugeno.of(system.t, box, "T").matrices
-        units = balanced(gammas, seen=system.c, rates=(sigma,))
+        units = system.units(gammas, sigma)
         x, y, t = units.states, units.outputs, units.seconds
         c, inner = inward(system.c, y, x), [inward(one, x, x, t) for one in gammas]
         inner_ts = np.array([inward(one, x, x) for one in ts])

@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.balance import Coordinates, balanced
 from pointpred.observers.matrices import matrix
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.invariant_zeros import decoupling
@@ -28,7 +29,8 @@ class ParameterVaryingSystem:
 
     Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names for a
     variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
-    than A.
+    than A; ``sizes`` of the states (n) that count alike in a certificate, by default chosen so that the
+    matrices are balanced.
     Raises ParameterError for mismatched shapes.
 
     Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
@@ -50,10 +52,21 @@ class ParameterVaryingSystem:
         *,
         rates: Mapping[str, str] | None = None,
         decoupled: Scheduled | None = None,
+        sizes: Any = None,
     ) -> None:
         self._a, self._f, self._decoupled = a, f, decoupled
         self.c = _shaped("C", c, (None, None))
         self.rates = dict(rates or {})
+        self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
+        if self.sizes is not None and (self.sizes <= 0.0).any():
+            raise ParameterError(f"sizes must lie above 0, received {sizes!r}", field="sizes", value=sizes)
+
+    def units(self, gammas: FloatArray, sigma: float) -> Coordinates:
+        """The units in which a design for ``gammas`` is posed: those of ``sizes``, or balanced ones."""
+        if self.sizes is None:
+            return balanced(gammas, seen=self.c, rates=(sigma,))
+        none = np.zeros(0)
+        return Coordinates(self.sizes, np.abs(self.c * self.sizes).max(axis=1), none, none, 1.0)
 
     def a(self, point: Point) -> FloatArray:
         """A at a point, n x n."""
