@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from scipy.linalg import solve_continuous_lyapunov
 
 from pointpred.errors import (
     CertificateError,
@@ -18,8 +19,10 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred.observers.inequalities import matrix_inequalities
+from pointpred.observers.inequalities.affine import Affine, scaled
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.solver import Affine, Answer, run
+from pointpred.observers.inequalities.proof import largest_margin, reach
+from pointpred.observers.inequalities.solver import CAP, Answer, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
@@ -41,7 +44,7 @@ def test_a_certificate_exists_exactly_where_the_eigenvalues_say_so(n: int, seed:
     a = np.random.default_rng(seed).normal(size=(n, n))
     a -= (np.linalg.eigvals(a).real.max() + (0.3 if stable else -0.3)) * np.eye(n)
     if not stable:
-        with pytest.raises(InfeasibleError, match="no choice reaches more than"):
+        with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
             lyapunov(a).solve()
         return
     solution = lyapunov(a).solve(minimise=trace)
@@ -63,9 +66,9 @@ def test_two_solvers_find_the_same_least_objective() -> None:
 
 
 def test_infeasible_is_not_undecided() -> None:
-    with pytest.raises(InfeasibleError, match=r"no choice reaches more than -0\.1"):
+    with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
         lyapunov(np.diag([-1.0, 0.1])).solve()
-    with pytest.raises(UndecidedError, match="proves only that none exceeds"):
+    with pytest.raises(UndecidedError, match="no P with a condition number below"):
         lyapunov(np.array([[-1.0, 1e6], [0.0, -1.0]]), kappa=1e8).solve()
 
 
@@ -76,16 +79,16 @@ def test_a_system_on_the_edge_has_no_margin() -> None:
 
 def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     def lie(problem: Affine, *, solver: str, margin: float | None) -> Answer:
-        return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, np.inf)
+        return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", lie)
-    with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices have -0\.027 at A'P \+ PA"):
+    with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices fail: A'P \+ PA has 0\.162"):
         lyapunov(np.array([[0.0, 1.0], [-2.0, -3.0]])).solve()
 
 
 def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.MonkeyPatch) -> None:
     def indefinite(problem: Affine, *, solver: str, margin: float | None) -> Answer:
-        return Answer("optimal", np.array([-1.0]), 1e-2, np.inf)
+        return Answer("optimal", np.array([-1.0]), 1e-2, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", indefinite)
     with pytest.raises(CertificateError):
@@ -95,7 +98,7 @@ def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.Mo
 def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     def mute(problem: Affine, *, solver: str, margin: float | None) -> Answer:
         answer = run(problem, solver=solver, margin=margin)
-        return Answer(answer.status, answer.numbers, answer.claimed, np.inf)
+        return Answer(answer.status, None, answer.claimed, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", mute)
     with pytest.raises(UndecidedError):
@@ -113,13 +116,17 @@ def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a = rng.normal(size=(3, 3))
     problem = lyapunov(a, kappa=100.0)
-    affine, scales = problem._numbers(None)
-    bound = run(affine, solver="CLARABEL", margin=None).bound
+    affine = problem._numbers(None)
+    scale = scaled(*problem.unknowns.coefficients("A'P + PA", problem.blocks["A'P + PA"]))[1]
+    answer = run(affine, solver="CLARABEL", margin=None)
+    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
+    excluded = reach(affine, answer.multipliers)
     for _ in range(30):
         factor = rng.normal(size=(3, 3))
         p = np.eye(3) + factor @ factor.T
-        reached = problem.margins({"P": p})["A'P + PA"] / scales["A'P + PA"]
-        assert reached <= bound + 1e-9 or np.linalg.eigvalsh(p).max() > 100.0 or bound >= 1e-2 - 1e-6
+        reached, largest = problem.margins({"P": p})["A'P + PA"] / scale, np.linalg.eigvalsh(p).max()
+        assert reached <= bound + 1e-9 or largest > 100.0 or bound >= CAP - 1e-6
+        assert reached < 0.0 or largest > excluded
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -129,9 +136,39 @@ def test_the_bound_of_the_margin_is_tight_where_numbers_must_not_be_negative(see
     a, e = rng.normal(size=(3, 3)) + np.eye(3), rng.normal(size=(3, 2))
     problem = lyapunov(a, kappa=100.0).diagonal("D", 2).number("g")
     problem.below("damped", lambda v: a.T @ v.P + v.P @ a - v.P + e @ v.D @ e.T + v.g * np.eye(3))
-    answer = run(problem._numbers(None)[0], solver="CLARABEL", margin=None)
+    affine = problem._numbers(None)
+    answer = run(affine, solver="CLARABEL", margin=None)
+    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
     assert answer.claimed < 1e-3
-    assert answer.claimed - 1e-6 <= answer.bound <= answer.claimed + 1e-4
+    assert answer.claimed - 1e-6 <= bound <= answer.claimed + 1e-4
+
+
+@given(st.integers(1, 5), st.integers(0, 2**32 - 1))
+@settings(max_examples=15, deadline=None)
+def test_a_least_objective_comes_with_a_bound_below_it(n: int, seed: int) -> None:
+    """The least trace of P >= I with A'P + PA < 0; no P that is tried lies below objective - gap."""
+    rng = np.random.default_rng(seed)
+    a = rng.normal(size=(n, n))
+    a -= (np.linalg.eigvals(a).real.max() + 0.3) * np.eye(n)
+    solution = lyapunov(a).solve(minimise=trace)
+    assert solution.objective is not None
+    assert solution.gap is not None
+    assert 0.0 <= solution.gap < 1e-2
+    least = solution.objective * (1.0 - solution.gap)
+    for _ in range(20):
+        q = rng.normal(size=(n, n))
+        p = solve_continuous_lyapunov(a.T, -q @ q.T - 1e-9 * np.eye(n))
+        p = p / np.linalg.eigvalsh(p).min()
+        assert np.trace(p) >= least * (1.0 - 1e-9)
+
+
+def test_numbers_that_only_relax_have_no_bound() -> None:
+    """The epigraph of a square of 1e5: 1e10 is far above kappa."""
+    problem = MatrixInequalities("square").positive("P", 1).number("size").free("K", 1, 1)
+    problem.above("size - K^2 / P", lambda v: np.block([[v.size * np.eye(1), v.K.T], [v.K, v.P]]))
+    problem.below("K", lambda v: v.K + 1e5 * v.P)
+    solution = problem.solve(minimise=lambda v: v.size)
+    assert solution.objective == pytest.approx(1e10, rel=1e-3)
 
 
 def test_equalities_hold_exactly_and_contradictions_are_found() -> None:

@@ -77,5 +77,7 @@ def _falls(slope: FloatArray) -> bool:
 
 def _kept(block: Block, free: list[int]) -> Block:
     constant, slopes = block
-    rows = ~np.any([np.diag(slopes[i]) != 0.0 for i in free], axis=0) if free else np.ones(len(constant), bool)
+    rows = (
+        ~np.any([np.diag(slopes[i]) != 0.0 for i in free], axis=0) if free else np.ones(len(constant), bool)
+    )
     return constant[np.ix_(rows, rows)], slopes[:, rows][:, :, rows]

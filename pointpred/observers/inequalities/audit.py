@@ -88,9 +88,7 @@ class Inequalities:
         """How far each inequality's nearest eigenvalue lies on the right side; negative if it fails."""
         numbers = self.unknowns.numbers(dict(values))
         named = self.unknowns.matrices(numbers)
-        margins = {
-            f"{name} > 0": least(getattr(named, name))[0] for name in self._normal
-        }
+        margins = {f"{name} > 0": least(getattr(named, name))[0] for name in self._normal}
         for one in self.unknowns.listed:
             if one.low > -np.inf:
                 entries = one.numbers(getattr(named, one.name)) - one.low

@@ -32,7 +32,9 @@ def multipliers(strict: list[Any], floors: list[Any], caps: list[Any]) -> Multip
     if any(one is None or not np.isfinite(one).all() for one in [*strict, *floors, *caps]):
         return None
     return Multipliers(
-        [_positive(one) for one in strict], [_positive(one) for one in floors], [_positive(one) for one in caps]
+        [_positive(one) for one in strict],
+        [_positive(one) for one in floors],
+        [_positive(one) for one in caps],
     )
 
 
@@ -73,7 +75,9 @@ def least_objective(problem: Affine, found: Multipliers | None, kappa: float) ->
         return -np.inf
     found = _exact(problem, found, problem.objective)
     level, slopes, _ = _sum(problem, found, capped=False)
-    return -(level - float(problem.objective @ problem.x0) + _largest(problem, slopes - problem.objective, kappa))
+    return -(
+        level - float(problem.objective @ problem.x0) + _largest(problem, slopes - problem.objective, kappa)
+    )
 
 
 def _exact(problem: Affine, found: Multipliers, wanted: FloatArray) -> Multipliers:

@@ -49,7 +49,8 @@ def rescaled(problem: Affine, numbers: FloatArray) -> Rescaled:
         place = slice(start, start + rows * (rows + 1) // 2)
         onto[place, place] = _turned(numbers[place], rows)
     strict, floors, caps = (
-        [_congruence(one, numbers) for one in group] for group in (problem.strict, problem.floors, problem.caps)
+        [_congruence(one, numbers) for one in group]
+        for group in (problem.strict, problem.floors, problem.caps)
     )
     plain = np.array_equal(problem.basis, np.eye(len(numbers)))
     inverse = np.linalg.inv(onto)

@@ -53,19 +53,26 @@ def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
     floors = [block(pair, 0.0) for pair in problem.floors]
     caps = [block(pair, 0.0) for pair in problem.caps]
     signed = np.flatnonzero(problem.lows > -np.inf)
+    unit = 1.0
     signs = [x[signed] >= problem.lows[signed]] if len(signed) else []
     if margin is None or problem.objective is None:
         goal, signs = cvxpy.Maximize(t), [*signs, t <= CAP]
     else:
-        goal = cvxpy.Minimize(problem.objective @ x)
+        unit = float(np.abs(problem.objective).max()) or 1.0
+        goal = cvxpy.Minimize((problem.objective / unit) @ x)
     whole = cvxpy.Problem(goal, [*strict, *floors, *caps, *signs])
     status = _solved(cvxpy, whole, solver)
     numbers = None
     if y.value is not None and np.isfinite(y.value).all():
         numbers = np.maximum(problem.x0 + problem.basis @ y.value, problem.lows)
-    proof = multipliers(*([one.dual_value for one in group] for group in (strict, floors, caps)))
+    duals = [[_times(one.dual_value, unit) for one in group] for group in (strict, floors, caps)]
+    proof = multipliers(*duals)
     claimed = -np.inf if t.value is None else float(t.value)
     return Answer(status, numbers, claimed if margin is None else margin, proof)
+
+
+def _times(dual: Any, unit: float) -> Any:
+    return None if dual is None else unit * np.asarray(dual)
 
 
 def _solved(cvxpy: Any, whole: Any, solver: str) -> str:

@@ -66,7 +66,9 @@ def design_reduced_order(
         c = parts.seen + parts.shown @ corner @ parts.inner
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
     base, free = allowed(parts, sloped and not injection)
-    upsilon = base if not free.shape[1] else _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
+    upsilon = (
+        base if not free.shape[1] else _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
+    )
     observer = invariant_observer(plant, pi, upsilon, injection=injection)
     certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
     return ReducedOrderDesign(observer, upsilon, certificate)

@@ -250,7 +250,9 @@ def _solved(
     if plant.time == "discrete":
         problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
     found = problem.solve(minimise=_size, solver=solver).values
-    values = {name: found[name] if name == "alpha" else form(found[name], x) for name in found if name in KEPT}
+    values = {
+        name: found[name] if name == "alpha" else form(found[name], x) for name in found if name in KEPT
+    }
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
