@@ -8,9 +8,10 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.observers.balance import balanced, inward, outward
+from pointpred.errors import ParameterError
+from pointpred.observers.balance import Coordinates, balanced, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
-from pointpred.observers.matrices import positive
+from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
@@ -57,8 +58,20 @@ def design_reduced_order(
     True
     """
     decay = positive("decay", decay)
-    pi = _unmeasured(plant) if Pi is None else Pi
-    parts = split(plant, pi)
+    if plant.varying:
+        raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+    units = balanced(
+        plant.A0,
+        seen=plant.C0,
+        driven=plant.A1,
+        inner=plant.H,
+        slopes=plant.slopes if plant.A1.any() else None,
+        rates=(decay,),
+        time=plant.time,
+    )
+    inner = _inward(plant, units)
+    pi = _unmeasured(inner) / units.states if Pi is None else Pi
+    parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
     sloped = bool(parts.driven.any() or parts.shown.any())
     corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
     for name, corner in corners.items():
@@ -66,12 +79,28 @@ def design_reduced_order(
         c = parts.seen + parts.shown @ corner @ parts.inner
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
     base, free = allowed(parts, sloped and not injection)
-    upsilon = (
-        base if not free.shape[1] else _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
-    )
+    upsilon = base
+    if free.shape[1]:
+        upsilon = _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
+    upsilon = upsilon / units.outputs
     observer = invariant_observer(plant, pi, upsilon, injection=injection)
     certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
     return ReducedOrderDesign(observer, upsilon, certificate)
+
+
+def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
+    """The plant with its states and outputs in these units; f, inputs and time keep theirs."""
+    x, y = units.states, units.outputs
+    return Persidskii(
+        inward(plant.A0, x, x),
+        plant.A1 / x[:, None],
+        plant.H * x,
+        plant.f,
+        C0=inward(plant.C0, y, x),
+        C1=plant.C1 / y[:, None],
+        time=plant.time,
+        domain=plant.domain,
+    )
 
 
 def _chosen(

@@ -214,8 +214,18 @@ def _at(given: Given, t: float) -> Any:
 
 
 def _right(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The least-squares solution of X a = b, of least norm."""
-    return np.asarray(np.linalg.lstsq(a.T, b.T, rcond=None)[0].T, np.float64)
+    """The least-squares solution of X a = b, of least norm after the rows and columns of a are scaled to 1.
+
+    The scale keeps a combination of states in small units from counting as rounding.
+    """
+    if not a.size:
+        return np.zeros((len(b), len(a)))
+    columns = np.abs(a).max(axis=0)
+    columns[columns == 0.0] = 1.0
+    rows = np.abs(a / columns).max(axis=1)
+    rows[rows == 0.0] = 1.0
+    scaled = a / columns / rows[:, None]
+    return np.asarray(np.linalg.lstsq(scaled.T, (b / columns).T, rcond=None)[0].T / rows, np.float64)
 
 
 def _demand(left: dict[str, FloatArray], tolerance: float, size: float, t: float) -> None:
