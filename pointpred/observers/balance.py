@@ -15,8 +15,10 @@ STEP_MOST = 4.0
 
 
 class Coordinates(msgspec.Struct, frozen=True):
-    """The units of the balanced equation, each in the user's: ``states`` of the error (q), ``outputs`` (p),
-    ``values`` of f (k), ``arguments`` of f (r), and the unit of time, ``seconds``, 1 in discrete time.
+    """The units of the balanced equation, each in the user's.
+
+    ``states`` of the error (q), ``outputs`` (p), ``values`` of f (k), ``arguments`` of f (r), and the unit of
+    time, ``seconds``, 1 in discrete time.
 
     A quantity in the user's units is its unit times the balanced one: e = ``states`` e~, t = ``seconds`` t~.
     """
@@ -77,6 +79,7 @@ def balanced(
     slopes: tuple[tuple[float, float], ...] | None = None,
     rates: tuple[float, ...] = (),
     time: str = "continuous",
+    plain: bool = False,
 ) -> Coordinates:
     """The coordinates in which e' = ``drift`` e + ``driven`` df, dy = ``seen`` e + ``shown`` df is balanced.
 
@@ -89,8 +92,8 @@ def balanced(
     every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
     the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
 
-    In discrete time the unit of time is the step, and f keeps its units, because Theorem 3.3.2 weighs all its
-    components alike.
+    In discrete time the unit of time is the step. There, and if ``plain``, f and its arguments keep theirs:
+    theorems 3.3.2 and 3.2.3 weigh all components of f alike.
 
     Reference: Osborne 1960 minimises the sum of m^2, which has no minimum for a reducible matrix.
 
@@ -113,7 +116,7 @@ def balanced(
     clock = n + p + k + r
     entries = _Entries(clock + 1)
     tick = clock if time == "continuous" else None
-    if time == "discrete":
+    if plain or time == "discrete":
         entries.fixed = slice(value, clock)
     entries.add(a, x, x, tick)
     entries.add(c, y, x)

@@ -54,7 +54,7 @@ def test_a_hidden_mode_is_named_before_any_solver(
 def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
     # Each corner is detectable alone; f swaps the sign with which the state shows in the output.
     plant = Persidskii([[1.0]], [[0.0]], [[1.0]], "sin", C1=[[1.0]])
-    with pytest.raises(InfeasibleError, match="no choice reaches more than"):
+    with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
         design_observer(plant, Generator([[1.0]], [[0.0]]), [[1.0]])
 
 

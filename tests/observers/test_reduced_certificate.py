@@ -17,7 +17,8 @@ from pointpred.observers import (
     simulate,
 )
 from pointpred.observers.bounds import continuous_bound, convergence_bound, discrete_bound
-from pointpred.observers.reduced_order.reversed_certificate import theorem_3_3_1
+from pointpred.observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
+from pointpred.observers.reduced_order.reversed_connection import Connection
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 
@@ -199,3 +200,16 @@ def test_given_matrices_are_audited() -> None:
     problem = theorem_3_3_1([now], ((0.0, 1.0),), 0.5, F=[[0.25], [0.0]])
     with pytest.raises(CertificateError, match="P S1 - F"):
         problem.check({"P": np.eye(2), "Xi": np.eye(2), "W": np.zeros((2, 2))})
+
+
+def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
+    """f sees one state only; gamma I, as printed, counts its slope for the other one as well."""
+    one = Connection(
+        Z=np.eye(2), S0=np.diag([0.95, 0.1]), S1=np.array([[0.3], [0.3]]), J=np.array([[0.0, 2.0]]),
+        B=np.zeros((2, 0)), O=np.zeros((2, 0)), R=np.zeros((1, 0)), residuals={}, unique=True, onward=np.eye(2),
+    )  # fmt: skip
+    steepest = lipschitz(((-1.0, 1.0),), one.J)
+    assert steepest.tolist() == [[0.0, 2.0]]
+    assert min(theorem_3_3_2([one], [steepest]).solve().margins.values()) > 0.0
+    with pytest.raises(InfeasibleError):
+        theorem_3_3_2([one], [2.0]).solve()

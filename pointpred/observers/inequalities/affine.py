@@ -14,10 +14,10 @@ Block = tuple[FloatArray, FloatArray]
 class Affine(msgspec.Struct, frozen=True):
     """Constant and slopes of each block, each divided by its largest entry.
 
-    ``strict`` blocks must lie below -margin I; ``floors``, I - P for each matrix declared positive, and ``caps``,
-    P - kappa I, below 0. ``x0 + basis y`` are the numbers that satisfy every equality; ``lows`` are their least
-    values; ``objective`` is linear in them. ``positive`` are the place and the rows of each such P among the numbers,
-    by its upper triangle.
+    ``strict`` blocks must lie below -margin I; ``floors``, I - P for each matrix declared positive, and
+    ``caps``, P - kappa I, below 0. ``x0 + basis y`` are the numbers that satisfy every equality; ``lows`` are
+    their least values; ``objective`` is linear in them. ``positive`` are the place and the rows of each P
+    among the numbers, by its upper triangle.
     """
 
     strict: list[Block]

@@ -15,7 +15,7 @@ from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
 
-KAPPA = 1e8
+KAPPA = 1e12
 """Largest condition number of a matrix that is declared positive."""
 WEAK = 1e-12
 """An inequality that need not be strict may fail by this share of its terms."""
@@ -32,9 +32,9 @@ class Inequalities:
             raise ParameterError(
                 f"margin must lie in (0, 0.01], received {margin!r}", field="margin", value=margin
             )
-        if not 10.0 <= kappa <= 1e8:
+        if not 10.0 <= kappa <= 1e14:
             raise ParameterError(
-                f"kappa must lie in [10, 1e8], received {kappa!r}", field="kappa", value=kappa
+                f"kappa must lie in [10, 1e14], received {kappa!r}", field="kappa", value=kappa
             )
         self.name, self.margin, self.kappa = name, margin, kappa
         self.unknowns = Unknowns()

@@ -2,8 +2,8 @@
 
 A solver's answer is never a certificate. Its matrices are audited (``audit.py``): the numpy functions of the
 problem are evaluated at them and the eigenvalues recomputed. A problem is infeasible only if the solver's
-multipliers, recomputed as well (``proof.py``), exclude every choice. Otherwise there is none below kappa, or it is
-undecided. A least objective comes with the distance from a bound that the multipliers prove.
+multipliers, recomputed as well (``proof.py``), exclude every choice. Else there is none below kappa, or it
+is undecided. A least objective comes with the distance from a bound that the multipliers prove.
 """
 
 from __future__ import annotations
@@ -16,7 +16,13 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import (
+    CertificateError,
+    InfeasibleError,
+    ParameterError,
+    PointpredError,
+    UndecidedError,
+)
 from pointpred.observers.inequalities.affine import Affine, relaxing, released, scaled
 from pointpred.observers.inequalities.audit import Inequalities
 from pointpred.observers.inequalities.proof import ENTIRE, largest_margin, least_objective, reach
@@ -24,6 +30,8 @@ from pointpred.observers.inequalities.rescaling import rescaled
 from pointpred.observers.inequalities.solver import CAP, Answer, run
 from pointpred.observers.inequalities.unknowns import Block
 
+EASY = 1e8
+"""Up to this kappa a solution is sought first, and this is how far the bound of an objective is proved."""
 GAP = 1e-3
 """A relative distance from the proved bound at which the search for a smaller objective ends."""
 FINER = (1.0, 1e-2, 1e-4)
@@ -40,9 +48,9 @@ class Solution(msgspec.Struct, frozen=True):
     """Matrices that satisfy every inequality: ``values`` by name, ``margins`` by inequality.
 
     A margin is the distance of the nearest eigenvalue from the wrong side, in the unit of the inequality.
-    ``objective`` is what was minimised, ``None`` if nothing was. ``gap``: how far, relative to the objective, a
-    smaller one could lie below it, by a bound that is recomputed from the multipliers for P below kappa I; infinite
-    if nothing is proved, ``None`` if nothing was minimised.
+    ``objective`` is what was minimised, ``None`` if nothing was. ``gap``: how far, relative to the objective,
+    the least one could lie below it, by a bound that is recomputed from the multipliers for P below 1e8 I;
+    infinite if nothing is proved, ``None`` if nothing was minimised.
     """
 
     values: dict[str, Any]
@@ -58,9 +66,10 @@ class MatrixInequalities(Inequalities):
     problems of some hundred numbers; sparsity is not used.
 
     Each inequality reads block(v) <= -margin s I, where v holds the matrices and s is the largest coefficient
-    of the block; a matrix declared ``positive`` lies between I and kappa I, other numbers have no upper bound.
+    of the block; a matrix declared ``positive`` lies between I and kappa I, other numbers have no such bound.
 
-    Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue, [10, 1e8].
+    Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue of such a matrix,
+    [10, 1e14].
     Returns a ``Solution`` from ``solve``. Raises ParameterError, InfeasibleError, UndecidedError and
     CertificateError; MissingExtraError if the extra is not installed.
 
@@ -78,70 +87,91 @@ class MatrixInequalities(Inequalities):
     pointpred.errors.CertificateError: Lyapunov: A'P + PA has the eigenvalue 0.162278, must lie below 0
     """
 
-    def solve(self, *, minimise: Block | None = None, solver: str = "CLARABEL") -> Solution:
+    def solve(
+        self,
+        *,
+        minimise: Block | None = None,
+        near: Mapping[str, Any] | None = None,
+        solver: str = "CLARABEL",
+    ) -> Solution:
         """Matrices with margins, and with the least ``minimise(v)`` if passed.
 
+        ``near``: matrices by name where the search goes on if its first attempt fails; any will do.
         Raises InfeasibleError, UndecidedError or CertificateError if no solution passes the audit.
         """
         if not self.blocks:
             raise ParameterError(f"{self.name}: needs at least one inequality, received none")
-        problem = self._numbers(minimise)
-        best = None if minimise is None else self._least_objective(problem, minimise, solver)
-        if best is not None and best.gap is not None and best.gap <= GAP:
+        if minimise is None:
+            return self._solution(self._search(None, near, solver)[0], None, None)
+        best = self._minimum(self._numbers(minimise, min(self.kappa, EASY)), minimise, solver)
+        if best is not None:
             return best
-        found, answer = (None, None) if best is not None else self._feasible(problem, solver)
-        if found is not None and minimise is not None:
-            best = self._least_objective(problem, minimise, solver, found) or self._solution(
-                found, minimise, np.inf
-            )
-        elif found is not None:
-            best = self._solution(found, None, None)
-        if best is None:
-            assert answer is not None
-            self._refuse(problem, answer)
-            raise AssertionError
-        return best
+        numbers, problem = self._search(minimise, near, solver)
+        start = self._solution(numbers, minimise, np.inf)
+        return self._minimum(problem, minimise, solver, (start, numbers)) or start
 
-    def _least_objective(
-        self, problem: Affine, minimise: Block, solver: str, start: FloatArray | None = None
+    def _minimum(
+        self,
+        problem: Affine,
+        minimise: Block,
+        solver: str,
+        start: tuple[Solution, FloatArray] | None = None,
     ) -> Solution | None:
-        """The audited solution of the least objective, if any; from ``start``, whose numbers set the scale."""
-        best: Solution | None = None
-        bound, numbers = -np.inf, start
+        """The solution of the least objective, if any; the numbers of ``start`` set the scale."""
+        best, numbers = (None, None) if start is None else start
+        bound = -np.inf
         for share in FINER:
             answer = self._run(problem, solver, share * self.margin, numbers)
-            bound = max(bound, least_objective(problem, answer.multipliers, self.kappa))
-            found = answer.numbers
-            if found is not None and self._passes(found):
-                solution = self._solution(found, minimise, None)
-                if best is None or solution.objective < best.objective:  # type: ignore[operator]
-                    best, numbers = solution, found
+            bound = max(bound, least_objective(problem, answer.multipliers, min(self.kappa, EASY)))
+            if answer.numbers is not None and self._passes(answer.numbers):
+                solution = self._solution(answer.numbers, minimise, np.inf)
+                if best is None or _value(solution) < _value(best):
+                    best, numbers = solution, answer.numbers
             if best is None:
-                if start is None:
-                    return None
-                continue
-            best = self._with_gap(best, bound)
-            if best.gap is not None and best.gap <= GAP:
+                return None
+            gap = max(0.0, _value(best) - bound) / max(abs(_value(best)), 1e-300)
+            best = msgspec.structs.replace(best, gap=gap)
+            if gap <= GAP:
                 break
         return best
 
-    @staticmethod
-    def _with_gap(solution: Solution, bound: float) -> Solution:
-        objective = solution.objective or 0.0
-        gap = max(0.0, objective - bound) / max(abs(objective), 1e-300)
-        return msgspec.structs.replace(solution, gap=gap)
+    def _search(
+        self, minimise: Block | None, near: Mapping[str, Any] | None, solver: str
+    ) -> tuple[FloatArray, Affine]:
+        """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
+        start = None if near is None else self.unknowns.numbers(dict(near))
+        for kappa in sorted({min(self.kappa, EASY), self.kappa}):
+            problem = self._numbers(minimise, kappa)
+            numbers, answer = self._feasible(problem, solver, start)
+            if numbers is not None:
+                return numbers, problem
+            extent = reach(released(problem, relaxing(problem)), answer.multipliers)
+            if extent >= ENTIRE:
+                break
+        raise self._refusal(problem, answer, kappa)
 
-    def _feasible(self, problem: Affine, solver: str) -> tuple[FloatArray | None, Answer]:
-        """Numbers that satisfy the inequalities, if any; those that only relax them are as large as needed."""
+    def _feasible(
+        self, problem: Affine, solver: str, start: FloatArray | None
+    ) -> tuple[FloatArray | None, Answer]:
+        """Numbers that satisfy the inequalities, if any; those that only relax them are as large as needed.
+
+        The first attempt is in the coordinates of the problem, the next in those scaled to ``start``, each
+        further one in those scaled to the last answer.
+        """
         free = relaxing(problem)
         posed = released(problem, free)
         answers: list[Answer] = []
-        for _ in range(TURNS):
-            answers.append(self._run(posed, solver, None, answers[-1].numbers if answers else None))
-            numbers = answers[-1].numbers
-            passing = None if numbers is None else self._relaxed(problem, numbers, free)
-            if passing is not None or numbers is None or reach(posed, answers[-1].multipliers) >= ENTIRE:
-                return passing, answers[-1]
+        near: FloatArray | None = None
+        for turn in range(TURNS):
+            answers.append(self._run(posed, solver, None, near))
+            numbers, proved = answers[-1].numbers, reach(posed, answers[-1].multipliers)
+            for one in (numbers, start if turn == 0 else None):
+                passing = None if one is None else self._relaxed(problem, one, free)
+                if passing is not None:
+                    return passing, answers[-1]
+            near = start if turn == 0 and start is not None else numbers
+            if proved >= ENTIRE or near is None:
+                break
         return None, max(answers, key=lambda one: reach(posed, one.multipliers))
 
     @staticmethod
@@ -158,7 +188,7 @@ class MatrixInequalities(Inequalities):
 
     def _relaxed(self, problem: Affine, numbers: FloatArray, free: list[int]) -> FloatArray | None:
         """The numbers with those of ``free`` large enough to pass the audit, if any are."""
-        size = 1.0
+        numbers, size = numbers.copy(), 1.0
         while size < (LARGEST if free else 2.0):
             numbers[free] = np.maximum(problem.lows[free], size)
             if self._passes(numbers):
@@ -166,28 +196,28 @@ class MatrixInequalities(Inequalities):
             size *= 2.0
         return None
 
-    def _refuse(self, problem: Affine, answer: Answer) -> None:
-        """Raise what the multipliers of a problem without solution prove."""
+    def _refusal(self, problem: Affine, answer: Answer, kappa: float) -> PointpredError:
+        """What the multipliers of a problem without solution prove."""
         posed = released(problem, relaxing(problem))
         extent = reach(posed, answer.multipliers)
         if extent >= ENTIRE:
-            raise InfeasibleError(
-                f"{self.name}: no choice satisfies the inequalities, proved for every P with a condition number up "
-                f"to {extent:.1g}"
+            return InfeasibleError(
+                f"{self.name}: no choice satisfies the inequalities, proved for P with a condition number "
+                f"up to {extent:.1g}"
             )
-        bound = largest_margin(posed, answer.multipliers, self.kappa, most=CAP)
+        bound = largest_margin(posed, answer.multipliers, kappa, most=CAP)
         need = f"{self.name}: a margin of {self.margin:g} (relative) is needed"
-        most = self.kappa if bound < self.margin else extent
+        most = kappa if bound < self.margin else extent
         if most >= SMALL:
-            raise UndecidedError(
+            return UndecidedError(
                 f"{need}, no P with a condition number below {most:.1g} allows one: raise kappa (it is "
                 f"{self.kappa:g}), or require less decay"
             )
         if answer.status == "optimal" and answer.claimed >= self.margin:
-            raise CertificateError(
+            return CertificateError(
                 f"{need}, the solver claims {answer.claimed:.3g}, its matrices fail: {self._worst(answer)}"
             )
-        raise UndecidedError(
+        return UndecidedError(
             f"{need}, the solver proves only that none exceeds {bound:.3g} (its status: {answer.status})"
         )
 
@@ -198,15 +228,15 @@ class MatrixInequalities(Inequalities):
         name = min(margins, key=lambda one: margins[one])
         return f"{name} has {-margins[name]:.3g}"
 
-    def _numbers(self, minimise: Block | None) -> Affine:
-        """The problem as numbers."""
+    def _numbers(self, minimise: Block | None, kappa: float) -> Affine:
+        """The problem as numbers, with P below ``kappa`` I."""
         strict, floors, caps, positive = [], [], [], []
         for name, block in self.blocks.items():
             strict.append(scaled(*self.unknowns.coefficients(name, block))[0])
         for name, rows in self._normal.items():
             constant, slopes = self.unknowns.coefficients(name, attrgetter(name))
             floors.append((np.eye(rows) - constant, -slopes))
-            caps.append(((constant - self.kappa * np.eye(rows)) / self.kappa, slopes / self.kappa))
+            caps.append(((constant - kappa * np.eye(rows)) / kappa, slopes / kappa))
             positive.append((self.unknowns.place(name), rows))
         objective = None
         if minimise is not None:
@@ -224,6 +254,10 @@ class MatrixInequalities(Inequalities):
         named = self.unknowns.matrices(numbers)
         objective = None if minimise is None else float(minimise(named))
         return Solution(vars(named), self.margins(vars(named)), objective, gap)
+
+
+def _value(solution: Solution) -> float:
+    return np.inf if solution.objective is None else solution.objective
 
 
 def check(

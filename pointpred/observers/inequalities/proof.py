@@ -1,12 +1,13 @@
-"""What a solver's multipliers prove, recomputed: that nothing satisfies the inequalities, or a least objective.
+"""What the multipliers of a solver prove, recomputed: that nothing satisfies the inequalities, or a bound.
 
-Weak duality: for Z_i >= 0 and numbers x that satisfy every inequality, sum <Z_i, F_i(x)> <= 0. The sum is affine
-in x. Its slopes should vanish, and they do up to rounding; what is left over is bounded for the numbers up to a
-``reach``, so that a proof says for which numbers it holds.
+Weak duality: for Z_i >= 0 and numbers x that satisfy every inequality, sum <Z_i, F_i(x)> <= 0. The sum is
+affine in x. Its slopes should vanish, and they do up to rounding; what is left is bounded for numbers up to
+a ``reach``, so that a proof says for which numbers it holds.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import msgspec
@@ -17,10 +18,12 @@ from pointpred.observers.inequalities.affine import Affine
 
 ENTIRE = 1e12
 """A proof up to this condition number of P, in balanced units, counts as one for every choice."""
+CORRECTIONS = 3
+"""How often the multipliers are moved towards the slopes that they should have."""
 
 
 class Multipliers(msgspec.Struct, frozen=True):
-    """One positive semidefinite matrix for each block: ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
+    """A matrix Z >= 0 for each block of ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
 
     strict: list[FloatArray]
     floors: list[FloatArray]
@@ -38,11 +41,11 @@ def multipliers(strict: list[Any], floors: list[Any], caps: list[Any]) -> Multip
     )
 
 
-def largest_margin(problem: Affine, found: Multipliers | None, kappa: float, *, most: float) -> float:
-    """An upper bound of the margin for P below kappa I and other numbers within +-kappa; ``most`` is its cap."""
-    if found is None:
+def largest_margin(problem: Affine, given: Multipliers | None, kappa: float, *, most: float) -> float:
+    """An upper bound of the margin for P below kappa I and numbers within +-kappa; ``most`` is its cap."""
+    if given is None:
         return np.inf
-    level, slopes, weight = _sum(problem, found, capped=True)
+    level, slopes, weight = _sum(problem, given, capped=True)
     if weight <= 0.0:
         return np.inf
     # Weights above 1 are divided out; what is missing to 1 counts with the margin's own cap.
@@ -50,72 +53,77 @@ def largest_margin(problem: Affine, found: Multipliers | None, kappa: float, *, 
     return max(0.0, 1.0 - weight) * most + (level + _largest(problem, slopes, kappa)) / size
 
 
-def reach(problem: Affine, found: Multipliers | None) -> float:
-    """Up to which condition number of P, and which size of any other number, nothing satisfies the inequalities.
+def reach(problem: Affine, given: Multipliers | None) -> float:
+    """Up to which condition number of P, and size of any other number, nothing satisfies the inequalities.
 
     0 if nothing is proved. Leaves out the multipliers of kappa, so that the proof does not depend on it.
     """
-    if found is None:
+    if given is None:
         return 0.0
-    found = _exact(problem, found, np.zeros(len(problem.x0)))
-    level, slopes, weight = _sum(problem, found, capped=False)
-    if weight <= 0.0:
-        return 0.0
-    # The sum is affine in the reach, from its value at 0 numbers beyond the floors.
-    first, second = (level + _largest(problem, slopes, size) for size in (1.0, 2.0))
-    if first >= 0.0:
-        return 0.0
-    growth = second - first
-    return np.inf if growth <= 0.0 else 1.0 - first / growth
+    best = 0.0
+    for one in _corrected(problem, given, np.zeros(len(problem.x0))):
+        level, slopes, weight = _sum(problem, one, capped=False)
+        # The sum is affine in the reach, from its value at 0 numbers beyond the floors.
+        first, second = (level + _largest(problem, slopes, size) for size in (1.0, 2.0))
+        if weight <= 0.0 or first >= 0.0:
+            continue
+        growth = second - first
+        best = max(best, np.inf if growth <= 0.0 else 1.0 - first / growth)
+    return best
 
 
-def least_objective(problem: Affine, found: Multipliers | None, kappa: float) -> float:
+def least_objective(problem: Affine, given: Multipliers | None, kappa: float) -> float:
     """A lower bound of the objective over all P below kappa I and other numbers within +-kappa."""
-    if found is None or problem.objective is None:
+    if given is None or problem.objective is None:
         return -np.inf
-    found = _exact(problem, found, problem.objective)
-    level, slopes, _ = _sum(problem, found, capped=False)
-    return -(
-        level - float(problem.objective @ problem.x0) + _largest(problem, slopes - problem.objective, kappa)
-    )
+    best = -np.inf
+    for one in _corrected(problem, given, problem.objective):
+        level, slopes, _ = _sum(problem, one, capped=False)
+        start = level - float(problem.objective @ problem.x0)
+        best = max(best, -(start + _largest(problem, slopes - problem.objective, kappa)))
+    return best
 
 
-def _exact(problem: Affine, found: Multipliers, wanted: FloatArray) -> Multipliers:
-    """The multipliers moved a little, so that the slopes become ``wanted`` up to rounding; those of kappa are left out.
+def _corrected(problem: Affine, given: Multipliers, wanted: FloatArray) -> Iterator[Multipliers]:
+    """The multipliers without those of kappa, and moved so that their slopes come nearer to ``wanted``."""
+    one = Multipliers(given.strict, given.floors, [])
+    for _ in range(CORRECTIONS):
+        one = _moved(problem, one, wanted)
+        yield one
 
-    Z^(1/2) (I + S) Z^(1/2) with the least S: positive semidefinite as long as S is small.
-    """
-    pairs = [*zip(found.strict, problem.strict, strict=True), *zip(found.floors, problem.floors, strict=True)]
-    without = Multipliers(found.strict, found.floors, [])
-    _, slopes, _ = _sum(problem, without, capped=False)
+
+def _moved(problem: Affine, given: Multipliers, wanted: FloatArray) -> Multipliers:
+    """Z^(1/2) (I + S) Z^(1/2) with the least S for these slopes: positive semidefinite while S is small."""
+    pairs = [*zip(given.strict, problem.strict, strict=True), *zip(given.floors, problem.floors, strict=True)]
+    _, slopes, _ = _sum(problem, given, capped=False)
     missing = slopes - wanted
     # A number that may grow as it likes towards its own side costs nothing.
     missing[(problem.lows > -np.inf) & (missing < 0.0)] = 0.0
     roots = [_root(z) for z, _ in pairs]
     shares = [root @ block @ root for root, (_, (_, block)) in zip(roots, pairs, strict=True)]
     flat = problem.basis.T @ np.hstack([one.reshape(len(one), -1) for one in shares])
-    moved = flat.T @ np.linalg.lstsq(flat @ flat.T, problem.basis.T @ missing, rcond=1e-13)[0]
+    steps = np.linalg.lstsq(flat, problem.basis.T @ missing, rcond=1e-14)[0]
     exact, start = [], 0
     for root in roots:
         n = len(root)
-        s = moved[start : start + n * n].reshape(n, n)
+        s = steps[start : start + n * n].reshape(n, n)
         exact.append(_positive(root @ (np.eye(n) + 0.5 * (s + s.T)) @ root))
         start += n * n
-    strict = len(found.strict)
+    strict = len(given.strict)
     return Multipliers(exact[:strict], exact[strict:], [])
 
 
-def _sum(problem: Affine, found: Multipliers, *, capped: bool) -> tuple[float, FloatArray, float]:
+def _sum(problem: Affine, given: Multipliers, *, capped: bool) -> tuple[float, FloatArray, float]:
     """-sum <Z, F(x)> as its value at x0, its slopes, and the weight of the strict blocks."""
-    pairs = [*zip(found.strict, problem.strict, strict=True), *zip(found.floors, problem.floors, strict=True)]
+    pairs = [*zip(given.strict, problem.strict, strict=True), *zip(given.floors, problem.floors, strict=True)]
     if capped:
-        pairs += zip(found.caps, problem.caps, strict=True)
+        pairs += zip(given.caps, problem.caps, strict=True)
     level, slopes = 0.0, np.zeros(len(problem.x0))
     for z, (constant, block) in pairs:
         moved = constant + np.tensordot(problem.x0, block, 1)
         level -= float((z * moved).sum())
         slopes = slopes - np.tensordot(block, z, 2)
-    return level, slopes, sum(float(np.trace(one)) for one in found.strict)
+    return level, slopes, sum(float(np.trace(one)) for one in given.strict)
 
 
 def _largest(problem: Affine, slopes: FloatArray, kappa: float) -> float:

@@ -16,7 +16,8 @@ SMALLEST = 1e-8
 class Rescaled(msgspec.Struct, frozen=True):
     """The problem in new coordinates, and the way back.
 
-    numbers = ``onto`` times the new ones; each new block is C F C' with its C of ``strict``, ``floors``, ``caps``.
+    numbers = ``onto`` times the new ones; each new block is C F C' with its C of ``strict``, ``floors``,
+    ``caps``.
     """
 
     problem: Affine
@@ -41,8 +42,8 @@ class Rescaled(msgspec.Struct, frozen=True):
 def rescaled(problem: Affine, numbers: FloatArray) -> Rescaled:
     """The problem in coordinates where each positive matrix at ``numbers`` is I, and each slack near I.
 
-    A matrix P of a large condition number is what stalls a solver of interior points; here it is I. ``numbers`` need
-    not satisfy the inequalities. The margin of a strict block is meant in the new coordinates.
+    A matrix P of a large condition number stalls a solver of interior points; here it is I. ``numbers``
+    need not satisfy the inequalities. The margin of a strict block is meant in the new coordinates.
     """
     onto = np.diag(np.exp2(np.round(np.log2(np.maximum(np.abs(numbers), 1e-6)))))
     for start, rows in problem.positive:

@@ -15,13 +15,21 @@ from pointpred.observers.detectability import require_detectable
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred.observers.interconnected.steady_state import residuals
+from pointpred.observers.interconnected.steady_state import relative_residuals
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.stationary import cover, filter_start, middle
+
+MAP = 1e-6
+"""The largest residual of a steady-state map, beside its terms."""
 
 
 class ObserverDesign(msgspec.Struct, frozen=True):
-    """A gain with its certificate: matrices by name, ``margins`` by inequality, ``bound`` of the error."""
+    """A gain with its certificate: matrices by name, ``margins`` by inequality, ``bound`` of the error.
+
+    ``gap``: how far the least bound of Gamma and Xi in balanced units could lie below that of this design,
+    relative to it; infinite if nothing is proved.
+    """
 
     gain: FloatArray
     values: dict[str, Any]
@@ -30,6 +38,7 @@ class ObserverDesign(msgspec.Struct, frozen=True):
     plant: Persidskii
     generator: Fitted
     Pi: FloatArray
+    gap: float = np.inf
 
     def region(self, reach: Any) -> tuple[float, float]:
         """The region of validity, if abs(Jw) stays within ``reach`` on the true trajectory.
@@ -64,8 +73,8 @@ def design_observer(
     """The gain M of observer (3.5) for the generator's state, with its certificate.
 
     Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
-    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units; the size
-    of the gain is not minimised.
+    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units; the
+    size of the gain is not minimised.
 
     z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
 
@@ -115,8 +124,11 @@ def design_observer(
         fixed["U"] = lambda v: v.P @ inner_gain
     if connection.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
-    state = connection.inward(units).state(problem, **fixed)
-    answer = state.solve(minimise=lambda v: v.bound, solver=solver).values
+    balanced_connection = connection.inward(units)
+    state = balanced_connection.state(problem, **fixed)
+    near = _start(balanced_connection, c) if gain is None else None
+    solution = state.solve(minimise=lambda v: v.bound, near=near, solver=solver)
+    answer = solution.values
     inner = {**answer, **{name: function(_Attributes(answer)) for name, function in fixed.items()}}
     m = outward(np.linalg.solve(answer["P"], answer["U"]), x, y, t) if gain is None else fixed_gain
     values = {
@@ -133,22 +145,52 @@ def design_observer(
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )
-    return ObserverDesign(m, values, margins, bound, plant, connection.g, connection.pi)
+    gap = np.inf if solution.gap is None else solution.gap
+    return ObserverDesign(m, values, margins, bound, plant, connection.g, connection.pi, gap)
 
 
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
-    """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual."""
+    """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual.
+
+    What is small beside its own terms or beside the matrices is rounding.
+    """
     parts = (plant.A0, plant.A1, plant.B, plant.Q, generator.S0, Pi)
-    size = max(np.abs(one).max(initial=0.0) for one in parts)
+    size = max(float(np.abs(one).max(initial=0.0)) for one in parts)
     for relaxed in (True, False):
-        left = residuals(plant, generator, Pi, relaxed=relaxed)
-        name = max(left, key=lambda one: float(np.abs(left[one]).max()))
-        worst = float(np.abs(left[name]).max())
-        if worst <= 1e-6 * max(1.0, float(size)):
+        left = relative_residuals(plant, generator, Pi, relaxed=relaxed)
+        name = max(left, key=lambda one: min(left[one][0] / (size or 1.0), left[one][1]))
+        if min(left[name][0] / (size or 1.0), left[name][1]) <= MAP:
             return
-    raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+    raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {left[name][0]:.6g}")
 
 
 class _Attributes:
     def __init__(self, values: dict[str, Any]) -> None:
         self.__dict__.update(values)
+
+
+def _start(connection: Interconnection, c: float) -> dict[str, Any] | None:
+    """The matrices of the stationary filter at the middle of the slopes, with room for Theta = I + c P."""
+    g, discrete = connection.g, connection.plant.time == "discrete"
+    slope = middle(connection.slopes) @ connection.j if connection.sloped else None
+    a = g.S0 if slope is None else g.S0 + g.S1 @ slope
+    output = connection.output if slope is None else connection.output + connection.shown @ slope
+    rate = -0.5 * float(np.log1p(-c)) if discrete else 0.5 * c
+    start = filter_start(a, output, 1.01 * rate + 0.01, connection.plant.time)
+    if start is None:
+        return None
+    p, u = start
+    if discrete:
+        onward = p @ a - u @ output
+        rest = (1.0 - c) * p - onward.T @ np.linalg.solve(p, onward)
+        w = None
+    else:
+        w = cover(p @ g.S1 - u @ connection.shown, connection.j, connection.slopes)
+        upper = p @ g.S0 - u @ connection.output + w
+        rest = -(upper + upper.T + c * p)
+    room = float(np.linalg.eigvalsh(0.5 * (rest + rest.T))[0])
+    scale = max(1.0, 2.0 / room) if room > 0.0 else 1.0
+    values: dict[str, Any] = {"P": scale * p, "U": scale * u, "bound": 1.0}
+    if connection.sloped and w is not None:
+        values["W"] = scale * w
+    return values

@@ -24,7 +24,7 @@ class Interconnection:
     """The blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
 
     ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none if the blocks do not
-    depend on f.
+    depend on f, and then no ``slopes`` either.
     Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
     """
 
@@ -41,6 +41,7 @@ class Interconnection:
             raise ParameterError(f"J must be H Pi, differs by {np.abs(g.J - self.j).max():.3g}")
         self.shown: FloatArray = plant.C1
         self.sloped = bool(g.S1.any() or plant.C1.any())
+        self.slopes = plant.slopes if self.sloped else None
         self.corners = vertices(plant.slopes) if self.sloped else {}
 
     def units(self, *rates: float) -> Coordinates:
@@ -68,7 +69,8 @@ class Interconnection:
         )
         other.j, other.output = inward(self.j, units.arguments, x), inward(self.output, y, x)
         other.shown = inward(self.shown, y, f)
-        other.corners = vertices(units.slopes(self.plant.slopes)) if self.sloped else {}
+        other.slopes = units.slopes(self.slopes)
+        other.corners = vertices(other.slopes) if self.sloped else {}
         return other
 
     def linear(self, v: Any) -> FloatArray:

@@ -48,20 +48,47 @@ def residuals(
     >>> {name: one.tolist() for name, one in residuals(plant, generator, [[2.0]]).items()}
     {'A0 Pi - Pi G C0 Pi - Pi S0 + B L0': [[0.0]]}
     """
+    return _equalities(plant, generator, Pi, relaxed, lambda one: one, -1.0)
+
+
+def relative_residuals(
+    plant: Persidskii, generator: Generator, Pi: Any, *, relaxed: bool = False
+) -> dict[str, tuple[float, float]]:
+    """The largest residual of each equality, and the largest share that one has of its terms.
+
+    The share does not depend on the units of states, inputs, outputs and time.
+    """
+    left = residuals(plant, generator, Pi, relaxed=relaxed)
+    sizes = _equalities(plant, generator, Pi, relaxed, np.abs, 1.0)
+    largest = {}
+    for name, one in left.items():
+        shares = np.abs(one) / np.maximum(sizes[name], 1e-300)
+        largest[name] = (float(np.abs(one).max()), float(shares.max()))
+    return largest
+
+
+def _equalities(
+    plant: Persidskii, generator: Generator, Pi: Any, relaxed: bool, part: Any, minus: float
+) -> dict[str, FloatArray]:
+    """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
     g = generator.beside(plant)
-    pi = matrix("Pi", Pi, plant.n, g.q)
-    linear, nonlinear = plant.A0 @ pi - pi @ g.G @ plant.C0 @ pi - pi @ g.S0 + plant.B @ g.L0, {}
+    pi = part(matrix("Pi", Pi, plant.n, g.q))
+    a0, a1, b, q, c0, c1, h = (
+        part(one) for one in (plant.A0, plant.A1, plant.B, plant.Q, plant.C0, plant.C1, plant.H)
+    )
+    s0, s1, gain, l0, l1, e = (part(one) for one in (g.S0, g.S1, g.G, g.L0, g.L1, g.E))
+    linear = a0 @ pi + minus * (pi @ gain @ c0 @ pi) + minus * (pi @ s0) + b @ l0
     if relaxed:
         nonlinear = {
-            "A1 - Pi G C1": plant.A1 - pi @ g.G @ plant.C1,
-            "B L1 - Pi S1": plant.B @ g.L1 - pi @ g.S1,
+            "A1 - Pi G C1": a1 + minus * (pi @ gain @ c1),
+            "B L1 - Pi S1": b @ l1 + minus * (pi @ s1),
         }
     else:
-        whole = plant.A1 + plant.B @ g.L1 - pi @ (g.S1 + g.G @ plant.C1)
-        nonlinear = {"A1 + B L1 - Pi (S1 + G C1)": whole}
+        nonlinear = {"A1 + B L1 - Pi (S1 + G C1)": a1 + b @ l1 + minus * (pi @ (s1 + gain @ c1))}
         if generator.J is not None:
-            nonlinear["H Pi - J"] = plant.H @ pi - matrix("J", generator.J, plant.r, g.q)
-    left = {"A0 Pi - Pi G C0 Pi - Pi S0 + B L0": linear, **nonlinear, "Q - Pi E": plant.Q - pi @ g.E}
+            j = part(matrix("J", generator.J, plant.r, g.q))
+            nonlinear["H Pi - J"] = h @ pi + minus * j
+    left = {"A0 Pi - Pi G C0 Pi - Pi S0 + B L0": linear, **nonlinear, "Q - Pi E": q + minus * (pi @ e)}
     return {name: one for name, one in left.items() if one.size}
 
 
@@ -128,7 +155,18 @@ def steady_state_map(
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
         candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
-    solved = [one for one in candidates if np.abs(stacked(one)).max(initial=0.0) <= limit]
+
+    def share_left(pi: FloatArray) -> float:
+        each = [relative_residuals(one, generator, pi, relaxed=relaxed) for one in plants]
+        return max(part for one in each for _, part in one.values())
+
+    # What is small beside its own terms is rounding, also where another unit makes another entry larger.
+    solved = [
+        one
+        for one in candidates
+        if np.abs(stacked(one)).max(initial=0.0) <= limit
+        or share_left(one.reshape(plant.n, g.q)) <= tolerance
+    ]
     if not solved:
         _refuse(left, candidates, (plant.n, g.q), limit, linear=linear)
     distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
@@ -140,9 +178,14 @@ def steady_state_map(
 
 
 def _least(stacked: Any, slope: FloatArray) -> FloatArray:
-    """The least-squares solution of linear equalities, of least norm."""
+    """The least-squares solution of linear equalities, of least norm, with rows and columns scaled to 1."""
     left = stacked(np.zeros(slope.shape[1]))
-    numbers: FloatArray = np.asarray(np.linalg.lstsq(slope, -left, rcond=None)[0], np.float64)
+    columns = np.abs(slope).max(axis=0, initial=0.0)
+    columns[columns == 0.0] = 1.0
+    rows = np.abs(slope / columns).max(axis=1, initial=0.0)
+    rows[rows == 0.0] = 1.0
+    scaled = slope / columns / rows[:, None]
+    numbers: FloatArray = np.linalg.lstsq(scaled, -left / rows, rcond=None)[0] / columns
     return numbers
 
 

@@ -11,8 +11,9 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.interconnected.generator import Fitted, Generator
+from pointpred.observers.interconnected.regulated import Followed, Regulated
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred.observers.interconnected.steady_state import TOLERANCE, residuals
+from pointpred.observers.interconnected.steady_state import TOLERANCE, relative_residuals
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
 
@@ -44,29 +45,7 @@ def theorem_3_2_2(
     Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
     g = regulator.beside(plant)
-    pi = matrix("Pi", Pi, plant.n, g.q)
-    j, k, q = plant.H @ pi, plant.k, g.q
-    s, tilde = g.S0 + g.G @ plant.C0 @ pi, g.S1 + g.G @ plant.C1
-    problem = MatrixInequalities("Assumption 3.2.3", **bounds).positive("P", q).symmetric("Gamma", q)
-    problem.symmetric("Xi", q).diagonal("Omega", k).diagonal("Lambda", k)
-
-    def block(v: Any) -> FloatArray:
-        upper = s.T @ v.P + v.P @ s + v.Xi
-        across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
-        middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
-        lift, none = j.T @ v.Lambda, np.zeros((q, q))
-        return np.block(
-            [
-                [upper, across, v.P, v.P],
-                [across.T, middle, lift.T, lift.T],
-                [v.P, lift, -v.Gamma, none],
-                [v.P, lift, none, -v.Gamma],
-            ]
-        )
-
-    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
-    problem.above("Xi", lambda v: v.Xi, strict=False)
-    return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
+    return Regulated.of(plant, g, matrix("Pi", Pi, plant.n, g.q)).inequalities(**bounds)
 
 
 def theorem_3_2_3(
@@ -82,46 +61,8 @@ def theorem_3_2_3(
     A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
     g = regulator.beside(plant)
-    pi = matrix("Pi", Pi, plant.n, g.q)
-    h, n, k = plant.H, plant.n, plant.k
-    a0, a1 = plant.A0 - pi @ g.G @ plant.C0, plant.A1 - pi @ g.G @ plant.C1
     bound = sector_bounds(plant) if sector is None else sector
-    problem = MatrixInequalities("Assumption 3.2.6", **bounds).positive("P", n).symmetric("Gamma", n)
-    problem.symmetric("Xi", n).number("gamma1").number("gamma2")
-    for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
-        problem.diagonal(name, k)
-
-    def block(v: Any) -> FloatArray:
-        first = a0.T @ h.T @ v.Lambda + h.T @ v.Omega1
-        second = v.P @ a1 + h.T @ v.Omega2
-        third = v.Lambda @ h @ a1 + v.Upsilon
-        lift, none = v.Lambda @ h, np.zeros((k, n))
-        return np.block(
-            [
-                [a0.T @ v.P + v.P @ a0 + v.Xi, first, second, v.P],
-                [first.T, -v.gamma1 * np.eye(k), third, lift],
-                [second.T, third.T, -v.gamma2 * np.eye(k), none],
-                [v.P, lift.T, none.T, -v.Gamma],
-            ]
-        )
-
-    def r1(v: Any) -> FloatArray:
-        block: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
-        return block
-
-    def r2(v: Any) -> FloatArray:
-        block: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
-        return block
-
-    def r3(v: Any) -> FloatArray:
-        block: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
-        return block
-
-    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
-    for name, left in (("Xi", lambda v: v.Xi), ("R1", r1), ("R2", r2), ("R3", r3)):
-        problem.above(name, left, strict=False)
-    problem.above("R4", lambda v: v.Upsilon - v.gamma1 * bound.Sigma4, strict=False)
-    return problem.above("R1 + H'(R2 + R3) H", lambda v: r1(v) + h.T @ (r2(v) + r3(v)) @ h)
+    return Followed.of(plant, g, matrix("Pi", Pi, plant.n, g.q), bound).inequalities(**bounds)
 
 
 def certify_tracking(
@@ -136,10 +77,12 @@ def certify_tracking(
 ) -> TrackingCertificate:
     """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
 
-    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1).
+    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1). Nothing
+    is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
 
     Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
-    of the equalities, relative; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    of the equalities, a share of their terms or of the matrices; ``margin`` and ``kappa`` as for
+    ``MatrixInequalities``.
     Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
     UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
 
@@ -152,27 +95,36 @@ def certify_tracking(
     True
     """
     tolerance = share("tolerance", tolerance)
-    scale = max(1.0, *(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0)))
-    for name, left in residuals(plant, regulator, Pi).items():
-        worst = float(np.abs(left).max())
-        if worst > tolerance * scale:
+    scale = max(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0))
+    for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
+        if part > tolerance and worst > tolerance * scale:
             raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+    g = regulator.beside(plant)
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    bound = sector_bounds(plant) if sector is None else sector
     solutions: list[Solution] = []
     failed: list[Exception] = []
-    for problem in (
-        theorem_3_2_2(plant, regulator, Pi, **bounds),
-        theorem_3_2_3(plant, regulator, Pi, sector, **bounds),
-    ):
+    for one in (Regulated.of(plant, g, pi), Followed.of(plant, g, pi, bound)):
         try:
-            solutions.append(problem.solve(solver=solver))
+            solutions.append(_certified(one, solver, bounds))
         except (InfeasibleError, UndecidedError, CertificateError) as failure:
             failed.append(failure)
     if failed:
-        raise type(failed[0])("; ".join(str(one) for one in failed)) from failed[0]
+        # One assumption that no matrices satisfy is enough for a refusal.
+        kind = next((type(one) for one in failed if isinstance(one, InfeasibleError)), type(failed[0]))
+        raise kind("; ".join(str(one) for one in failed)) from failed[0]
     first, second = solutions
     margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
     margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
     return TrackingCertificate(first, second, margins, plant.domain)
+
+
+def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float]) -> Solution:
+    """Matrices found in balanced units and audited in the user's."""
+    units = one.units()
+    inner = one.inward(units).inequalities(**bounds).solve(solver=solver)
+    values = one.outward(inner.values, units)
+    return Solution(values, one.inequalities(**bounds).check(values))
 
 
 def closed_loop(plant: Persidskii, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:

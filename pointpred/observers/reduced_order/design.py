@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import Coordinates, balanced, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.matrices import matrix, positive
@@ -17,13 +17,21 @@ from pointpred.observers.reduced_order.reversed_certificate import Convergence, 
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
 
+GAMMAS = (1.0, 1e-2)
+"""The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""
+
 
 class ReducedOrderDesign(msgspec.Struct, frozen=True):
-    """A reduced-order observer, its Upsilon, and its certificate."""
+    """A reduced-order observer, its Upsilon, and its certificate.
+
+    ``gap``: how far the least size of Upsilon in balanced units could lie below that of this one, relative to
+    it; infinite if nothing is proved, 0 where the equalities leave no choice.
+    """
 
     observer: InvariantObserver
     Upsilon: FloatArray
     certificate: Convergence
+    gap: float = np.inf
 
 
 def design_reduced_order(
@@ -39,12 +47,12 @@ def design_reduced_order(
 
     Assumes y = C0 x and constant matrices. Without ``injection`` the equality J Z = H leaves only Upsilon =
     U0 + N K, N the null space of H restricted to the unmeasured part, and P is block-diagonal there, which is
-    conservative: infeasible then means that no such P exists. With ``injection`` the measured output enters
-    f, every Upsilon is allowed, and in continuous time there is no conservatism.
+    conservative: a search that fails proves nothing then. With ``injection`` the measured output enters f,
+    every Upsilon is allowed, and the problem is convex.
 
-    Continuous: S0'P + P S0 + 2 sym(P S1 D J) + 2 a P < 0 at each corner D of the slopes, a = 1.5
-    ``decay``, linear in P and P Upsilon; of all Upsilon one with small Upsilon'P Upsilon. The certificate is
-    then computed separately.
+    Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of all
+    Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it. The
+    certificate is then computed separately.
 
     Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part; ``decay`` of the error in 1/s
     (per step in discrete time), > 0. Raises InfeasibleError naming the undetectable mode, or the equality, or
@@ -79,13 +87,25 @@ def design_reduced_order(
         c = parts.seen + parts.shown @ corner @ parts.inner
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
     base, free = allowed(parts, sloped and not injection)
-    upsilon = base
-    if free.shape[1]:
-        upsilon = _chosen(plant, parts, sloped, (base, free), decay, solver, bounds)
-    upsilon = upsilon / units.outputs
-    observer = invariant_observer(plant, pi, upsilon, injection=injection)
-    certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
-    return ReducedOrderDesign(observer, upsilon, certificate)
+
+    def designed(gamma: float) -> ReducedOrderDesign:
+        chosen, gap = base, 0.0
+        if free.shape[1]:
+            rate = 2.0 * decay + gamma
+            chosen, gap = _chosen(plant, parts, sloped, (base, free), (decay, rate), solver, bounds)
+        upsilon = chosen / units.outputs
+        observer = invariant_observer(plant, pi, upsilon, injection=injection)
+        certificate = certify_convergence(
+            observer, decay=decay, gamma=gamma, times=None, solver=solver, **bounds
+        )
+        return ReducedOrderDesign(observer, upsilon, certificate, gap)
+
+    for share in GAMMAS[:-1]:
+        try:
+            return designed(share * decay)
+        except (InfeasibleError, UndecidedError, CertificateError):
+            continue
+    return designed(GAMMAS[-1] * decay)
 
 
 def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
@@ -108,11 +128,11 @@ def _chosen(
     parts: Split,
     sloped: bool,
     choices: tuple[FloatArray, FloatArray],
-    decay: float,
+    rates: tuple[float, float],
     solver: str,
     bounds: dict[str, float],
-) -> FloatArray:
-    """Upsilon of ``choices``, U0 + N K, from a problem in balanced units."""
+) -> tuple[FloatArray, float]:
+    """Upsilon of ``choices``, U0 + N K, solved in balanced units, and its gap; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -120,7 +140,7 @@ def _chosen(
         shown=parts.shown,
         inner=parts.inner,
         slopes=plant.slopes if sloped else None,
-        rates=(decay,),
+        rates=rates[:1],
         time=plant.time,
     )
     x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
@@ -135,16 +155,17 @@ def _chosen(
             inward(parts.inner, s, x),
             parts.outer,
         ),
-        vertices(slopes) if sloped else {"": np.zeros((plant.k, plant.r))},
+        vertices(slopes) if sloped else {},
         slopes,
         plant.time,
         inward(base, x, y, t),
         np.linalg.qr(free / x[:, None])[0],
-        decay * t,
+        rates[1] * t,
         solver,
         bounds,
     )
-    return outward(choice.made(), x, y, t)
+    upsilon, gap = choice.made()
+    return outward(upsilon, x, y, t), gap
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

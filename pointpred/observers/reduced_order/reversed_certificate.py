@@ -19,6 +19,7 @@ from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred.observers.stationary import cover, decay_start, middle
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
@@ -31,7 +32,9 @@ class Convergence(msgspec.Struct, frozen=True):
 
     ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
     them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
-    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them.
+    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them. ``gap``: how far the
+    least condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below
+    that of this one, relative to it; infinite if nothing is proved.
     """
 
     theorem: str
@@ -40,6 +43,7 @@ class Convergence(msgspec.Struct, frozen=True):
     bound: ErrorBound
     J: FloatArray
     domain: float
+    gap: float = np.inf
 
     def region(self, reach: float) -> tuple[float, float]:
         """The region of validity, if abs(H x) stays within ``reach`` on the true trajectory.
@@ -133,8 +137,8 @@ def certify_convergence(
 
     >>> from pointpred.observers import Persidskii, invariant_observer
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
-    >>> found = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
-    >>> min(found.margins.values()) > 0.0, found.bound(1.0, 1.0) < 0.14
+    >>> certificate = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
+    >>> min(certificate.margins.values()) > 0.0, certificate.bound(1.0, 1.0) < 0.14
     (True, True)
     >>> certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[2.0]]))
     Traceback (most recent call last):
@@ -149,7 +153,7 @@ def certify_convergence(
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
         try:
-            values, margins = _solved(connections, observer.plant, rate, gamma or rate, solver, bounds)
+            values, margins, gap = _solved(connections, observer.plant, rate, gamma or rate, solver, bounds)
         except (InfeasibleError, UndecidedError) as failure:
             if rate == tried[-1]:
                 unit = "1/step" if observer.plant.time == "discrete" else "1/s"
@@ -165,13 +169,13 @@ def certify_convergence(
         bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
     theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
     domain = observer.plant.domain if any(one.S1.any() for one in connections) else np.inf
-    return Convergence(theorem, values, margins, bound, connections[0].J, domain)
+    return Convergence(theorem, values, margins, bound, connections[0].J, domain, gap)
 
 
 def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
     """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
 
-    Theorem 3.3.2 has gamma I, gamma the largest singular value of L, which is larger and depends on the units.
+    Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
     """
     if slopes is None or not np.isfinite(np.array(slopes)).all():
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
@@ -224,8 +228,8 @@ def _solved(
     gamma: float,
     solver: str,
     bounds: dict[str, float],
-) -> tuple[dict[str, Any], dict[str, float]]:
-    """Matrices and margins in the user's units, from a problem in balanced ones."""
+) -> tuple[dict[str, Any], dict[str, float], float]:
+    """Matrices and margins in the user's units, from a problem in balanced ones, and its gap."""
     units = balanced(
         [one.S0 for one in connections],
         driven=[one.S1 for one in connections],
@@ -244,19 +248,48 @@ def _solved(
         )
         for one in connections
     ]
-    problem = _theorem(inner, plant.time, units.slopes(plant.slopes), decay * t, gamma * t, bounds)
+    slopes = units.slopes(plant.slopes)
+    problem = _theorem(inner, plant.time, slopes, decay * t, gamma * t, bounds)
     identity = np.eye(len(x))
     problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
     if plant.time == "discrete":
         problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
-    found = problem.solve(minimise=_size, solver=solver).values
+    near = _start(inner, plant.time, slopes, decay * t, gamma * t)
+    solution = problem.solve(minimise=_size, near=near, solver=solver)
     values = {
-        name: found[name] if name == "alpha" else form(found[name], x) for name in found if name in KEPT
+        name: one if name == "alpha" else form(one, x)
+        for name, one in solution.values.items()
+        if name in KEPT
     }
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
-    return values, _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds).check(values)
+    margins = _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds).check(values)
+    return values, margins, np.inf if solution.gap is None else solution.gap
+
+
+def _start(
+    connections: list[Connection],
+    time: str,
+    slopes: tuple[tuple[float, float], ...] | None,
+    decay: float,
+    gamma: float,
+) -> dict[str, Any] | None:
+    """Matrices of the theorem from Lyapunov's equation at the middle of the slopes."""
+    one, sloped = connections[0], any(other.S1.any() for other in connections)
+    a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
+    discrete = time == "discrete"
+    p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
+    if p is None:
+        return None
+    share = -expm1(-2.0 * decay) if discrete else 2.0 * decay
+    values: dict[str, Any] = {"P": p, "Xi": (1.0 + 1e-9) * share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
+    if discrete:
+        values["alpha"] = 1.0
+        values["Gamma"], values["noise"] = 10.0 * p, 20.0 * np.linalg.norm(p, 2)
+    elif sloped:
+        values["W"] = cover(p @ one.S1, one.J, slopes)
+    return values
 
 
 def _theorem(

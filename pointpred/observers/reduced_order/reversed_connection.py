@@ -136,7 +136,10 @@ class InvariantObserver:
             "S0 Z + B C0 - Z A0 - Z'": s0 @ z + b @ now["C0"] - change,
             "R C1": r @ now["C1"],
         }
-        _demand(left, self.tolerance, max(1.0, *(float(np.abs(m).max(initial=0.0)) for m in now.values())), t)
+        # A large gain makes large terms, which round by a share of their own size.
+        terms = np.abs(s0) @ np.abs(z) + np.abs(b) @ np.abs(now["C0"]) + np.abs(onward) @ np.abs(now["A0"])
+        largest = (float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values()))
+        _demand(left, self.tolerance, max(1.0, *largest), t)
         rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
         free = given is None and rank < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])

@@ -15,6 +15,7 @@ from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import lipschitz, symmetric
+from pointpred.observers.stationary import cover, filter_start, middle
 
 SLACK = 1e3
 """Offset of the slack, since unknown numbers must not be negative."""
@@ -89,28 +90,31 @@ def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
 
 
 class Choice(msgspec.Struct, frozen=True):
-    """The search for Upsilon = ``base`` + ``free`` K such that one P proves the decay at every corner.
+    """The search for Upsilon = ``base`` + ``free`` K such that one P proves the decay within the slopes.
 
-    With V an orthonormal complement of N = ``free``, every P > 0 is V P1 V' + T P2 T' with T = N + V
-    X', and P Upsilon = P U0 + T (P2 K): linear in P1, P2 and P2 K for a fixed X. If N is square there is no X
-    and no conservatism; otherwise X and K are improved alternately, each time by the solver.
+    V' <= -``rate`` V (V+ <= exp(-``rate``) V in discrete time). With V an orthonormal complement of N =
+    ``free``, every P > 0 is V P1 V' + T P2 T' with T = N + V X', and P Upsilon = P U0 + T (P2 K): linear in
+    P1, P2 and P2 K for a fixed X. If N is square there is no X and no conservatism; else X and K are improved
+    alternately, each time by the solver.
     """
 
     parts: Split
     corners: dict[str, FloatArray]
+    """Of the slopes; none if f does not matter."""
     slopes: tuple[tuple[float, float], ...] | None
     time: str
     base: FloatArray
     free: FloatArray
-    decay: float
+    rate: float
     solver: str
     bounds: dict[str, float]
 
-    def made(self) -> FloatArray:
-        """An Upsilon with a small output injection that reaches the decay."""
+    def made(self) -> tuple[FloatArray, float]:
+        """An Upsilon with a small output injection that reaches the rate, and the gap of its size."""
         tilt = self.free
         rest = np.linalg.svd(self.free.T)[2][self.free.shape[1] :].T
         if rest.shape[1]:
+            self._require_free_choice()
             tilt = self._tilted(rest)
         problem = self._problem(tilt, rest, slack=False).number("size")
         problem.above(
@@ -118,7 +122,43 @@ class Choice(msgspec.Struct, frozen=True):
             lambda v: np.block([[v.size * np.eye(len(self.parts.seen)), v.K2.T], [v.K2, v.P2]]),
             strict=False,
         )
-        return self._upsilon(problem.solve(minimise=lambda v: v.size, solver=self.solver).values)
+        near = None if rest.shape[1] else self._start()
+        solution = problem.solve(minimise=lambda v: v.size, near=near, solver=self.solver)
+        return self._upsilon(solution.values), np.inf if solution.gap is None else solution.gap
+
+    def _start(self) -> dict[str, Any] | None:
+        """The matrices of the stationary filter at the middle of the slopes."""
+        parts, slope = self.parts, self._slope()
+        a, c = parts.drift + parts.driven @ slope, parts.seen + parts.shown @ slope
+        start = filter_start(a, c, 0.5 * self.rate, self.time)
+        if start is None:
+            return None
+        p, u = start
+        turn = self.free
+        upsilon = -np.linalg.solve(p, u)
+        p2, k2 = symmetric(turn.T @ p @ turn), turn.T @ p @ (upsilon - self.base)
+        size = 1.1 * np.linalg.norm(k2.T @ np.linalg.solve(p2, k2), 2)
+        values: dict[str, Any] = {"P2": p2, "K2": k2, "size": size}
+        weight = p @ (parts.driven + upsilon @ parts.shown)
+        if self.time == "discrete":
+            values["alpha"] = 1.0
+        elif self.corners:
+            values["W"] = cover(weight, parts.inner, self.slopes)
+        return values
+
+    def _slope(self) -> FloatArray:
+        if self.corners:
+            return np.asarray(middle(self.slopes) @ self.parts.inner)
+        return np.zeros((self.parts.driven.shape[1], len(self.parts.drift)))
+
+    def _require_free_choice(self) -> None:
+        """Raise InfeasibleError if not even an Upsilon without J Z = H satisfies the inequality."""
+        whole = np.eye(len(self.parts.drift))
+        other = msgspec.structs.replace(self, base=np.zeros_like(self.base), free=whole)
+        try:
+            other._problem(whole, whole[:, :0], slack=False).solve(near=None, solver=self.solver)
+        except UndecidedError:
+            return
 
     def _tilted(self, rest: FloatArray) -> FloatArray:
         """A T for which the inequality can be satisfied, by alternation."""
@@ -134,7 +174,7 @@ class Choice(msgspec.Struct, frozen=True):
             inner = self.free.T @ values["P"] @ self.free
             tilt = self.free + rest @ np.linalg.solve(inner, self.free.T @ values["P"] @ rest).T
         raise UndecidedError(
-            f"no Upsilon with a decay of {self.decay:g} was found in {TURNS_MOST} turns, the inequality "
+            f"no Upsilon with this decay was found in {TURNS_MOST} turns, the inequality "
             f"still lacks {slack:.3g}; that proves nothing: try a smaller decay or injection=True"
         )
 
@@ -170,7 +210,7 @@ class Choice(msgspec.Struct, frozen=True):
     def _inequalities(
         self, problem: MatrixInequalities, p: Any, closed: Any, slack: bool
     ) -> MatrixInequalities:
-        """S0'P + P S0 + 2 sym(P S1 D J) + 3 decay P < slack I, or the LMI of Theorem 3.3.2 without delta."""
+        """Theorem 3.3.1 without delta, 2 sym(P S0) + 2 W + rate P < slack I, or the LMI of Theorem 3.3.2."""
         parts = self.parts
         if slack:
             problem.number("slack")
@@ -179,13 +219,19 @@ class Choice(msgspec.Struct, frozen=True):
             return float(v.slack) - SLACK if slack else 0.0
 
         if self.time == "continuous":
+            if self.corners:
+                problem.symmetric("W", len(parts.drift))
             for name, corner in self.corners.items():
-                slope = corner @ parts.inner
-                a, c = parts.drift + parts.driven @ slope, parts.seen + parts.shown @ slope
-                problem.below(f"the inequality, D = diag({name})", self._dissipation(p, closed, spare, a, c))
-            return problem
+                problem.above(f"W - sym(F D J), D = diag({name})", self._sector(closed, corner), strict=False)
+
+            def dissipation(v: Any) -> FloatArray:
+                onward = 2.0 * symmetric(closed(v, parts.drift, parts.seen)) + self.rate * p(v)
+                onward = onward + 2.0 * v.W if self.corners else onward
+                return np.asarray(onward - spare(v) * np.eye(len(onward)))
+
+            return problem.below("the inequality", dissipation)
         q, k = parts.driven.shape
-        steepest, keep = lipschitz(self.slopes, parts.inner), exp(-3.0 * self.decay)
+        steepest, keep = lipschitz(self.slopes, parts.inner), exp(-self.rate)
         problem.number("alpha")
 
         def block(v: Any) -> FloatArray:
@@ -198,9 +244,6 @@ class Choice(msgspec.Struct, frozen=True):
 
         return problem.below("the LMI", block)
 
-    def _dissipation(self, p: Any, closed: Any, spare: Any, a: FloatArray, c: FloatArray) -> Block:
-        def block(v: Any) -> FloatArray:
-            onward = 2.0 * symmetric(closed(v, a, c)) + 3.0 * self.decay * p(v)
-            return np.asarray(onward - spare(v) * np.eye(len(a)))
-
-        return block
+    def _sector(self, closed: Any, corner: FloatArray) -> Block:
+        parts = self.parts
+        return lambda v: v.W - symmetric(closed(v, parts.driven, parts.shown) @ corner @ parts.inner)

@@ -16,6 +16,7 @@ from pointpred.observers.balance import balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import matrix
+from pointpred.observers.stationary import filter_start
 
 
 class InterlacedCertificate(msgspec.Struct, frozen=True):
@@ -28,6 +29,9 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
 
     The print has the first root upside down and leaves out lambda_min(Q) under the second; with lambda_min(Q)
     / lambda_max(P), which is no larger, in place of 2 rate, its bound also holds.
+
+    ``gap``: how far the least trace of P and Gamma in balanced units could lie below that of these, relative;
+    infinite if nothing is proved, as for matrices that were given.
     """
 
     P: Any
@@ -39,6 +43,7 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
     rate: float
     overshoot: float
     noise_gain: float
+    gap: float = np.inf
 
     def bound(self, t: float, start: float, noise: float) -> float:
         """The largest error of w at ``t`` s, from its ``start`` and the largest error of y, ``noise``."""
@@ -93,13 +98,29 @@ def certify(
         fixed_gain = matrix("gain", gain, len(system), len(output))
         inner_gain = inward(fixed_gain, x, y, t)
         problem.equal("U = P L", lambda v: v.U - v.P @ inner_gain)
-    found = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma)).values
-    values = {"P": form(found["P"], x), "Q": form(found["Q"], x, t), "Gamma": form(found["Gamma"], y, t)}
-    values["U"] = outward(found["U"], 1.0 / x, y, t)
-    return certificate(values, inequalities(system, output).check(values))
+    near = _start(inward(system, x, x, t), inward(output, y, x), rate * t) if gain is None else None
+    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma), near=near)
+    inner = solution.values
+    values = {"P": form(inner["P"], x), "Q": form(inner["Q"], x, t), "Gamma": form(inner["Gamma"], y, t)}
+    values["U"] = outward(inner["U"], 1.0 / x, y, t)
+    gap = np.inf if solution.gap is None else solution.gap
+    return certificate(values, inequalities(system, output).check(values), gap)
 
 
-def certificate(values: dict[str, Any], margins: dict[str, float]) -> InterlacedCertificate:
+def _start(a: FloatArray, c: FloatArray, rate: float) -> dict[str, Any] | None:
+    """The matrices of the stationary filter, and a Gamma that is large enough for them."""
+    start = filter_start(a, c, 1.2 * rate, "continuous")
+    if start is None:
+        return None
+    p, u = start
+    corner, q = p @ a - u @ c, 2.2 * rate * p
+    gamma = 2.0 * u.T @ np.linalg.pinv(-(corner + corner.T + q)) @ u + np.eye(len(c))
+    return {"P": p, "Q": q, "Gamma": 0.5 * (gamma + gamma.T), "U": u}
+
+
+def certificate(
+    values: dict[str, Any], margins: dict[str, float], gap: float = np.inf
+) -> InterlacedCertificate:
     """The bound that audited matrices prove."""
     p, gamma = np.linalg.eigvalsh(values["P"]), np.linalg.eigvalsh(values["Gamma"])
     root = np.linalg.inv(np.linalg.cholesky(values["P"]))
@@ -111,4 +132,5 @@ def certificate(values: dict[str, Any], margins: dict[str, float]) -> Interlaced
         rate=rate,
         overshoot=sqrt(p[-1] / p[0]),
         noise_gain=sqrt(gamma[-1] / (2.0 * rate * p[0])),
+        gap=gap,
     )

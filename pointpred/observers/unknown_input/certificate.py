@@ -27,6 +27,9 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     margin: float
     zeros: NDArray[np.complex128]
     """Invariant zeros, 1/s, one row per vertex."""
+    gap: float = np.inf
+    """How far the least gamma + 0.01 trace P in balanced units could lie below that of the design, relative;
+    infinite if nothing is proved."""
 
     @property
     def phi1(self) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.stationary import decay_start, filter_start
 from pointpred.observers.unknown_input.invariant_zeros import kernel
 
 MODEST = 0.01
@@ -18,14 +19,18 @@ ROOM = 1.001
 """Factor on the least gamma, with which the inequality would hold with equality."""
 
 
-def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) -> tuple[FloatArray, float]:
-    """P and gamma with F = gamma I from (27c) on the kernel of C, where no gain acts.
+def lyapunov(
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float
+) -> tuple[FloatArray, float, float]:
+    """P and gamma with F = gamma I from (27c) on the kernel of C, where no gain acts, and the gap.
 
     The gains drop out (elimination lemma). If C T = 0, the outputs' part of P drops out as well and is set to
-    the identity; vertices that differ only in terms that a gain can cancel share one inequality. The certificate does
-    not change with the scale of P.
+    the identity; vertices that differ only in terms that a gain can cancel share one inequality. The
+    certificate does not change with the scale of P. The gap is that of gamma + MODEST trace P: how far the
+    least could lie below it, relative to it.
 
-    Raises UndecidedError if no such P is found although the zeros allow one.
+    Raises InfeasibleError if no P serves all vertices although the zeros of each allow one, UndecidedError if
+    none is found.
     """
     blind = kernel(c)
     decoupled = float(np.abs(c @ ts).max()) == 0.0
@@ -51,17 +56,41 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
     for i, case in enumerate(cases):
         best.below(f"(27c), case {i}", partial(whole, case))
         any_p.below(f"decay, case {i}", partial(corner, case))
+    start, gap = _start(gammas, c, sigma, decoupled), np.inf
     try:
-        values = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P)).values
+        near = None if start is None else {"P": start, "gamma": 1.0}
+        solution = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P), near=near)
+        values, gap = solution.values, np.inf if solution.gap is None else solution.gap
     except (InfeasibleError, UndecidedError):  # the required gamma may be too large for a solver
-        try:
-            values = any_p.solve().values
-        except InfeasibleError as none:
-            raise UndecidedError(
-                f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma or a smaller box ({none})"
-            ) from none
+        near = None if start is None else {"P": start}
+        values = _any(any_p, near, sigma)
     p = rest + frame @ values["P"] @ frame.T
-    return p, ROOM * least_gamma(gammas, ts, c, p, sigma)
+    return p, ROOM * least_gamma(gammas, ts, c, p, sigma), gap
+
+
+def _any(problem: MatrixInequalities, near: dict[str, Any] | None, sigma: float) -> dict[str, Any]:
+    """Some P with the decay; raises an error that names sigma."""
+    allowed = f"the invariant zeros allow sigma = {sigma:g}, but"
+    try:
+        return problem.solve(near=near).values
+    except InfeasibleError as none:
+        raise InfeasibleError(
+            f"{allowed} no P serves every vertex: choose a smaller sigma or a smaller box ({none})"
+        ) from none
+    except UndecidedError as none:
+        raise UndecidedError(
+            f"{allowed} too closely: choose a smaller sigma or a smaller box ({none})"
+        ) from none
+
+
+def _start(gammas: FloatArray, c: FloatArray, sigma: float, decoupled: bool) -> FloatArray | None:
+    """A P for the mean of the vertices."""
+    mean = gammas.mean(axis=0)
+    if decoupled:
+        blind = kernel(c)
+        return decay_start(blind.T @ mean @ blind, 0.505 * sigma, "continuous")
+    start = filter_start(mean, c, 0.505 * sigma, "continuous")
+    return None if start is None else start[0]
 
 
 def _root(ts: FloatArray) -> FloatArray:

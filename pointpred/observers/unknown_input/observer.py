@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isfinite
 from typing import Self
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -91,7 +92,7 @@ class UnknownInputObserver:
         x, y, t = units.states, units.outputs, units.seconds
         c, inner = inward(system.c, y, x), [inward(one, x, x, t) for one in gammas]
         inner_ts = np.array([inward(one, x, x) for one in ts])
-        p, gamma = lyapunov(np.array(inner), inner_ts, c, sigma * t)
+        p, gamma, gap = lyapunov(np.array(inner), inner_ts, c, sigma * t)
         ks = [
             outward(np.linalg.solve(p, gain(one, two, c, p, gamma, sigma * t, output_rate * t)), x, y, t)
             for one, two in zip(inner, inner_ts, strict=True)
@@ -100,6 +101,7 @@ class UnknownInputObserver:
         p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
         ws = np.array([p @ one for one in ks])
         certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
+        certificate = msgspec.structs.replace(certificate, gap=gap)
         return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
 
     def start(self, estimate: FloatArray) -> None:

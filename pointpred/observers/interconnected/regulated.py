@@ -1,0 +1,162 @@
+"""The inequalities of assumptions 3.2.3 and 3.2.6, in the user's units and in balanced ones."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.observers.balance import Coordinates, balanced, form, inward
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.interconnected.generator import Fitted
+from pointpred.observers.interconnected.sector import SectorBounds
+from pointpred.observers.persidskii import Persidskii
+
+
+class Regulated(msgspec.Struct, frozen=True):
+    """The regulator with the plant on its steady state: w' = ``s`` w + ``tilde`` f(``j`` w) + disturbances.
+
+    s = S0 + G C0 Pi, tilde = S1 + G C1, j = H Pi.
+    """
+
+    s: FloatArray
+    tilde: FloatArray
+    j: FloatArray
+
+    @classmethod
+    def of(cls, plant: Persidskii, g: Fitted, pi: FloatArray) -> Regulated:
+        """The matrices of Assumption 3.2.3."""
+        return cls(g.S0 + g.G @ plant.C0 @ pi, g.S1 + g.G @ plant.C1, plant.H @ pi)
+
+    def inequalities(self, **bounds: float) -> MatrixInequalities:
+        """Assumption 3.2.3 with the condition of Theorem 3.2.2."""
+        s, tilde, j = self.s, self.tilde, self.j
+        q, k = tilde.shape
+        problem = MatrixInequalities("Assumption 3.2.3", **bounds).positive("P", q).symmetric("Gamma", q)
+        problem.symmetric("Xi", q).diagonal("Omega", k).diagonal("Lambda", k)
+
+        def block(v: Any) -> FloatArray:
+            upper = s.T @ v.P + v.P @ s + v.Xi
+            across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
+            middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
+            lift, none = j.T @ v.Lambda, np.zeros((q, q))
+            return np.block(
+                [
+                    [upper, across, v.P, v.P],
+                    [across.T, middle, lift.T, lift.T],
+                    [v.P, lift, -v.Gamma, none],
+                    [v.P, lift, none, -v.Gamma],
+                ]
+            )
+
+        problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
+        problem.above("Xi", lambda v: v.Xi, strict=False)
+        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
+
+    def units(self) -> Coordinates:
+        """The units in which the regulator is balanced; f and its arguments keep theirs."""
+        return balanced(self.s, driven=self.tilde, inner=self.j, plain=True)
+
+    def inward(self, units: Coordinates) -> Regulated:
+        """The same matrices in these units."""
+        x, f, t = units.states, units.values, units.seconds
+        return Regulated(
+            inward(self.s, x, x, t), inward(self.tilde, x, f, t), inward(self.j, units.arguments, x)
+        )
+
+    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
+        """Matrices of the balanced inequalities in the user's units."""
+        x, t = units.states, units.seconds
+        return {
+            "P": form(values["P"], x),
+            "Gamma": form(values["Gamma"], x, 1.0 / t),
+            "Xi": form(values["Xi"], x, t),
+            "Omega": values["Omega"] / t,
+            "Lambda": values["Lambda"],
+        }
+
+
+class Followed(msgspec.Struct, frozen=True):
+    """The tracking error z = x - Pi w: z' = ``a0`` z + ``a1`` (f(Jw + ``h`` z) - f(Jw)) + disturbances.
+
+    a0 = A0 - Pi G C0, a1 = A1 - Pi G C1; ``sector`` holds the constants of Assumption 3.2.4.
+    """
+
+    a0: FloatArray
+    a1: FloatArray
+    h: FloatArray
+    sector: SectorBounds
+
+    @classmethod
+    def of(cls, plant: Persidskii, g: Fitted, pi: FloatArray, sector: SectorBounds) -> Followed:
+        """The matrices of Assumption 3.2.6."""
+        return cls(plant.A0 - pi @ g.G @ plant.C0, plant.A1 - pi @ g.G @ plant.C1, plant.H, sector)
+
+    def inequalities(self, **bounds: float) -> MatrixInequalities:
+        """Assumption 3.2.6 with the conditions of Theorem 3.2.3."""
+        a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
+        n, k = a1.shape
+        problem = MatrixInequalities("Assumption 3.2.6", **bounds).positive("P", n).symmetric("Gamma", n)
+        problem.symmetric("Xi", n).number("gamma1").number("gamma2")
+        for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
+            problem.diagonal(name, k)
+
+        def block(v: Any) -> FloatArray:
+            first = a0.T @ h.T @ v.Lambda + h.T @ v.Omega1
+            second = v.P @ a1 + h.T @ v.Omega2
+            third = v.Lambda @ h @ a1 + v.Upsilon
+            lift, none = v.Lambda @ h, np.zeros((k, n))
+            return np.block(
+                [
+                    [a0.T @ v.P + v.P @ a0 + v.Xi, first, second, v.P],
+                    [first.T, -v.gamma1 * np.eye(k), third, lift],
+                    [second.T, third.T, -v.gamma2 * np.eye(k), none],
+                    [v.P, lift.T, none.T, -v.Gamma],
+                ]
+            )
+
+        def r1(v: Any) -> FloatArray:
+            block: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
+            return block
+
+        def r2(v: Any) -> FloatArray:
+            block: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
+            return block
+
+        def r3(v: Any) -> FloatArray:
+            block: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
+            return block
+
+        problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
+        for name, left in (("Xi", lambda v: v.Xi), ("R1", r1), ("R2", r2), ("R3", r3)):
+            problem.above(name, left, strict=False)
+        problem.above("R4", lambda v: v.Upsilon - v.gamma1 * bound.Sigma4, strict=False)
+        return problem.above("R1 + H'(R2 + R3) H", lambda v: r1(v) + h.T @ (r2(v) + r3(v)) @ h)
+
+    def units(self) -> Coordinates:
+        """The units in which the error is balanced; f keeps its own: gamma1 weighs its components alike."""
+        return balanced(self.a0, driven=self.a1, inner=self.h, plain=True)
+
+    def inward(self, units: Coordinates) -> Followed:
+        """The same matrices in these units."""
+        x, f, t = units.states, units.values, units.seconds
+        sector = msgspec.structs.replace(
+            self.sector,
+            Sigma1=self.sector.Sigma1 * x * x[:, None],
+            Psi1=self.sector.Psi1 * x * x[:, None],
+        )
+        return Followed(
+            inward(self.a0, x, x, t),
+            inward(self.a1, x, f, t),
+            inward(self.h, units.arguments, x),
+            sector,
+        )
+
+    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
+        """Matrices of the balanced inequalities in the user's units."""
+        x, t = units.states, units.seconds
+        forms = {"P": form(values["P"], x), "Gamma": form(values["Gamma"], x, 1.0 / t)}
+        rates = {name: values[name] / t for name in ("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon")}
+        return {**forms, "Xi": form(values["Xi"], x, t), "Lambda": values["Lambda"], **rates}

@@ -1,0 +1,13 @@
+"""Rates, gains and margins of the examples beside computations with 40 digits."""
+
+from __future__ import annotations
+
+import pytest
+
+from pages.designs.facts import EXAMPLES, compared
+
+
+@pytest.mark.parametrize("name", [name for name in EXAMPLES if name != "camera"])
+def test_the_numbers_of_an_example_have_their_digits(name: str) -> None:
+    for example, what, ours, wanted in compared(name):
+        assert ours == pytest.approx(wanted, rel=1e-6), f"example {example}: {what}"
