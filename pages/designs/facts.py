@@ -162,11 +162,15 @@ def sensors() -> list[Fact]:
     for _ in range(6):
         kept = []
         for k in range(len(t) - 2, -1, -1):
-            middle, h = (squares[k] + squares[k + 1]) / 2, mpmath.mpf(float(t[k + 1])) - mpmath.mpf(float(t[k]))
+            middle, h = (
+                (squares[k] + squares[k + 1]) / 2,
+                mpmath.mpf(float(t[k + 1])) - mpmath.mpf(float(t[k])),
+            )
             rates, vectors = mpmath.eigsy(middle)
             fade = [mpmath.exp(-gain * rate * h) for rate in rates]
             new = [
-                -mpmath.expm1(-2 * gain * rate * h) / (2 * gain * rate) if rate > 1e-30 else h for rate in rates
+                -mpmath.expm1(-2 * gain * rate * h) / (2 * gain * rate) if rate > 1e-30 else h
+                for rate in rates
             ]
             forget = vectors * mpmath.diag(fade) * vectors.T
             p = vectors * mpmath.diag(new) * vectors.T + forget * p * forget

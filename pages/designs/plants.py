@@ -22,7 +22,6 @@ from pointpred.observers import (
     design_reduced_order,
     invariant_observer,
 )
-
 from pointpred.observers.stationary import filter_start
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
@@ -51,7 +50,7 @@ class Problem:
         self.h = random.standard_normal((k, n)) / np.sqrt(n)
         self.c = random.standard_normal((self.p, n))
         if kind == "nearly unobservable":
-            self.c = hiding(self.a, self.c, 10.0 ** random.uniform(-5.0, -3.0))
+            self.c = hiding(self.a, self.c, 10.0 ** random.uniform(-4.0, -2.0))
         self.x, self.y, self.t = np.ones(n), np.ones(self.p), 1.0
         if kind == "badly scaled":
             self.x = 10.0 ** random.uniform(-UNITS, UNITS, n)

@@ -10,6 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.inequalities.definite import least
 from pointpred.observers.matrices import matrix
 
 
@@ -41,7 +42,10 @@ class ErrorBound(msgspec.Struct, frozen=True):
 def eigenvalues(name: str, value: Any) -> FloatArray:
     """The eigenvalues of a matrix that must be positive; raises CertificateError naming the least."""
     square = matrix(name, value)
-    values: FloatArray = np.asarray(np.linalg.eigvalsh(0.5 * (square + square.T)), np.float64)
+    half: FloatArray = 0.5 * (square + square.T)
+    values: FloatArray = np.asarray(np.linalg.eigvalsh(half), np.float64)
+    # Accurate beside a largest one of any size, as in units of different sizes.
+    values[0] = least(half)[0]
     if values[0] <= 0.0:
         raise CertificateError(f"{name} has the eigenvalue {values[0]:.6g}, must lie above 0")
     return values
@@ -70,9 +74,7 @@ def interconnection_bound(
     gamma, xi = eigenvalues("Gamma", Gamma), eigenvalues("Xi", Xi)
     c = float(theta[0] / p[-1])
     if sharp:
-        c = max(
-            c, float(np.linalg.eigvals(np.linalg.solve(np.atleast_2d(P), np.atleast_2d(Theta))).real.min())
-        )
+        c = max(c, _generalised(P, Theta))
     speed = -log(max(1.0 - c, 1e-300)) if time == "discrete" else c
     noise, drive = sqrt(gamma[-1] / (c * p[0])), sqrt(xi[-1] / (c * p[0]))
     return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (noise, noise, drive), ("v", "eps", "w"))

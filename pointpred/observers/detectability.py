@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.balance import balanced, inward
 from pointpred.observers.matrices import matrix
 
 SINGULAR = 1e-9
@@ -20,7 +21,7 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     """The eigenvalues of modes that neither decay nor appear in the output; empty for a detectable pair.
 
     An eigenvalue s with real part >= 0 (modulus >= 1 in discrete time) is one of them if (sI - A; C) loses
-    rank.
+    rank in balanced units, which do not depend on those of states and outputs.
 
     >>> undetectable([[1.0, 0.0], [0.0, -2.0]], [[0.0, 1.0]])
     [(1+0j)]
@@ -31,6 +32,8 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
         )
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
+    units = balanced(a, seen=c, time=time)
+    a, c = inward(a, units.states, units.states), inward(c, units.outputs, units.states)
     size = float(np.linalg.norm(a, 2)) or 1.0
     c = c / ((float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0)
     modes = []

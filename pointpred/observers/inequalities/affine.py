@@ -71,6 +71,14 @@ def released(problem: Affine, free: list[int]) -> Affine:
     )
 
 
+def capped(problem: Affine, most: float) -> Affine:
+    """The problem with the objective below ``most``, which must be above 0."""
+    if problem.objective is None:
+        return problem
+    block = (np.array([[-1.0]]), (problem.objective / most).reshape(-1, 1, 1))
+    return msgspec.structs.replace(problem, strict=[*problem.strict, block], objective=None)
+
+
 def _falls(slope: FloatArray) -> bool:
     return bool(np.array_equal(slope, np.diag(np.diag(slope))) and (np.diag(slope) <= 0.0).all())
 

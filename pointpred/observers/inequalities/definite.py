@@ -40,3 +40,15 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
         return 1.0 / float(np.linalg.eigvalsh(inverse)[-1]), relative
     along = d * vectors[:, 0]
     return min(float(np.linalg.eigvalsh(matrix)[0]), relative / float(along @ along)), relative
+
+
+def solved(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """The solution X of P X = ``right`` for a positive P whose rows have different units, by scaling them.
+
+    >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
+    >>> solved(graded, graded).round(9).tolist()
+    [[1.0, 0.0], [0.0, 1.0]]
+    """
+    d = 1.0 / np.sqrt(np.diag(matrix))
+    answer: FloatArray = d[:, None] * np.linalg.solve(matrix * d * d[:, None], right * d[:, None])
+    return answer

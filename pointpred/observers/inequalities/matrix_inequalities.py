@@ -23,7 +23,7 @@ from pointpred.errors import (
     PointpredError,
     UndecidedError,
 )
-from pointpred.observers.inequalities.affine import Affine, relaxing, released, scaled
+from pointpred.observers.inequalities.affine import Affine, capped, relaxing, released, scaled
 from pointpred.observers.inequalities.audit import Inequalities
 from pointpred.observers.inequalities.proof import ENTIRE, largest_margin, least_objective, reach
 from pointpred.observers.inequalities.rescaling import rescaled
@@ -36,6 +36,10 @@ GAP = 1e-3
 """A relative distance from the proved bound at which the search for a smaller objective ends."""
 FINER = (1.0, 1e-2, 1e-4)
 """Shares of the margin at which the objective is minimised, until the gap is small."""
+WIDE = 0.1
+"""From this gap on a smaller objective is sought by bisection."""
+HALVINGS = 12
+"""Most steps of it."""
 TURNS = 4
 """How often a problem is posed again in coordinates scaled to its last answer."""
 SMALL = 1e3
@@ -122,18 +126,57 @@ class MatrixInequalities(Inequalities):
         bound = -np.inf
         for share in FINER:
             answer = self._run(problem, solver, share * self.margin, numbers)
-            bound = max(bound, least_objective(problem, answer.multipliers, min(self.kappa, EASY)))
             if answer.numbers is not None and self._passes(answer.numbers):
                 solution = self._solution(answer.numbers, minimise, np.inf)
                 if best is None or _value(solution) < _value(best):
                     best, numbers = solution, answer.numbers
             if best is None:
-                return None
-            gap = max(0.0, _value(best) - bound) / max(abs(_value(best)), 1e-300)
-            best = msgspec.structs.replace(best, gap=gap)
-            if gap <= GAP:
+                if answer.numbers is None:
+                    return None
+                numbers = answer.numbers  # wrong, but of the right size
+                continue
+            least = _value(best)
+            enough = least - GAP * abs(least)
+            limit = min(self.kappa, EASY)
+            bound = max(bound, least_objective(problem, answer.multipliers, limit, enough))
+            best = msgspec.structs.replace(best, gap=_gap(least, bound))
+            if _gap(least, bound) <= GAP:
                 break
-        return best
+        if best is None or numbers is None or _gap(_value(best), bound) <= WIDE:
+            return best
+        return self._narrowed(problem, minimise, solver, (best, numbers), bound)
+
+    def _narrowed(
+        self,
+        problem: Affine,
+        minimise: Block,
+        solver: str,
+        start: tuple[Solution, FloatArray],
+        bound: float,
+    ) -> Solution:
+        """A smaller objective by bisection, for a minimum at which the solver stalls."""
+        best, numbers = start
+        low = bound
+        for _ in range(HALVINGS):
+            high = _value(best)
+            if high <= 0.0 or _gap(high, low) <= GAP:
+                break
+            cap = np.sqrt(low * high) if low > 1e-6 * high else 1e-3 * high
+            for near in (numbers, None):
+                answer = self._run(capped(problem, cap), solver, None, near)
+                if answer.numbers is not None and self._passes(answer.numbers):
+                    solution = self._solution(answer.numbers, minimise, np.inf)
+                    if _value(solution) < high:
+                        best, numbers = solution, answer.numbers
+                        break
+            else:
+                low = cap
+        answer = self._run(problem, solver, FINER[1] * self.margin, numbers)
+        if answer.numbers is not None and self._passes(answer.numbers):
+            solution = self._solution(answer.numbers, minimise, np.inf)
+            best = solution if _value(solution) < _value(best) else best
+        bound = max(bound, least_objective(problem, answer.multipliers, min(self.kappa, EASY)))
+        return msgspec.structs.replace(best, gap=_gap(_value(best), bound))
 
     def _search(
         self, minimise: Block | None, near: Mapping[str, Any] | None, solver: str
@@ -142,37 +185,40 @@ class MatrixInequalities(Inequalities):
         start = None if near is None else self.unknowns.numbers(dict(near))
         for kappa in sorted({min(self.kappa, EASY), self.kappa}):
             problem = self._numbers(minimise, kappa)
-            numbers, answer = self._feasible(problem, solver, start)
+            numbers, answer, extent = self._feasible(problem, solver, start)
             if numbers is not None:
                 return numbers, problem
-            extent = reach(released(problem, relaxing(problem)), answer.multipliers)
             if extent >= ENTIRE:
                 break
-        raise self._refusal(problem, answer, kappa)
+        raise self._refusal(problem, answer, extent, kappa)
 
     def _feasible(
         self, problem: Affine, solver: str, start: FloatArray | None
-    ) -> tuple[FloatArray | None, Answer]:
-        """Numbers that satisfy the inequalities, if any; those that only relax them are as large as needed.
+    ) -> tuple[FloatArray | None, Answer, float]:
+        """Numbers that satisfy the inequalities, if any, else the answer that proves most and how far it does.
 
-        The first attempt is in the coordinates of the problem, the next in those scaled to ``start``, each
-        further one in those scaled to the last answer.
+        Numbers that only relax the inequalities are as large as needed. The first attempt is in the coordinates of
+        the problem, the next in those scaled to ``start``, each further one in those scaled to the last answer.
         """
         free = relaxing(problem)
         posed = released(problem, free)
-        answers: list[Answer] = []
+        most: tuple[float, Answer] | None = None
         near: FloatArray | None = None
         for turn in range(TURNS):
-            answers.append(self._run(posed, solver, None, near))
-            numbers, proved = answers[-1].numbers, reach(posed, answers[-1].multipliers)
+            answer = self._run(posed, solver, None, near)
+            numbers = answer.numbers
             for one in (numbers, start if turn == 0 else None):
                 passing = None if one is None else self._relaxed(problem, one, free)
                 if passing is not None:
-                    return passing, answers[-1]
+                    return passing, answer, 0.0
             near = start if turn == 0 and start is not None else numbers
+            proved = reach(posed, answer.multipliers)
+            if most is None or proved > most[0]:
+                most = proved, answer
             if proved >= ENTIRE or near is None:
                 break
-        return None, max(answers, key=lambda one: reach(posed, one.multipliers))
+        assert most is not None
+        return None, most[1], most[0]
 
     @staticmethod
     def _run(problem: Affine, solver: str, margin: float | None, near: FloatArray | None) -> Answer:
@@ -196,10 +242,9 @@ class MatrixInequalities(Inequalities):
             size *= 2.0
         return None
 
-    def _refusal(self, problem: Affine, answer: Answer, kappa: float) -> PointpredError:
+    def _refusal(self, problem: Affine, answer: Answer, extent: float, kappa: float) -> PointpredError:
         """What the multipliers of a problem without solution prove."""
         posed = released(problem, relaxing(problem))
-        extent = reach(posed, answer.multipliers)
         if extent >= ENTIRE:
             return InfeasibleError(
                 f"{self.name}: no choice satisfies the inequalities, proved for P with a condition number "
@@ -254,6 +299,10 @@ class MatrixInequalities(Inequalities):
         named = self.unknowns.matrices(numbers)
         objective = None if minimise is None else float(minimise(named))
         return Solution(vars(named), self.margins(vars(named)), objective, gap)
+
+
+def _gap(objective: float, bound: float) -> float:
+    return float(max(0.0, objective - bound) / max(abs(objective), 1e-300))
 
 
 def _value(solution: Solution) -> float:

@@ -18,12 +18,14 @@ from pointpred.observers.inequalities.affine import Affine
 
 ENTIRE = 1e12
 """A proof up to this condition number of P, in balanced units, counts as one for every choice."""
-CORRECTIONS = 3
-"""How often the multipliers are moved towards the slopes that they should have."""
+CORRECTIONS = 7
+"""Steps with which the multipliers are moved towards the slopes that they should have."""
+RANKS = (1e-6, 0.0, 1e-3)
+"""Eigenvalues of a multiplier below this share of its largest count as rounding, in turn."""
 
 
 class Multipliers(msgspec.Struct, frozen=True):
-    """A matrix Z >= 0 for each block of ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
+    """A matrix Z >= 0 (float or extended) for each block of ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
 
     strict: list[FloatArray]
     floors: list[FloatArray]
@@ -58,59 +60,76 @@ def reach(problem: Affine, given: Multipliers | None) -> float:
 
     0 if nothing is proved. Leaves out the multipliers of kappa, so that the proof does not depend on it.
     """
-    if given is None:
+    if given is None or _sum(problem, given, capped=False)[0] >= 0.0:
         return 0.0
     best = 0.0
     for one in _corrected(problem, given, np.zeros(len(problem.x0))):
         level, slopes, weight = _sum(problem, one, capped=False)
         # The sum is affine in the reach, from its value at 0 numbers beyond the floors.
         first, second = (level + _largest(problem, slopes, size) for size in (1.0, 2.0))
-        if weight <= 0.0 or first >= 0.0:
-            continue
-        growth = second - first
-        best = max(best, np.inf if growth <= 0.0 else 1.0 - first / growth)
+        if weight > 0.0 and first < 0.0:
+            growth = second - first
+            best = max(best, np.inf if growth <= 0.0 else 1.0 - first / growth)
+        if best >= ENTIRE:
+            break
     return best
 
 
-def least_objective(problem: Affine, given: Multipliers | None, kappa: float) -> float:
-    """A lower bound of the objective over all P below kappa I and other numbers within +-kappa."""
-    if given is None or problem.objective is None:
-        return -np.inf
+def least_objective(
+    problem: Affine, given: Multipliers | None, kappa: float, enough: float = np.inf
+) -> float:
+    """A lower bound of the objective over all P below kappa I and other numbers within +-kappa.
+
+    The search for a better one ends at ``enough``.
+    """
     best = -np.inf
+    if problem.objective is None:
+        return best
     for one in _corrected(problem, given, problem.objective):
         level, slopes, _ = _sum(problem, one, capped=False)
         start = level - float(problem.objective @ problem.x0)
         best = max(best, -(start + _largest(problem, slopes - problem.objective, kappa)))
+        if best >= enough:
+            break
     return best
 
 
-def _corrected(problem: Affine, given: Multipliers, wanted: FloatArray) -> Iterator[Multipliers]:
-    """The multipliers without those of kappa, and moved so that their slopes come nearer to ``wanted``."""
-    one = Multipliers(given.strict, given.floors, [])
-    for _ in range(CORRECTIONS):
-        one = _moved(problem, one, wanted)
-        yield one
+def _corrected(problem: Affine, given: Multipliers | None, wanted: FloatArray) -> Iterator[Multipliers]:
+    """The multipliers, without those of kappa, moved until their slopes are ``wanted`` up to rounding.
+
+    Z = R R' with R of low rank, so that Z is positive semidefinite whatever R is, and Newton's steps of least
+    size for R. Where a multiplier must vanish along a direction the root is double: there every second step
+    is twice as long. In extended precision, where the machine has it, since the reach is limited by rounding.
+    """
+    if given is None:
+        return
+    strict = len(given.strict)
+    for share in RANKS:
+        roots = [_root(z, share).astype(np.longdouble) for z in (*given.strict, *given.floors)]
+        for i in range(CORRECTIONS):
+            roots = _moved(problem, roots, wanted, 1.0 + i % 2)
+            exact = [r @ r.T for r in roots]
+            yield Multipliers(exact[:strict], exact[strict:], [])
 
 
-def _moved(problem: Affine, given: Multipliers, wanted: FloatArray) -> Multipliers:
-    """Z^(1/2) (I + S) Z^(1/2) with the least S for these slopes: positive semidefinite while S is small."""
-    pairs = [*zip(given.strict, problem.strict, strict=True), *zip(given.floors, problem.floors, strict=True)]
-    _, slopes, _ = _sum(problem, given, capped=False)
-    missing = slopes - wanted
+def _moved(problem: Affine, roots: list[Any], wanted: FloatArray, length: float) -> list[Any]:
+    """The roots after a step of Newton's, ``length`` times as long."""
+    blocks = [*problem.strict, *problem.floors]
+    exact = [r @ r.T for r in roots]
+    strict = len(problem.strict)
+    _, slopes, _ = _sum(problem, Multipliers(exact[:strict], exact[strict:], []), capped=False)
+    missing = np.asarray(slopes - wanted, np.float64)
     # A number that may grow as it likes towards its own side costs nothing.
     missing[(problem.lows > -np.inf) & (missing < 0.0)] = 0.0
-    roots = [_root(z) for z, _ in pairs]
-    shares = [root @ block @ root for root, (_, (_, block)) in zip(roots, pairs, strict=True)]
-    flat = problem.basis.T @ np.hstack([one.reshape(len(one), -1) for one in shares])
-    steps = np.linalg.lstsq(flat, problem.basis.T @ missing, rcond=1e-14)[0]
-    exact, start = [], 0
-    for root in roots:
-        n = len(root)
-        s = steps[start : start + n * n].reshape(n, n)
-        exact.append(_positive(root @ (np.eye(n) + 0.5 * (s + s.T)) @ root))
-        start += n * n
-    strict = len(given.strict)
-    return Multipliers(exact[:strict], exact[strict:], [])
+    rounded = [np.asarray(r, np.float64) for r in roots]
+    sides = [(block @ r).reshape(len(block), -1) for r, (_, block) in zip(rounded, blocks, strict=True)]
+    flat = problem.basis.T @ np.hstack(sides)
+    steps = 0.5 * length * np.linalg.lstsq(flat, problem.basis.T @ missing, rcond=1e-12)[0]
+    moved, start = [], 0
+    for r in roots:
+        moved.append(r + steps[start : start + r.size].reshape(r.shape))
+        start += r.size
+    return moved
 
 
 def _sum(problem: Affine, given: Multipliers, *, capped: bool) -> tuple[float, FloatArray, float]:
@@ -151,9 +170,11 @@ def _dual(slopes: FloatArray, rows: int) -> FloatArray:
     return r
 
 
-def _root(matrix: FloatArray) -> FloatArray:
+def _root(matrix: FloatArray, share: float) -> FloatArray:
+    """R with R R' the matrix, without eigenvalues below this share of the largest."""
     values, vectors = np.linalg.eigh(matrix)
-    root: FloatArray = (vectors * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
+    kept = values > share * max(float(values[-1]), 0.0)
+    root: FloatArray = vectors[:, kept] * np.sqrt(np.maximum(values[kept], 0.0))
     return root
 
 

@@ -13,10 +13,15 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, form, inward, outward
+from pointpred.observers.bounds import eigenvalues
 from pointpred.observers.detectability import require_detectable
+from pointpred.observers.inequalities.definite import solved
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import matrix
 from pointpred.observers.stationary import filter_start
+
+SMALL = 1e-3
+"""Weight of the size of U, which decides among gains with the same traces."""
 
 
 class InterlacedCertificate(msgspec.Struct, frozen=True):
@@ -72,8 +77,9 @@ def certify(
 ) -> InterlacedCertificate:
     """Compute a gain with its certificate, or a certificate for ``gain``.
 
-    Of all gains that decay at ``rate`` it takes the one with the least trace of P and Gamma, for little
-    overshoot and noise. That the plant converges to its steady state is assumption 4.4.2 and not checked.
+    Of all gains that decay at ``rate`` it takes one with the least trace of P and Gamma in balanced units,
+    for little overshoot and noise, and of several the smallest U. That the plant converges to its steady
+    state is assumption 4.4.2 and not checked.
 
     Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``rate`` in 1/s, above 0; ``gain`` L.
     Raises ParameterError, InfeasibleError (before any solver runs for an unobservable eigenvalue),
@@ -98,8 +104,13 @@ def certify(
         fixed_gain = matrix("gain", gain, len(system), len(output))
         inner_gain = inward(fixed_gain, x, y, t)
         problem.equal("U = P L", lambda v: v.U - v.P @ inner_gain)
+    problem.number("size").above(
+        "size - U'U",
+        lambda v: np.block([[v.size * np.eye(len(output)), v.U.T], [v.U, np.eye(len(system))]]),
+        strict=False,
+    )
     near = _start(inward(system, x, x, t), inward(output, y, x), rate * t) if gain is None else None
-    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma), near=near)
+    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near=near)
     inner = solution.values
     values = {"P": form(inner["P"], x), "Q": form(inner["Q"], x, t), "Gamma": form(inner["Gamma"], y, t)}
     values["U"] = outward(inner["U"], 1.0 / x, y, t)
@@ -115,19 +126,20 @@ def _start(a: FloatArray, c: FloatArray, rate: float) -> dict[str, Any] | None:
     p, u = start
     corner, q = p @ a - u @ c, 2.2 * rate * p
     gamma = 2.0 * u.T @ np.linalg.pinv(-(corner + corner.T + q)) @ u + np.eye(len(c))
-    return {"P": p, "Q": q, "Gamma": 0.5 * (gamma + gamma.T), "U": u}
+    size = 1.1 * float(np.linalg.norm(u, 2)) ** 2
+    return {"P": p, "Q": q, "Gamma": 0.5 * (gamma + gamma.T), "U": u, "size": size}
 
 
 def certificate(
     values: dict[str, Any], margins: dict[str, float], gap: float = np.inf
 ) -> InterlacedCertificate:
     """The bound that audited matrices prove."""
-    p, gamma = np.linalg.eigvalsh(values["P"]), np.linalg.eigvalsh(values["Gamma"])
+    p, gamma = eigenvalues("P", values["P"]), eigenvalues("Gamma", values["Gamma"])
     root = np.linalg.inv(np.linalg.cholesky(values["P"]))
     rate = 0.5 * float(np.linalg.eigvalsh(root @ values["Q"] @ root.T)[0])
     return InterlacedCertificate(
         **{name: values[name] for name in ("P", "Q", "Gamma", "U")},
-        L=np.linalg.solve(values["P"], values["U"]),
+        L=solved(values["P"], values["U"]),
         margins=margins,
         rate=rate,
         overshoot=sqrt(p[-1] / p[0]),

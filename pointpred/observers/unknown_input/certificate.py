@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.inequalities.definite import least
+from pointpred.observers.inequalities.definite import ROUNDING, least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):
@@ -77,6 +77,14 @@ def inequality(
     return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
 
 
+def _sizes(
+    gamma_i: FloatArray, c: FloatArray, p: FloatArray, w_i: FloatArray, force: FloatArray, sigma: float
+) -> FloatArray:
+    """The size of each entry of the diagonal of (27c), summed over its terms before they cancel."""
+    upper = 2.0 * np.abs(p) @ np.abs(gamma_i) + 2.0 * np.abs(w_i) @ np.abs(c) + sigma * np.abs(p)
+    return np.concatenate([np.diag(upper), np.diag(force)])
+
+
 def audit(
     gammas: FloatArray,
     ts: FloatArray,
@@ -104,7 +112,10 @@ def audit(
             )
     largest, vertex = -np.inf, 0
     for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
-        eigenvalue = -least(-inequality(gamma_i, t_i, c, p, w_i, force, sigma))[0]
+        whole = -inequality(gamma_i, t_i, c, p, w_i, force, sigma)
+        value, relative = least(whole, _sizes(gamma_i, c, p, w_i, force, sigma))
+        # What rounding of the terms could make of it does not count as negative.
+        eigenvalue = -value if relative > ROUNDING else max(-value, 0.0)
         if not eigenvalue <= largest:
             largest, vertex = eigenvalue, i
     if not largest < 0.0:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.balance import balanced, inward
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -69,7 +70,9 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     >>> fixed_modes(np.diag([-1.0, -2.0]), np.array([[1.0, 0.0]])).real.tolist()
     [-2.0]
     """
-    basis = unobservable(gamma, c)
+    units = balanced(gamma, seen=c)
+    gamma = inward(gamma, units.states, units.states)
+    basis = unobservable(gamma, inward(c, units.outputs, units.states))
     if not basis.shape[1]:
         return np.zeros(0, dtype=np.complex128)
     zeros: NDArray[np.complex128] = np.linalg.eigvals(basis.T @ gamma @ basis).astype(np.complex128)
@@ -86,8 +89,12 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
     if not f.shape[1]:
         raise ParameterError("F needs a column for each unknown input, received none")
     cf = c @ f
-    smallest = RELATIVE * float(np.linalg.norm(c, 2) * np.linalg.norm(f, 2))
-    rank_cf, rank = int(np.linalg.matrix_rank(cf, tol=smallest)), int(np.linalg.matrix_rank(f))
+    # Each entry beside its terms, so that the units of the states and outputs do not matter.
+    sizes = np.abs(c) @ np.abs(f)
+    rows = np.maximum(sizes.max(axis=1, keepdims=True), 1e-300)
+    columns = np.maximum((sizes / rows).max(axis=0, keepdims=True), 1e-300)
+    rank_cf = int(np.linalg.matrix_rank(cf / rows / columns, tol=RELATIVE))
+    rank = int(np.linalg.matrix_rank(f / np.maximum(np.abs(f).max(axis=1, keepdims=True), 1e-300)))
     if rank < f.shape[1]:
         raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
     if rank_cf < rank:
