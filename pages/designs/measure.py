@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from pages.designs.facts import facts
 from pages.designs.plants import DOORS, KINDS, Problem
 from pointpred.errors import InfeasibleError, PointpredError
 
-COUNT = 40
+COUNT = 20
 """Problems of each kind at each door."""
 CLOSE = 1e-2
 """A gap that counts as a minimum."""
@@ -39,19 +40,29 @@ def gap(design: Any) -> float | None:
     return getattr(design, "gap", None) if hasattr(design, "gap") else getattr(certificate, "gap", None)
 
 
+def cell(door: str, kind: str) -> tuple[Counter[str], list[bool]]:
+    """What becomes of the problems of one kind at one door, and whether the gap of each design is small."""
+    counts, close = Counter[str](), []
+    for seed in range(COUNT):
+        what, one = outcome(door, kind, seed)
+        counts[what if what in ("designed", "refused") else "undecided"] += 1
+        if what == "designed" and one is not None:
+            close.append(one <= CLOSE)
+    return counts, close
+
+
 def doors() -> dict[str, Table]:
     """A row a door: designed / refused / undecided of each kind, in problems."""
     rows, shares, gaps = [], Counter[str](), []
+    places = [(door, kind) for door in DOORS for kind in KINDS]
+    with ProcessPoolExecutor() as pool:
+        results = dict(zip(places, pool.map(cell, *zip(*places, strict=True)), strict=True))
     for door in DOORS:
         cells, close = [], []
         for kind in KINDS:
-            counts = Counter[str]()
-            for seed in range(COUNT):
-                what, one = outcome(door, kind, seed)
-                counts[what if what in ("designed", "refused") else "undecided"] += 1
-                if what == "designed" and one is not None:
-                    close.append(one <= CLOSE)
+            counts, small = results[door, kind]
             shares += counts
+            close += small
             cells.append(f"{counts['designed']} / {counts['refused']} / {counts['undecided']}")
         gaps += close
         rows.append([door, *cells, f"{np.mean(close):.0%}" if close else "-"])

@@ -74,7 +74,7 @@ def interconnection_bound(
     gamma, xi = eigenvalues("Gamma", Gamma), eigenvalues("Xi", Xi)
     c = float(theta[0] / p[-1])
     if sharp:
-        c = max(c, _generalised(P, Theta))
+        c = max(c, least_ratio(P, Theta))
     speed = -log(max(1.0 - c, 1e-300)) if time == "discrete" else c
     noise, drive = sqrt(gamma[-1] / (c * p[0])), sqrt(xi[-1] / (c * p[0]))
     return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (noise, noise, drive), ("v", "eps", "w"))
@@ -105,7 +105,7 @@ def continuous_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
     >>> continuous_bound([[4.0]], [[1.0]], 1.0)(0.0, 0.0, delta=1.0)
     2.0
     """
-    p, c = eigenvalues("P", P), _generalised(P, Xi)
+    p, c = eigenvalues("P", P), least_ratio(P, Xi)
     overshoot = sqrt(p[-1] / p[0])
     return ErrorBound(overshoot, 0.5 * c, (overshoot / sqrt(c * gamma),), ("delta",))
 
@@ -121,12 +121,12 @@ def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> Error
     1.25
     """
     p, xi, gamma = eigenvalues("P", P), eigenvalues("Xi", Xi), eigenvalues("Gamma", Gamma)
-    c = _generalised(P, Xi) if sharp else float(xi[0] / p[-1])
+    c = least_ratio(P, Xi) if sharp else float(xi[0] / p[-1])
     rate = -0.5 * log(max(1.0 - c, 1e-300))
     return ErrorBound(sqrt(p[-1] / p[0]), rate, (sqrt(gamma[-1] / (c * p[0])),), ("delta",))
 
 
-def _generalised(P: Any, Xi: Any) -> float:
+def least_ratio(P: Any, Xi: Any) -> float:
     """The least c with Xi >= c P."""
     root = np.linalg.inv(np.linalg.cholesky(np.atleast_2d(np.asarray(P, np.float64))))
     return float(np.linalg.eigvalsh(root @ np.atleast_2d(Xi) @ root.T)[0])

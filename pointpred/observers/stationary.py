@@ -5,6 +5,8 @@ Nothing is proved here; what a search makes of it is audited like any other matr
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -27,17 +29,19 @@ def filter_start(
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
     one, noise = np.eye(len(a)), np.eye(len(c))
-    try:
-        if time == "discrete":
-            faster = np.exp(decay) * a
-            x = solve_discrete_are(faster.T, c.T, one, noise)
-            gain = np.exp(-decay) * faster @ x @ c.T @ np.linalg.inv(c @ x @ c.T + noise)
-        else:
-            x = solve_continuous_are((a + decay * one).T, c.T, one, noise)
-            gain = x @ c.T
-        p = normal(np.linalg.inv(x))
-    except (np.linalg.LinAlgError, ValueError):
-        return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is ill-conditioned is audited later
+        try:
+            if time == "discrete":
+                faster = np.exp(decay) * a
+                x = solve_discrete_are(faster.T, c.T, one, noise)
+                gain = np.exp(-decay) * faster @ x @ c.T @ np.linalg.inv(c @ x @ c.T + noise)
+            else:
+                x = solve_continuous_are((a + decay * one).T, c.T, one, noise)
+                gain = x @ c.T
+            p = normal(np.linalg.inv(x))
+        except (np.linalg.LinAlgError, ValueError):
+            return None
     return None if p is None else (p, p @ gain)
 
 
@@ -46,13 +50,15 @@ def decay_start(a: FloatArray, decay: float, time: str) -> FloatArray | None:
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
     one = np.eye(len(a))
-    try:
-        if time == "discrete":
-            return normal(solve_discrete_lyapunov(np.exp(decay) * a.T, one))
-        p: FloatArray = np.asarray(solve_continuous_lyapunov((a + decay * one).T, -one), np.float64)
-        return normal(p)
-    except (np.linalg.LinAlgError, ValueError):
-        return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is ill-conditioned is audited later
+        try:
+            if time == "discrete":
+                return normal(solve_discrete_lyapunov(np.exp(decay) * a.T, one))
+            p: FloatArray = np.asarray(solve_continuous_lyapunov((a + decay * one).T, -one), np.float64)
+            return normal(p)
+        except (np.linalg.LinAlgError, ValueError):
+            return None
 
 
 def normal(p: FloatArray) -> FloatArray | None:

@@ -56,9 +56,10 @@ def answer(door: str, one: Problem) -> Any:
         return type(refused)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("door", list(DOORS))
 @given(SEEDS)
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=15, deadline=None)
 def test_units_change_nothing(door: str, seed: int) -> None:
     """States and outputs in units up to 1e6 times larger or smaller, time in units up to 1e5 times."""
     first, second = answer(door, problem(seed, False)), answer(door, problem(seed, True))
@@ -68,3 +69,12 @@ def test_units_change_nothing(door: str, seed: int) -> None:
         assert isinstance(second, type)  # refused or undecided, but no design
     else:
         assert second == pytest.approx(first, rel=1e-2, abs=1e-3 * float(np.abs(first).max()))
+
+
+@pytest.mark.parametrize("door", list(DOORS))
+def test_a_design_of_each_door_in_other_units(door: str) -> None:
+    """The same on one problem, for every run of the tests."""
+    plain = ((seed, answer(door, problem(seed, False))) for seed in range(20))
+    seed, first = next((seed, one) for seed, one in plain if not isinstance(one, type | str))
+    second = answer(door, problem(seed, True))
+    assert second == pytest.approx(first, rel=1e-2, abs=1e-3 * float(np.abs(first).max()))

@@ -40,7 +40,7 @@ WIDE = 0.1
 """From this gap on a smaller objective is sought by bisection."""
 HALVINGS = 12
 """Most steps of it."""
-TURNS = 4
+TURNS = 10
 """How often a problem is posed again in coordinates scaled to its last answer."""
 SMALL = 1e3
 """A proof up to a smaller condition number of P tells nothing."""
@@ -195,15 +195,17 @@ class MatrixInequalities(Inequalities):
     def _feasible(
         self, problem: Affine, solver: str, start: FloatArray | None
     ) -> tuple[FloatArray | None, Answer, float]:
-        """Numbers that satisfy the inequalities, if any, else the answer that proves most and how far it does.
+        """Numbers that satisfy the inequalities, if any, the answer that proves most, and how far it does.
 
-        Numbers that only relax the inequalities are as large as needed. The first attempt is in the coordinates of
-        the problem, the next in those scaled to ``start``, each further one in those scaled to the last answer.
+        Numbers that only relax the inequalities are as large as needed. The first attempt is in the units
+        of the problem, the next in those scaled to ``start``, each further one in those scaled to the last
+        answer.
         """
         free = relaxing(problem)
         posed = released(problem, free)
         most: tuple[float, Answer] | None = None
         near: FloatArray | None = None
+        last: FloatArray | None = None
         for turn in range(TURNS):
             answer = self._run(posed, solver, None, near)
             numbers = answer.numbers
@@ -211,7 +213,9 @@ class MatrixInequalities(Inequalities):
                 passing = None if one is None else self._relaxed(problem, one, free)
                 if passing is not None:
                     return passing, answer, 0.0
-            near = start if turn == 0 and start is not None else numbers
+            # Where the start of the caller leads nowhere, the first answer may.
+            last = numbers if numbers is not None or turn > 1 else last
+            near = start if turn == 0 and start is not None else last
             proved = reach(posed, answer.multipliers)
             if most is None or proved > most[0]:
                 most = proved, answer

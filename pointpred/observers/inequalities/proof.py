@@ -25,7 +25,7 @@ RANKS = (1e-6, 0.0, 1e-3)
 
 
 class Multipliers(msgspec.Struct, frozen=True):
-    """A matrix Z >= 0 (float or extended) for each block of ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
+    """A matrix Z >= 0 for each block of ``strict``, ``floors`` (I - P) and ``caps`` (P - kappa I)."""
 
     strict: list[FloatArray]
     floors: list[FloatArray]
@@ -108,14 +108,14 @@ def _corrected(problem: Affine, given: Multipliers | None, wanted: FloatArray) -
         roots = [_root(z, share).astype(np.longdouble) for z in (*given.strict, *given.floors)]
         for i in range(CORRECTIONS):
             roots = _moved(problem, roots, wanted, 1.0 + i % 2)
-            exact = [r @ r.T for r in roots]
+            exact: list[Any] = [r @ r.T for r in roots]
             yield Multipliers(exact[:strict], exact[strict:], [])
 
 
 def _moved(problem: Affine, roots: list[Any], wanted: FloatArray, length: float) -> list[Any]:
     """The roots after a step of Newton's, ``length`` times as long."""
     blocks = [*problem.strict, *problem.floors]
-    exact = [r @ r.T for r in roots]
+    exact: list[Any] = [r @ r.T for r in roots]
     strict = len(problem.strict)
     _, slopes, _ = _sum(problem, Multipliers(exact[:strict], exact[strict:], []), capped=False)
     missing = np.asarray(slopes - wanted, np.float64)

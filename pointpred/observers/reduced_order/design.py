@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.balance import Coordinates, balanced, inward, outward
+from pointpred.observers.balance import Coordinates, balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
@@ -89,14 +89,14 @@ def design_reduced_order(
     base, free = allowed(parts, sloped and not injection)
 
     def designed(gamma: float) -> ReducedOrderDesign:
-        chosen, gap = base, 0.0
+        chosen, gap, near = base, 0.0, None
         if free.shape[1]:
             rate = 2.0 * decay + gamma
-            chosen, gap = _chosen(plant, parts, sloped, (base, free), (decay, rate), solver, bounds)
+            chosen, gap, near = _chosen(plant, parts, sloped, (base, free), (decay, rate), solver, bounds)
         upsilon = chosen / units.outputs
         observer = invariant_observer(plant, pi, upsilon, injection=injection)
         certificate = certify_convergence(
-            observer, decay=decay, gamma=gamma, times=None, solver=solver, **bounds
+            observer, decay=decay, gamma=gamma, times=None, near=near, solver=solver, **bounds
         )
         return ReducedOrderDesign(observer, upsilon, certificate, gap)
 
@@ -131,8 +131,8 @@ def _chosen(
     rates: tuple[float, float],
     solver: str,
     bounds: dict[str, float],
-) -> tuple[FloatArray, float]:
-    """Upsilon of ``choices``, U0 + N K, solved in balanced units, and its gap; ``rates`` of e and of V."""
+) -> tuple[FloatArray, float, dict[str, Any]]:
+    """Upsilon of ``choices``, U0 + N K, its gap and its P, by balanced units; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -164,8 +164,12 @@ def _chosen(
         solver,
         bounds,
     )
-    upsilon, gap = choice.made()
-    return outward(upsilon, x, y, t), gap
+    upsilon, gap, proof = choice.made()
+    back = {
+        name: one if name == "alpha" else form(one, x, t if name == "W" else 1.0)
+        for name, one in proof.items()
+    }
+    return outward(upsilon, x, y, t), gap, back
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

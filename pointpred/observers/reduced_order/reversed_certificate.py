@@ -12,14 +12,14 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound
+from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound, least_ratio
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred.observers.stationary import cover, decay_start, middle
+from pointpred.observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
@@ -117,6 +117,7 @@ def certify_convergence(
     decay: float | None = None,
     gamma: float | None = None,
     times: Sequence[float] | None = None,
+    near: dict[str, Any] | None = None,
     solver: str = "CLARABEL",
     **bounds: float,
 ) -> Convergence:
@@ -129,7 +130,8 @@ def certify_convergence(
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
-    ``margin``, ``kappa`` as for ``MatrixInequalities``.
+    ``near`` matrices by name, P and then W or alpha, where the search may begin; ``margin``, ``kappa`` as for
+    ``MatrixInequalities``.
     Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
@@ -153,7 +155,9 @@ def certify_convergence(
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
         try:
-            values, margins, gap = _solved(connections, observer.plant, rate, gamma or rate, solver, bounds)
+            values, margins, gap = _solved(
+                connections, observer.plant, (rate, gamma or rate), near or {}, solver, bounds
+            )
         except (InfeasibleError, UndecidedError) as failure:
             if rate == tried[-1]:
                 unit = "1/step" if observer.plant.time == "discrete" else "1/s"
@@ -224,18 +228,19 @@ def _next(one: Connection, steepest: Any) -> Block:
 def _solved(
     connections: list[Connection],
     plant: Persidskii,
-    decay: float,
-    gamma: float,
+    rates: tuple[float, float],
+    near: dict[str, Any],
     solver: str,
     bounds: dict[str, float],
 ) -> tuple[dict[str, Any], dict[str, float], float]:
     """Matrices and margins in the user's units, from a problem in balanced ones, and its gap."""
+    decay, gamma = rates
     units = balanced(
         [one.S0 for one in connections],
         driven=[one.S1 for one in connections],
         inner=[one.J for one in connections],
         slopes=plant.slopes,
-        rates=(decay, gamma),
+        rates=rates,
         time=plant.time,
     )
     x, t = units.states, units.seconds
@@ -254,8 +259,12 @@ def _solved(
     problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
     if plant.time == "discrete":
         problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
-    near = _start(inner, plant.time, slopes, decay * t, gamma * t)
-    solution = problem.solve(minimise=_size, near=near, solver=solver)
+    given = {
+        name: one if name == "alpha" else symmetric(inward(one, 1.0 / x, x, t if name == "W" else 1.0))
+        for name, one in near.items()
+    }
+    start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
+    solution = problem.solve(minimise=_size, near=start, solver=solver)
     values = {
         name: one if name == "alpha" else form(one, x)
         for name, one in solution.values.items()
@@ -264,6 +273,11 @@ def _solved(
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
+    # The weak inequality Xi >= 2 decay P may fail by rounding; the theorem's own has room for that.
+    share = -expm1(-2.0 * decay) if plant.time == "discrete" else 2.0 * decay
+    missing = share - least_ratio(values["P"], values["Xi"])
+    if missing > 0.0:
+        values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
     margins = _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds).check(values)
     return values, margins, np.inf if solution.gap is None else solution.gap
 
@@ -272,23 +286,35 @@ def _start(
     connections: list[Connection],
     time: str,
     slopes: tuple[tuple[float, float], ...] | None,
-    decay: float,
-    gamma: float,
+    rates: tuple[float, float],
+    given: dict[str, Any],
 ) -> dict[str, Any] | None:
-    """Matrices of the theorem from Lyapunov's equation at the middle of the slopes."""
+    """Matrices of the theorem for a P that is given, or that of Lyapunov's equation at the middle slopes."""
     one, sloped = connections[0], any(other.S1.any() for other in connections)
-    a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
-    discrete = time == "discrete"
-    p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
+    (decay, gamma), discrete = rates, time == "discrete"
+    p = normal(given["P"]) if "P" in given else None
+    scale = 1.0 if p is None else p[0, 0] / given["P"][0, 0]
+    if p is None:
+        a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
+        p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
     if p is None:
         return None
     share = -expm1(-2.0 * decay) if discrete else 2.0 * decay
     values: dict[str, Any] = {"P": p, "Xi": (1.0 + 1e-9) * share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
     if discrete:
-        values["alpha"] = 1.0
-        values["Gamma"], values["noise"] = 10.0 * p, 20.0 * np.linalg.norm(p, 2)
+        alpha = scale * given["alpha"] if "alpha" in given else 1.0
+        steepest = lipschitz(slopes, one.J)
+        onward = np.hstack([one.S0, one.S1])
+        rest = -onward.T @ p @ onward
+        q = len(p)
+        rest[:q, :q] += p - values["Xi"] - alpha * steepest.T @ steepest
+        rest[q:, q:] += alpha * np.eye(len(rest) - q)
+        across = p @ onward
+        room = p + 2.0 * across @ np.linalg.pinv(rest) @ across.T
+        values["alpha"], values["Gamma"] = alpha, symmetric(room) + p
+        values["noise"] = 2.0 * float(np.linalg.norm(values["Gamma"], 2))
     elif sloped:
-        values["W"] = cover(p @ one.S1, one.J, slopes)
+        values["W"] = scale * given["W"] if "W" in given else cover(p @ one.S1, one.J, slopes)
     return values
 
 

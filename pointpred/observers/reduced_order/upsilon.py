@@ -109,8 +109,8 @@ class Choice(msgspec.Struct, frozen=True):
     solver: str
     bounds: dict[str, float]
 
-    def made(self) -> tuple[FloatArray, float]:
-        """An Upsilon with a small output injection that reaches the rate, and the gap of its size."""
+    def made(self) -> tuple[FloatArray, float, dict[str, Any]]:
+        """An Upsilon with a small output injection, the gap of its size, and its P with W or alpha."""
         tilt = self.free
         rest = np.linalg.svd(self.free.T)[2][self.free.shape[1] :].T
         if rest.shape[1]:
@@ -124,7 +124,12 @@ class Choice(msgspec.Struct, frozen=True):
         )
         near = None if rest.shape[1] else self._start()
         solution = problem.solve(minimise=lambda v: v.size, near=near, solver=self.solver)
-        return self._upsilon(solution.values), np.inf if solution.gap is None else solution.gap
+        values = solution.values
+        p = tilt @ values["P2"] @ tilt.T
+        if rest.shape[1]:
+            p = p + rest @ values["P1"] @ rest.T
+        proof: dict[str, Any] = {"P": p, **{name: values[name] for name in ("W", "alpha") if name in values}}
+        return self._upsilon(values), np.inf if solution.gap is None else solution.gap, proof
 
     def _start(self) -> dict[str, Any] | None:
         """The matrices of the stationary filter at the middle of the slopes."""

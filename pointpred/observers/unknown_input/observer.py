@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
@@ -100,7 +100,13 @@ class UnknownInputObserver:
         # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
         p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
         ws = np.array([p @ one for one in ks])
-        certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
+        try:
+            certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
+        except CertificateError as failure:
+            raise UndecidedError(
+                f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
+                f"or a smaller box ({failure})"
+            ) from failure
         certificate = msgspec.structs.replace(certificate, gap=gap)
         return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
 
