@@ -38,7 +38,7 @@ FINER = (1.0, 1e-2, 1e-4)
 """Shares of the margin at which the objective is minimised, until the gap is small."""
 WIDE = 0.1
 """From this gap on a smaller objective is sought by bisection."""
-HALVINGS = 12
+HALVINGS = 8
 """Most steps of it."""
 TURNS = 10
 """How often a problem is posed again in coordinates scaled to its last answer."""
