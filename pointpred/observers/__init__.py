@@ -6,6 +6,7 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.interconnection import theorem_3_2_1
+from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import (
     PersidskiiObserver,
     observer_stage,
@@ -66,6 +67,7 @@ __all__ = [
     "InterlacedObserver",
     "InvariantObserver",
     "MatrixInequalities",
+    "MissingInputs",
     "NonlinearRegressor",
     "ObserverDesign",
     "ParameterVaryingSystem",

@@ -99,7 +99,7 @@ def test_refusals_change_nothing() -> None:
     with pytest.raises(EventOrderError, match="t must increase"):
         observer.update(sample(0.0))
     with pytest.raises(EventError, match="y needs 2 finite numbers"):
-        observer.update(sample(0.1, y=(0.0, np.nan)))
+        observer.update(sample(0.1, y=(0.0, np.inf)))
     with pytest.raises(EventError, match="known needs 3 finite numbers"):
         observer.update(sample(0.1, known=(0.0,)))
     with pytest.raises(EventError, match="t must be finite"):

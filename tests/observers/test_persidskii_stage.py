@@ -189,7 +189,7 @@ def test_a_long_gap_begins_anew_and_equal_times_replace() -> None:
     [
         {"N": [[1.0, 2.0]]},
         {"K": [[1.0], [1.0]]},
-        {"f": np.sin},
+        {"f": "sine"},
         {"step_s": 0.0},
         {"step_s": 1e-6, "gap_s": 1e6},
         {"time": "sampled"},

@@ -13,7 +13,6 @@ from pointpred.observers import (
     certify_convergence,
     design_reduced_order,
     invariant_observer,
-    invariant_stage,
 )
 
 OPEN = Persidskii(np.diag([-1.0, -2.0, -3.0, -4.0]), None, None, "sin", C0=np.eye(2, 4))
@@ -54,15 +53,6 @@ REFUSED: list[tuple[Any, type, str]] = [
         lambda: certify_convergence(invariant_observer(LOST, [[0.0, 1.0]], [[0.0]]), gamma=-1.0),
         ParameterError,
         "gamma must be finite and above 0, received -1",
-    ),
-    (
-        lambda: invariant_stage(
-            invariant_observer(
-                Persidskii(lambda t: [[0.0, 1.0], [0.0, -t]], None, None, "sin", C0=[1.0, 0.0]), [[0.0, 1.0]]
-            )
-        ),
-        ParameterError,
-        "a compiled stage needs constant matrices",
     ),
     (
         lambda: certify_convergence(

@@ -7,11 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
+from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.observers.interconnected import persidskii_law as law
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.missing_inputs import MissingInputs
+from pointpred.observers.interconnected.plain_law import PlainLaw
+from pointpred.observers.interconnected.realisation import Realisation
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.observers.persidskii import Persidskii
@@ -19,23 +22,31 @@ from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage
 
 STEPS_MOST = 100_000
+LONGEST_S = 1e-2
+"""The longest step by default, s."""
 
 
 class PersidskiiObserver(CompiledStage):
     """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
     Assumes that inputs are linear between two samples; in discrete time each sample is one step, and its
-    inputs act from the next step on. A gap longer than ``gap_s`` restarts at ``start``, because the inputs in
-    between are unknown.
+    inputs act from the next step on. A gap longer than ``gap_s`` restarts at ``start``, because the inputs
+    in between are unknown. An input that is NaN is missing: while it is so at one end of an interval,
+    ``missing`` says what replaces it, by default its last value.
 
-    Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``; a step
-    too long for the fastest eigenvalue of N is unstable, so choose step_s below 1 / (largest eigenvalue).
+    Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``, by
+    default 10 ms or the inverse of a bound of the stage's fastest rate, whichever is shorter. A ``step_s``
+    that is too long for the fastest eigenvalue amplifies.
 
-    Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), ``f`` a name or one for each
-    component; ``R0`` (outputs, q), default the identity; ``R1`` (outputs, k); ``R`` (k, inputs) and ``R2``
-    (outputs, inputs), default zeros; ``start`` (q), default zeros; ``step_s`` in s, [1e-6, 1]; ``gap_s`` in
-    s, [1e-6, 1e6], at most 10^5 steps; ``time`` "continuous" or "discrete". Memory: the matrices and 2 + 6 q
-    + k + 2 inputs floats.
+    With an f of a name and constant matrices the stage is compiled; with functions it runs in numpy, some
+    thirty times slower, by the same law.
+
+    Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), each an array or a function of
+    t (of the index in discrete time); ``f`` a name or one for each component, or a function from R^r to R^k
+    (then J is (r, q)); ``R0`` (outputs, q), default the identity; ``R1`` (outputs, k); ``R`` (r, inputs)
+    and ``R2`` (outputs, inputs), default zeros; ``start`` (q), default zeros; ``step_s`` in s, [1e-9, 1];
+    ``gap_s`` in s, [1e-6, 1e6], at most 10^5 steps; ``time`` "continuous" or "discrete"; ``missing`` a
+    ``MissingInputs``. Memory: the matrices and 2 + 5 q + k + 6 inputs floats.
     Raises ParameterError; EventError, EventOrderError and DivergenceError from ``update``.
 
     Reference: Khalin 2022, (3.5), (3.8), (3.17), (3.19).
@@ -43,9 +54,14 @@ class PersidskiiObserver(CompiledStage):
     >>> lag = PersidskiiObserver([[-1.0]], None, None, [[1.0]], "sin", start=[0.0])
     >>> [round(float(lag.update(t, 1.0)[0]), 6) for t in (0.0, 0.25, 1.0)]  # 1 - exp(-t)
     [0.0, 0.221199, 0.632121]
+    >>> turning = PersidskiiObserver(lambda t: [[-2.0 * t]], None, None, None, "sin", start=[1.0])
+    >>> [round(float(turning.update(t)[0]), 6) for t in (0.0, 0.5, 1.0)]  # exp(-t^2)
+    [1.0, 0.778801, 0.367879]
     """
 
-    step_s: float = parameter("s", 1e-6, 1.0, "longest step of the integration", default=1e-2)
+    step_s: float | None = parameter(
+        "s", 1e-9, 1.0, "longest step of the integration", default=None, absent=0.0
+    )
     gap_s: float = parameter("s", 1e-6, 1e6, "longest time between two samples that is bridged", default=1.0)
     time: str = option("'continuous' or 'discrete'", default="continuous")
     step = staticmethod(law.step)
@@ -53,58 +69,59 @@ class PersidskiiObserver(CompiledStage):
 
     def __init__(
         self,
-        N: ArrayLike,
-        L: ArrayLike | None,
-        J: ArrayLike | None,
-        K: ArrayLike | None,
+        N: Any,
+        L: Any,
+        J: Any,
+        K: Any,
         f: Any,
         *,
-        R0: ArrayLike | None = None,
-        R1: ArrayLike | None = None,
-        R: ArrayLike | None = None,
-        R2: ArrayLike | None = None,
+        R0: Any = None,
+        R1: Any = None,
+        R: Any = None,
+        R2: Any = None,
         start: ArrayLike | None = None,
+        missing: MissingInputs | None = None,
         **values: Any,
     ) -> None:
         self.declare(**values)
-        q = len(matrix("N", N))
-        ell = np.zeros((q, 0)) if L is None else matrix("L", L, q, 1 if np.ndim(L) == 1 else None)
-        k = ell.shape[1]
-        codes = nonlinearity(f, k).codes
-        if codes is None:
-            raise ParameterError(
-                "a compiled stage needs an f that has a name, received a function", field="f"
+        named = not callable(f) or getattr(f, "codes", None) is not None
+        parts = Realisation(named, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2)
+        nonlinear = nonlinearity(f, parts.k)
+        q, k, inputs, self.width = parts.q, parts.k, parts.inputs, parts.outputs
+        self.inputs = inputs
+        first = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
+        if missing is None:
+            missing = MissingInputs.held(inputs, q, k, self.time)
+        missing = missing.checked(q, k, parts.at("R", 0.0))
+        own_step = self.step_s
+        speed = parts.fastest(0.0, nonlinear.slopes, missing.value, missing.at(0.0))
+        step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
+        self.step_s = step_s
+        self._check_gap(step_s)
+        discrete = self.time == "discrete"
+        self._plain: PlainLaw | None = None
+        if nonlinear.codes is None or parts.varies or missing.varies:
+            self._plain = PlainLaw(
+                parts,
+                nonlinear,
+                missing,
+                first,
+                discrete=discrete,
+                step_s=own_step,
+                longest_s=LONGEST_S,
+                gap_s=self.gap_s,
             )
-        kay = np.zeros((q, 0)) if K is None else matrix("K", K, q, 1 if np.ndim(K) == 1 else None)
-        out = np.eye(q) if R0 is None else matrix("R0", R0, None, q)
-        parts = [
-            np.array(codes, np.float64),
-            matrix("N", N, q, q),
-            ell,
-            np.zeros((0, q)) if k == 0 else matrix("J", J, k, q),
-            kay,
-            out,
-            np.zeros((len(out), k)) if R1 is None else matrix("R1", R1, len(out), k),
-            np.zeros((k, kay.shape[1])) if R is None or k == 0 else matrix("R", R, k, kay.shape[1]),
-            np.zeros((len(out), kay.shape[1])) if R2 is None else matrix("R2", R2, len(out), kay.shape[1]),
-            np.zeros(q) if start is None else matrix("start", start, 1, q),
-        ]
-        self.inputs = kay.shape[1]
-        self.width = len(out)
-        shape = [q, k, self.inputs, len(out), float(self.time == "discrete"), self.step_s, self.gap_s]
-        settings = np.concatenate([np.array(shape, np.float64), *(part.ravel() for part in parts)])
+            settings, states = np.zeros(0), self._plain.states
+        else:
+            shape = [q, k, inputs, self.width, float(discrete), step_s, self.gap_s, *nonlinear.codes]
+            flat = [np.array(shape, np.float64), *parts.flat(), first, *missing.flat()]
+            settings, states = np.concatenate([one.ravel() for one in flat]), law.floats(q, k, inputs)
         self._time_at = len(settings)
-        self.lay_out(settings, law.floats(q, k, self.inputs))
+        self.lay_out(settings, states)
 
     def declare(self, **values: Any) -> None:
-        """Check the values, and the number of steps in the longest gap."""
+        """Check the values."""
         super().declare(**values)
-        if self.gap_s / self.step_s > STEPS_MOST:
-            raise ParameterError(
-                f"gap_s must be at most {STEPS_MOST:.0e} step_s = {self.step_s!r} s, received {self.gap_s!r}",
-                field="gap_s",
-                value=self.gap_s,
-            )
         if self.time not in ("continuous", "discrete"):
             raise ParameterError(
                 f"time must be 'continuous' or 'discrete', received {self.time!r}",
@@ -112,16 +129,39 @@ class PersidskiiObserver(CompiledStage):
                 value=self.time,
             )
 
-    def update(self, t: float, inputs: ArrayLike = ()) -> FloatArray:
+    def _check_gap(self, step_s: float) -> None:
+        """Check the number of steps in the longest gap."""
+        if self.time == "continuous" and self.gap_s / step_s > STEPS_MOST:
+            raise ParameterError(
+                f"gap_s must be at most {STEPS_MOST:.0e} step_s = {step_s!r} s, received {self.gap_s!r}: "
+                "a fast stage takes short steps, so give a shorter gap_s",
+                field="gap_s",
+                value=self.gap_s,
+            )
+
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
+        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        if self._plain is None:
+            return super().walk(begin, rows)
+        out = np.full((len(rows), self.width), np.nan)
+        for i, row in enumerate(np.asarray(rows, np.float64)):
+            if begin[i]:
+                self._memory[:] = 0.0
+            self._plain.step(self._memory, row, out[i])
+        return out
+
+    def update(self, t: float, inputs: ArrayLike | None = ()) -> FloatArray:
         """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.
 
-        Raises EventError for values that are not finite or a wrong number of them, EventOrderError when time
-        runs backwards and DivergenceError if the state diverges; the stage is then unchanged.
+        An input that is NaN is missing, ``None`` for all of them. Raises EventError for values that are not
+        finite or a wrong number of them, EventOrderError when time runs backwards and DivergenceError if
+        the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
         before = self._memory.copy()
         out = np.empty(self.width)
-        if law.step(self._memory, row, out) == law.BACKWARDS:
+        step = law.step if self._plain is None else self._plain.step
+        if step(self._memory, row, out) == law.BACKWARDS:
             raise EventOrderError(
                 f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}",
                 field="t",
@@ -132,20 +172,26 @@ class PersidskiiObserver(CompiledStage):
             raise DivergenceError(f"the state leaves every bound before t = {t!r}: take a smaller step_s")
         return out
 
-    def _row(self, t: float, inputs: ArrayLike) -> FloatArray:
+    def _row(self, t: float, inputs: ArrayLike | None) -> FloatArray:
         try:
-            row = np.concatenate([[t], np.ravel(np.asarray(inputs, np.float64))]).astype(np.float64)
+            values = np.full(self.inputs, np.nan) if inputs is None else np.asarray(inputs, np.float64)
+            row = np.concatenate([[t], np.ravel(values)]).astype(np.float64)
         except (TypeError, ValueError, OverflowError) as unusable:
             raise EventError(f"a sample must be numbers, received t={t!r}, inputs={inputs!r}") from unusable
         if len(row) != 1 + self.inputs:
             raise EventError(f"a sample needs {self.inputs} inputs, received {inputs!r}")
-        if not np.isfinite(row).all():
-            raise EventError(f"a sample must be finite, received t={t!r}, inputs={inputs!r}")
+        if not np.isfinite(row).all() and (row[0] != row[0] or np.isinf(row).any()):
+            raise EventError(
+                f"a sample must be finite (NaN only for a missing input), received t={t!r}, inputs={inputs!r}"
+            )
         return row
 
 
 def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserver:
-    """Observer (3.5) of a design: inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7)."""
+    """Observer (3.5) of a design: inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7).
+
+    A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
+    """
     g, plant, m = design.generator, design.plant, design.gain
     return PersidskiiObserver(
         g.S0 - m @ plant.C0 @ design.Pi,
@@ -154,6 +200,7 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
         np.hstack([g.G + m, g.E]),
         plant.f,
         R0=np.vstack([np.eye(g.q), design.Pi]),
+        missing=MissingInputs.expected(plant.C0 @ design.Pi, plant.C1, plant.p + g.E.shape[1], plant.time),
         time=plant.time,
         **settings,
     )
@@ -162,7 +209,7 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
 def regulator_stage(plant: Persidskii, regulator: Generator, **settings: Any) -> PersidskiiObserver:
     """Regulator (3.8): inputs are Y, then rho; it returns u = L0 w + L1 f(Jw).
 
-    Raises ParameterError if the regulator has no J.
+    A missing input keeps its last value. Raises ParameterError if the regulator has no J.
     """
     g = regulator.beside(plant)
     if g.J is None:

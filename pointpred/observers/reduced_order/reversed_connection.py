@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
@@ -63,11 +64,13 @@ class InvariantObserver:
         self._rates = dict(rates or {})
         self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
         self._check_rates()
-        self._first = self._connection(0.0)
+        self._latest = 0.0, self._connection(0.0)
 
     def at(self, t: float) -> Connection:
         """The matrices at t (at the index, in discrete time)."""
-        return self._connection(t) if self.varying else self._first
+        if self.varying and t != self._latest[0]:
+            self._latest = t, self._connection(t)
+        return self._latest[1]
 
     def field(self, t: float, w: Any, y: Any, u: Any = None) -> FloatArray:
         """The w' at t (or the next w); ``u`` are the inputs of the plant's B, then those of its Q."""
@@ -97,6 +100,30 @@ class InvariantObserver:
         inverse = np.linalg.pinv(both)
         onto, straight = inverse[:, : self.q], inverse[:, self.q :]
         return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
+
+    def output_rate(self, t: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """V0, V1, V2 with y' = V0 w + V1 f(Hx) + V2 (y, u), in discrete time the next y, as the plant has it.
+
+        V0, V1 and V2 keep the outputs as they are if C0 varies in continuous time and its derivative is not
+        known.
+        """
+        plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
+        onto, straight = self.recovery(t)
+        inputs = plant.m + plant.z
+        c, change = now["C0"], np.zeros((plant.p, plant.n))
+        if discrete and self.varying:
+            c = plant.matrices(t + 1)["C0"]
+        elif "C0" in plant.varying:
+            if "C0" not in self._rates:
+                return (
+                    np.zeros((plant.p, self.q)),
+                    np.zeros((plant.p, plant.k)),
+                    np.zeros((plant.p, plant.p + inputs)),
+                )
+            change = matrix("C0'", self._rates["C0"](t), plant.p, plant.n)
+        drift = c @ now["A0"] + change
+        driven = c @ np.hstack([now["B"], now["Q"]])
+        return drift @ onto, c @ now["A1"], np.hstack([drift @ straight, driven])
 
     def estimate(self, t: float, w: Any, y: Any) -> FloatArray:
         """The plant's state from w and y."""
@@ -246,8 +273,10 @@ def invariant_stage(
 ) -> PersidskiiObserver:
     """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
 
-    Assumes constant matrices, C1 = 0 and that w and y determine x, as for a reduced-order observer. The
-    measured part of the output is the measurement with its noise, which also enters the rest through Upsilon.
+    Assumes C1 = 0 and that w and y determine x, as for a reduced-order observer. The measured part of the
+    output is the measurement with its noise, which also enters the rest through Upsilon. While an output is
+    missing it follows the plant's equation, y' = C0 x'; a missing u keeps its last value. Compiled for
+    constant matrices and an f that has a name; others run in numpy.
 
     Parameters: ``start`` a guess of the plant's state, default zeros; ``step_s`` and ``gap_s`` as for
     ``PersidskiiObserver``. Raises ParameterError.
@@ -261,27 +290,47 @@ def invariant_stage(
     ...     state = stage.update(i / 100, [0.3 * i / 100])
     >>> state.round(6).tolist()
     [0.297, 0.3]
+    >>> stage.update(1.5, None).round(4).tolist()  # half a second later, without a measurement
+    [0.45, 0.3]
     """
-    if observer.varying:
-        raise ParameterError(
-            "a compiled stage needs constant matrices, received some that vary",
-            field="observer",
-            value=observer.varying,
-        )
-    now, plant = observer.at(0.0), observer.plant
-    onto, straight = observer.recovery(0.0)
-    inputs = plant.m + plant.z
+    plant, now = observer.plant, observer.at(0.0)
+    m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
     guess = np.zeros(plant.n) if start is None else matrix("start", start, 1, plant.n)[0]
+    stay = np.eye(m)[plant.p :] if plant.time == "discrete" else np.zeros((inputs, m))
+
+    def of(one: Callable[[float], Any]) -> Any:
+        return one if observer.varying else one(0.0)
+
+    def below(part: int, rest: FloatArray) -> Any:
+        return of(lambda t: np.vstack([observer.output_rate(t)[part], rest]))
+
+    def inner(t: float) -> tuple[FloatArray, FloatArray]:
+        """J and R with Hx = Jw + Ry, also where the observer has no f of its own."""
+        one = observer.at(t)
+        if one.S1.any():
+            return one.J, one.R
+        onto, straight = observer.recovery(t)
+        h = plant.matrices(t)["H"]
+        return h @ onto, h @ straight
+
+    missing = MissingInputs(
+        (False,) * m,
+        below(0, np.zeros((inputs, observer.q))),
+        below(1, np.zeros((inputs, plant.k))),
+        below(2, stay),
+        np.concatenate([plant.C0 @ guess, np.zeros(inputs)]),
+    )
     return PersidskiiObserver(
-        now.S0,
-        now.S1,
-        now.J,
-        np.hstack([now.B, now.O]),
+        of(lambda t: observer.at(t).S0),
+        of(lambda t: observer.at(t).S1),
+        of(lambda t: inner(t)[0]),
+        of(lambda t: np.hstack([observer.at(t).B, observer.at(t).O])),
         plant.f,
-        R0=onto,
-        R=np.hstack([now.R, np.zeros((plant.k, inputs))]),
-        R2=np.hstack([straight, np.zeros((plant.n, inputs))]),
+        R0=of(lambda t: observer.recovery(t)[0]),
+        R=of(lambda t: np.hstack([inner(t)[1], np.zeros((plant.r, inputs))])),
+        R2=of(lambda t: np.hstack([observer.recovery(t)[1], np.zeros((plant.n, inputs))])),
         start=now.Z @ guess,
+        missing=missing,
         time=plant.time,
         **settings,
     )

@@ -5,19 +5,21 @@ w' = A w + L (y - C w) is followed exactly, then the maps of the steady state ar
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil, isfinite
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
+from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.matrices import matrix
 from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, certify
 from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.program import ROW, execute, program
+from pointpred.observers.triangular.program import ROW, computable, execute, program
 from pointpred.observers.triangular.system import SymbolicSteadyState
 from pointpred.parameter import parameter
 from pointpred.regression.recursive_least_squares import moment
@@ -136,11 +138,12 @@ class InterlacedEstimate(msgspec.Struct, frozen=True):
 class InterlacedObserver(CompiledStage):
     """Estimate the state of a plant from that of the generator which drives it.
 
-    Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an error
-    of y. Between two samples y is linear. An interval longer than ``gap_s``, or without a measurement at one
-    end, is bridged by the generator alone; after more than 2048 time constants of the generator w restarts.
-    If the steady state is a truncated series, x and z are accurate near the origin only. Values that are not
-    finite are NaN.
+    Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
+    error of y. Between two samples y is linear. An interval longer than ``gap_s``, or without a measurement
+    at one end, is bridged by the generator alone; after more than 2048 time constants of the generator w
+    restarts. If the steady state is a truncated series, x and z are accurate near the origin only. Values
+    that are not finite are NaN. Maps that hold a function which the compiled law does not know are
+    evaluated by sympy's numpy functions, some five times slower.
 
     w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w), followed exactly.
 
@@ -179,7 +182,11 @@ class InterlacedObserver(CompiledStage):
         q, p = len(a), len(c)
         gain = matrix("L", certificate.L, q, p)
         first = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
-        maps = program(steady.generator.states, (*steady.maps, *steady.zero_maps, steady.input))
+        wanted = (*steady.maps, *steady.zero_maps, steady.input)
+        self._function: Callable[[Any], FloatArray] | None = None
+        if not computable(wanted):
+            self._function, wanted = evaluable(steady), ()
+        maps = program(steady.generator.states, wanted)
         state = settings(q, p) + ROW * len(maps.rows) + len(maps.constants)
         computed = state + states(q, p)
         rows = maps.placed(state + Y + p, state - len(maps.constants), computed)
@@ -190,7 +197,7 @@ class InterlacedObserver(CompiledStage):
         flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
         self.steady, self.certificate = steady, certificate
         self._states, self._outputs = q, p
-        self.width = q + maps.outputs
+        self.width = q + len(steady.maps) + len(steady.zero_maps) + 1
         self.lay_out(flat, states(q, p) + maps.computed)
 
     @classmethod
@@ -218,8 +225,33 @@ class InterlacedObserver(CompiledStage):
         now = moment(t, float(memory[state + T]) if memory[state] == 1.0 else None)
         out = np.empty(self.width)
         step(memory, np.concatenate([[now], self._outputs_of(y)]), out)
+        self._map(out)
         values, q, n = out.tolist(), self._states, self._states + len(self.steady.maps)
         return InterlacedEstimate(now, tuple(values[:q]), tuple(values[q:n]), tuple(values[n:-1]), values[-1])
+
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
+        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        out = super().walk(begin, rows)
+        for row in out:
+            self._map(row)
+        return out
+
+    def _map(self, row: FloatArray) -> None:
+        """Evaluate the maps at w, which stands first, where the law does not; NaN without a finite value."""
+        if self._function is None:
+            return
+        with np.errstate(all="ignore"):
+            values = self._function(row[: self._states])
+        row[self._states :] = np.where(np.isfinite(values), values, np.nan)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Everything but the function, which sympy makes again."""
+        return {**self.__dict__, "_function": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        wanted = (*self.steady.maps, *self.steady.zero_maps, self.steady.input)
+        self._function = None if computable(wanted) else evaluable(self.steady)
 
     def _outputs_of(self, y: ArrayLike | None) -> FloatArray:
         if y is None:
@@ -231,6 +263,20 @@ class InterlacedObserver(CompiledStage):
         if len(sample) != self._outputs or not all(isfinite(value) for value in sample):
             raise EventError(f"needs {self._outputs} finite outputs, received {y!r}")
         return sample
+
+
+def evaluable(steady: SymbolicSteadyState) -> Callable[[Any], FloatArray]:
+    """The maps as a numpy function; raises ParameterError for a function without a numerical form."""
+    try:
+        function = steady.function()
+        with np.errstate(all="ignore"):
+            function(np.zeros(len(steady.generator.states)))
+    except (NameError, TypeError, AttributeError, NotImplementedError, SyntaxError) as unusable:
+        raise ParameterError(
+            f"the maps hold a function that has no numerical form: {unusable}; give it one by sympy's "
+            "implemented_function"
+        ) from unusable
+    return function
 
 
 def output_matrix(steady: SymbolicSteadyState) -> FloatArray:

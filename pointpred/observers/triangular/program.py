@@ -105,6 +105,17 @@ def execute(memory: FloatArray, first: int, count: int) -> None:
         memory[target] = apply(int(memory[at]), memory[int(memory[at + 2])], memory[int(memory[at + 3])])
 
 
+def computable(expressions: Sequence[Any]) -> bool:
+    """Whether the law can compute every function in the expressions."""
+    sp = symbolic()
+
+    def known(one: Any) -> bool:
+        named = one.is_Function and len(one.args) == 1 and one.func.__name__ in FUNCTIONS
+        return bool(one.is_Atom or one.is_Add or one.is_Mul or one.is_Pow or named)
+
+    return all(known(one) for expression in expressions for one in sp.preorder_traversal(expression))
+
+
 def program(inputs: Sequence[Any], expressions: Sequence[Any]) -> Program:
     """Translate expressions; common parts are computed once, polynomials by Horner's rule.
 

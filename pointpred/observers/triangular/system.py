@@ -130,7 +130,7 @@ class SymbolicSteadyState(msgspec.Struct, frozen=True):
         wanted = (*self.maps, *self.zero_maps, self.input)
         if missing := set().union(*(e.free_symbols for e in wanted)) - {*self.generator.states}:
             raise ParameterError(f"parameters without value: {sorted(map(str, missing))}")
-        plain = symbolic().lambdify(self.generator.states, wanted, modules="numpy", cse=True)
+        plain = symbolic().lambdify(self.generator.states, wanted, modules=["scipy", "numpy"], cse=True)
 
         def evaluate(w: Any) -> FloatArray:
             columns = np.asarray(w, np.float64)

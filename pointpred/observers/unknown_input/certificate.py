@@ -1,8 +1,8 @@
-"""Theorem 1 of the camera paper as a certificate, every eigenvalue recomputed."""
+"""Theorem 1 of the camera paper as a certificate, also in discrete time, every eigenvalue recomputed."""
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import exp, expm1, inf, log, sqrt
 
 import msgspec
 import numpy as np
@@ -17,19 +17,21 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     """The matrices that prove the decay of an observer's error.
 
     |e(t)| <= phi1 |e(0)| exp(-sigma t / 2) + phi2 sup |delta|, delta = (A(p) - A(p_hat)) x, as long as the
-    scheduling variables stay in the box. ``margin``: how far the largest eigenvalue of (27c) lies below 0.
+    scheduling variables stay in the box. ``margin``: how far the largest eigenvalue of (27c) lies below 0. In
+    discrete time t counts steps.
     """
 
     sigma: float
-    """Twice the proved rate, 1/s."""
+    """Twice the proved rate, 1/s (1/step)."""
     p: FloatArray
     gamma: float
     margin: float
     zeros: NDArray[np.complex128]
-    """Invariant zeros, 1/s, one row per vertex."""
+    """Invariant zeros, 1/s (factors in discrete time), one row per vertex."""
     gap: float = np.inf
     """How far the least gamma + 0.01 trace P in balanced units could lie below that of the design, relative;
     infinite if nothing is proved."""
+    time: str = "continuous"
 
     @property
     def phi1(self) -> float:
@@ -38,26 +40,34 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
 
     @property
     def phi2(self) -> float:
-        """sqrt(gamma / (sigma chi1)), s."""
-        return sqrt(self.gamma / (self.sigma * least(self.p)[0]))
+        """sqrt(gamma / (sigma chi1)), s; in discrete time with 1 - exp(-sigma) for sigma."""
+        lost = -expm1(-self.sigma) if self.time == "discrete" else self.sigma
+        return sqrt(self.gamma / (lost * least(self.p)[0]))
 
     @property
     def largest_sigma(self) -> float:
-        """The bound on sigma for any design in this box, 1/s; infinite without zeros."""
-        return largest_sigma(self.zeros)
+        """The bound on sigma for any design in this box, 1/s (1/step); infinite without zeros."""
+        return largest_sigma(self.zeros, self.time)
 
     def bound(self, t: float, error: float, disturbance: float = 0.0) -> float:
         """The proved bound of |e| at ``t`` s after an error of size ``error``."""
         return self.phi1 * error * exp(-0.5 * self.sigma * t) + self.phi2 * disturbance
 
 
-def largest_sigma(zeros: NDArray[np.complex128]) -> float:
-    """-2 max Re s over all zeros: every feasible sigma lies below it.
+def largest_sigma(zeros: NDArray[np.complex128], time: str = "continuous") -> float:
+    """-2 max Re s over all zeros, in discrete time -2 log max abs(s): every feasible sigma lies below it.
 
     >>> largest_sigma(np.array([[-0.5 + 1j, -0.25], [-2.0, -1.0]]))
     0.5
+    >>> round(largest_sigma(np.array([[0.5, -0.1]]), "discrete"), 6)  # 2 log 2
+    1.386294
     """
-    return float(-2.0 * zeros.real.max()) if zeros.size else float("inf")
+    if not zeros.size:
+        return inf
+    if time == "continuous":
+        return float(-2.0 * zeros.real.max())
+    largest = float(np.abs(zeros).max())
+    return -2.0 * log(largest) if largest > 0.0 else inf
 
 
 def inequality(
@@ -85,6 +95,27 @@ def _sizes(
     return np.concatenate([np.diag(upper), np.diag(force)])
 
 
+def discrete_inequality(
+    n_i: FloatArray, t_i: FloatArray, p: FloatArray, force: FloatArray, sigma: float
+) -> FloatArray:
+    """V(e+) - exp(-sigma) V(e) - delta'F delta at one vertex, e+ = N e + T delta: below 0 it is a proof.
+
+    The discrete counterpart of (27c), which the paper does not have; N = T A - K C.
+    """
+    onward = np.hstack([n_i, t_i])
+    whole: FloatArray = onward.T @ p @ onward
+    n = len(p)
+    whole[:n, :n] -= exp(-sigma) * p
+    whole[n:, n:] -= force
+    return whole
+
+
+def _discrete_sizes(n_i: FloatArray, p: FloatArray, force: FloatArray, sigma: float) -> FloatArray:
+    """The same for the discrete inequality."""
+    upper = np.abs(n_i).T @ np.abs(p) @ np.abs(n_i) + exp(-sigma) * np.abs(p)
+    return np.concatenate([np.diag(upper), np.diag(force)])
+
+
 def audit(
     gammas: FloatArray,
     ts: FloatArray,
@@ -94,8 +125,11 @@ def audit(
     force: FloatArray,
     sigma: float,
     zeros: NDArray[np.complex128],
+    time: str = "continuous",
 ) -> UnknownInputCertificate:
-    """Recompute every eigenvalue of Theorem 1; raises CertificateError naming the one that fails.
+    """Recompute every eigenvalue of Theorem 1, or of its discrete counterpart.
+
+    Raises CertificateError naming the one that fails.
 
     ``gammas``, ``ts`` and ``ws`` hold one matrix per vertex, ``force`` is F of the theorem; gamma is its
     largest eigenvalue. Multiplying P, W and F by one positive number does not change the result.
@@ -112,8 +146,14 @@ def audit(
             )
     largest, vertex = -np.inf, 0
     for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
-        whole = -inequality(gamma_i, t_i, c, p, w_i, force, sigma)
-        value, relative = least(whole, _sizes(gamma_i, c, p, w_i, force, sigma))
+        if time == "discrete":
+            n_i = gamma_i - np.linalg.solve(p, w_i) @ c
+            whole = -discrete_inequality(n_i, t_i, p, force, sigma)
+            sizes = _discrete_sizes(np.abs(gamma_i) + np.abs(n_i), p, force, sigma)
+        else:
+            whole = -inequality(gamma_i, t_i, c, p, w_i, force, sigma)
+            sizes = _sizes(gamma_i, c, p, w_i, force, sigma)
+        value, relative = least(whole, sizes)
         # What rounding of the terms could make of it does not count as negative.
         eigenvalue = -value if relative > ROUNDING else max(-value, 0.0)
         if not eigenvalue <= largest:
@@ -121,4 +161,4 @@ def audit(
     if not largest < 0.0:
         raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
     gamma = float(np.linalg.eigvalsh(force)[-1])
-    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros)
+    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros, time=time)

@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, UndecidedError
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.stationary import decay_start, filter_start
 from pointpred.observers.unknown_input.invariant_zeros import kernel
 
@@ -17,6 +17,10 @@ MODEST = 0.01
 """Weight of the trace of P beside gamma in the objective; without it P and the gains grow needlessly."""
 ROOM = 1.001
 """Factor on the least gamma, with which the inequality would hold with equality."""
+NEGLIGIBLE = 1e-9
+"""A gamma below this share of a modest one counts as zero."""
+DECOUPLED = 1e-13
+"""C T below this, relative to C, is rounding."""
 
 
 def lyapunov(
@@ -32,10 +36,10 @@ def lyapunov(
     Raises InfeasibleError if no P serves all vertices although the zeros of each allow one, UndecidedError if
     none is found.
     """
-    blind = kernel(c)
-    decoupled = float(np.abs(c @ ts).max()) == 0.0
-    frame = blind if decoupled else np.eye(c.shape[1])
-    rest = np.linalg.pinv(c) @ c if decoupled else np.zeros((c.shape[1], c.shape[1]))
+    blind, frame, rest = frames(c, ts)
+    if not blind.shape[1]:
+        p = np.eye(c.shape[1])
+        return p, modest(ts, p, sigma), np.inf
     # T' enters through its output columns only, which vanish on the kernel of C.
     cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
 
@@ -56,23 +60,26 @@ def lyapunov(
     for i, case in enumerate(cases):
         best.below(f"(27c), case {i}", partial(whole, case))
         any_p.below(f"decay, case {i}", partial(corner, case))
-    start, gap = _start(gammas, c, sigma, decoupled), np.inf
+    start, gap = mean_start(gammas, c, sigma, decoupled=frame is blind), np.inf
     try:
         near = None if start is None else {"P": start, "gamma": 1.0}
         solution = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P), near=near)
         values, gap = solution.values, np.inf if solution.gap is None else solution.gap
     except (InfeasibleError, UndecidedError):  # the required gamma may be too large for a solver
         near = None if start is None else {"P": start}
-        values = _any(any_p, near, sigma)
+        values = solved(any_p, near, sigma).values
     p = rest + frame @ values["P"] @ frame.T
-    return p, ROOM * least_gamma(gammas, ts, c, p, sigma), gap
+    needed, usual = least_gamma(gammas, ts, c, p, sigma), modest(ts, p, sigma)
+    return p, ROOM * needed if needed > NEGLIGIBLE * usual else usual, gap
 
 
-def _any(problem: MatrixInequalities, near: dict[str, Any] | None, sigma: float) -> dict[str, Any]:
+def solved(
+    problem: MatrixInequalities, near: dict[str, Any] | None, sigma: float, minimise: Any = None
+) -> Solution:
     """Some P with the decay; raises an error that names sigma."""
     allowed = f"the invariant zeros allow sigma = {sigma:g}, but"
     try:
-        return problem.solve(near=near).values
+        return problem.solve(minimise=minimise, near=near)
     except InfeasibleError as none:
         raise InfeasibleError(
             f"{allowed} no P serves every vertex: choose a smaller sigma or a smaller box ({none})"
@@ -83,14 +90,33 @@ def _any(problem: MatrixInequalities, near: dict[str, Any] | None, sigma: float)
         ) from none
 
 
-def _start(gammas: FloatArray, c: FloatArray, sigma: float, decoupled: bool) -> FloatArray | None:
+def mean_start(
+    gammas: FloatArray, c: FloatArray, sigma: float, *, decoupled: bool, time: str = "continuous"
+) -> FloatArray | None:
     """A P for the mean of the vertices."""
     mean = gammas.mean(axis=0)
     if decoupled:
         blind = kernel(c)
-        return decay_start(blind.T @ mean @ blind, 0.505 * sigma, "continuous")
-    start = filter_start(mean, c, 0.505 * sigma, "continuous")
+        return decay_start(blind.T @ mean @ blind, 0.505 * sigma, time)
+    start = filter_start(mean, c, 0.505 * sigma, time)
     return None if start is None else start[0]
+
+
+def frames(c: FloatArray, ts: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """The kernel B of C, and P as R + F X F' with X to be found: all of P, or its part on B if C T = 0."""
+    blind = kernel(c)
+    if float(np.abs(c @ ts).max()) > DECOUPLED * float(np.abs(c).max() * max(1.0, np.abs(ts).max())):
+        return blind, np.eye(c.shape[1]), np.zeros((c.shape[1], c.shape[1]))
+    return blind, blind, np.asarray(np.linalg.pinv(c) @ c, np.float64)
+
+
+def modest(ts: FloatArray, p: FloatArray, sigma: float) -> float:
+    """The gamma max T'P T / sigma, for which the term of gamma takes no more from the decay than sigma does.
+
+    Any gamma will do where no error can hide from the outputs; a smaller one has larger gains.
+    """
+    largest = max(float(np.linalg.eigvalsh(t.T @ p @ t)[-1]) for t in ts)
+    return (largest if largest > NEGLIGIBLE else 1.0) / sigma
 
 
 def _root(ts: FloatArray) -> FloatArray:

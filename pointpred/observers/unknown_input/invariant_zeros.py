@@ -9,6 +9,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, inward
 
+ROUNDING = 1e-14
+"""An entry below this share of its terms is rounding."""
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
@@ -22,6 +24,20 @@ def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
     rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
     basis: FloatArray = rows[rank:].T
     return basis
+
+
+def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows.
+
+    >>> rows, c = independent(np.array([[3.0, 0.0], [4.0, 0.0]]))
+    >>> (rows @ c).round(9).tolist(), len(c)
+    ([[3.0, 0.0], [4.0, 0.0]], 1)
+    """
+    left, sizes, right = np.linalg.svd(c, full_matrices=False)
+    rank = int((sizes > RELATIVE * sizes.max(initial=0.0)).sum())
+    if rank == len(c):
+        return np.eye(rank), c
+    return np.asarray(left[:, :rank], np.float64), np.asarray(sizes[:rank, None] * right[:rank], np.float64)
 
 
 def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
@@ -61,7 +77,8 @@ def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> NDArray[np.c
     >>> invariant_zeros(a, f, c).real.tolist()
     [0.0, -2.0]
     """
-    return fixed_modes(decoupling(f, c) @ a, c)
+    t = decoupling(f, c)
+    return fixed_modes(without_rounding(t @ a, np.abs(t) @ np.abs(a)), c)
 
 
 def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
@@ -79,6 +96,26 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     return zeros[np.argsort(-zeros.real, kind="stable")]
 
 
+def without_rounding(entries: FloatArray, sizes: FloatArray) -> FloatArray:
+    """A matrix with zeros for entries that are rounding, ``sizes`` those of the terms of each entry.
+
+    An entry of 1e-17 that should be 0 would count as a coupling when units are chosen.
+    """
+    return np.where(np.abs(entries) <= ROUNDING * sizes, 0.0, entries)
+
+
+def _rank(entries: FloatArray, sizes: FloatArray) -> int:
+    """The rank of a matrix after its rows and columns are scaled, so that it does not depend on units.
+
+    ``sizes`` are those of the terms of each entry, of which it may be a small difference.
+    """
+    rows = sizes.max(axis=1, initial=0.0)
+    rows[rows == 0.0] = 1.0
+    columns = (sizes / rows[:, None]).max(axis=0, initial=0.0)
+    columns[columns == 0.0] = 1.0
+    return int(np.linalg.matrix_rank(entries / rows[:, None] / columns, tol=RELATIVE))
+
+
 def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
     """T = I - F (C F)^+ C, which blocks the unknown inputs: T F = 0.
 
@@ -89,12 +126,7 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
     if not f.shape[1]:
         raise ParameterError("F needs a column for each unknown input, received none")
     cf = c @ f
-    # Each entry beside its terms, so that the units of the states and outputs do not matter.
-    sizes = np.abs(c) @ np.abs(f)
-    rows = np.maximum(sizes.max(axis=1, keepdims=True), 1e-300)
-    columns = np.maximum((sizes / rows).max(axis=0, keepdims=True), 1e-300)
-    rank_cf = int(np.linalg.matrix_rank(cf / rows / columns, tol=RELATIVE))
-    rank = int(np.linalg.matrix_rank(f / np.maximum(np.abs(f).max(axis=1, keepdims=True), 1e-300)))
+    rank_cf, rank = _rank(cf, np.abs(c) @ np.abs(f)), _rank(f, np.abs(f))
     if rank < f.shape[1]:
         raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
     if rank_cf < rank:
@@ -102,5 +134,5 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
             f"rank(C F) must equal rank(F): rank(C F) = {rank_cf} < rank(F) = {rank}, "
             "so an unknown input does not reach the outputs directly"
         )
-    passed: FloatArray = np.eye(len(f)) - f @ np.linalg.pinv(cf) @ c
-    return passed
+    e = f @ np.linalg.pinv(cf)
+    return without_rounding(np.eye(len(f)) - e @ c, np.eye(len(f)) + np.abs(e) @ np.abs(c))

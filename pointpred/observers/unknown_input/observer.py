@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from math import isfinite
-from typing import Self
+from math import exp, isfinite
+from typing import Any, Self
 
 import msgspec
 import numpy as np
@@ -13,6 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import form, inward, outward
+from pointpred.observers.unknown_input import discrete_gains
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
     UnknownInputCertificate,
@@ -20,7 +21,8 @@ from pointpred.observers.unknown_input.certificate import (
     largest_sigma,
 )
 from pointpred.observers.unknown_input.gains import gain, lyapunov
-from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, kernel
+from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, independent, kernel
+from pointpred.observers.unknown_input.reconstruction import InputReconstruction
 from pointpred.observers.unknown_input.run import (
     RunningUnknownInputObserver,
     UnknownInputEstimate,
@@ -28,6 +30,9 @@ from pointpred.observers.unknown_input.run import (
 )
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
+
+OUTPUT_RATE = 5.0
+"""Decay rate of errors of the outputs in continuous time, 1/s."""
 
 
 class UnknownInputObserver:
@@ -38,7 +43,8 @@ class UnknownInputObserver:
     rate. With as many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
 
     z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
-    Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c).
+    Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c). A
+    discrete system has the next z, no T', and E and T of the step: T F = 0 where F d enters.
 
     Made by ``design``; ``start`` and ``update`` run it. Memory: one gain per vertex, and one sample. Raises
     ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -sigma/2, before
@@ -72,36 +78,53 @@ class UnknownInputObserver:
 
     @classmethod
     def design(
-        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float = 5.0
+        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float = OUTPUT_RATE
     ) -> Self:
         """An observer whose error decays at least as exp(-sigma t / 2), with the proof.
 
-        ``sigma`` 1/s, positive; ``output_rate`` 1/s, decay rate of errors of the outputs themselves.
+        ``sigma`` 1/s (1/step in discrete time), positive; ``output_rate`` 1/s, decay rate of errors of the
+        outputs themselves, by default 5; in discrete time these end at the next step.
         """
+        if output_rate != OUTPUT_RATE and system.time == "discrete":
+            raise ParameterError(
+                "a discrete observer has no output_rate: errors of the outputs end at the next step",
+                field="output_rate",
+                value=output_rate,
+            )
         for name, value in (("sigma", sigma), ("output_rate", output_rate)):
             if not (is_number(value) and isfinite(value) and value > 0.0):
                 raise ParameterError(
                     f"{name} must be positive and finite, received {value!r}", field=name, value=value
                 )
         system.checked(box)
+        system = system.weighted(box)
         zeros = zeros_over(system, box)
-        refuse(box, zeros, sigma)
+        refuse(box, zeros, sigma, system.time)
         gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
         ts = TakagiSugeno.of(system.t, box, "T").matrices
         units = system.units(gammas, sigma)
         x, y, t = units.states, units.outputs, units.seconds
-        c, inner = inward(system.c, y, x), [inward(one, x, x, t) for one in gammas]
+        inner = np.array([inward(one, x, x, t) for one in gammas])
         inner_ts = np.array([inward(one, x, x) for one in ts])
-        p, gamma, gap = lyapunov(np.array(inner), inner_ts, c, sigma * t)
-        ks = [
-            outward(np.linalg.solve(p, gain(one, two, c, p, gamma, sigma * t, output_rate * t)), x, y, t)
-            for one, two in zip(inner, inner_ts, strict=True)
-        ]
+        # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
+        rows, c = independent(inward(system.c, y, x))
+        if system.time == "discrete":
+            p, gamma, gap = discrete_gains.lyapunov(inner, inner_ts, c, sigma)
+            found = [discrete_gains.gain(one, c, p) for one in inner]
+        else:
+            p, gamma, gap = lyapunov(inner, inner_ts, c, sigma * t)
+            found = [
+                np.asarray(
+                    np.linalg.solve(p, gain(one, two, c, p, gamma, sigma * t, output_rate * t)), np.float64
+                )
+                for one, two in zip(inner, inner_ts, strict=True)
+            ]
+        ks = [outward(one @ rows.T, x, y, t) for one in found]
         # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
         p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
         ws = np.array([p @ one for one in ks])
         try:
-            certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
+            certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros, system.time)
         except CertificateError as failure:
             raise UndecidedError(
                 f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
@@ -110,9 +133,16 @@ class UnknownInputObserver:
         certificate = msgspec.structs.replace(certificate, gap=gap)
         return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
 
-    def start(self, estimate: FloatArray) -> None:
-        """Forget every sample and start at an estimate; the first sample replaces its outputs."""
-        self._running = RunningUnknownInputObserver(self, estimate)
+    def start(self, estimate: FloatArray, *, noise: Any = None, density: Any = None) -> None:
+        """Forget every sample and start at an estimate; the first sample replaces its outputs.
+
+        ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
+        estimated over each interval by itself.
+        """
+        reconstruction = InputReconstruction(
+            len(self.system.c), self.system.time, noise=noise, density=density
+        )
+        self._running = RunningUnknownInputObserver(self, estimate, reconstruction)
 
     def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
         """Consume one sample after ``start``; a refused one changes nothing."""
@@ -127,8 +157,29 @@ class UnknownInputObserver:
         """
         k, e = self.gains.at(self.box.nearest(point)), self.system.e(point)
         n = self.system.gamma(point) - k @ self.system.c
-        rate: FloatArray = n @ z + self.system.t(point) @ known + (k - n @ e) @ y
+        rate: FloatArray = n @ z + self.system.t(point, check=False) @ known + (k - n @ e) @ y
         return rate
+
+    def onward(self, estimate: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The next z of a discrete system, from the estimate x_hat = z - E y."""
+        k = self.gains.at(self.box.nearest(point))
+        z: FloatArray = self.system.ta(point) @ estimate + self.system.t(point, check=False) @ known
+        return np.asarray(z + k @ (y - self.system.c @ estimate), np.float64)
+
+    @property
+    def fastest(self) -> float:
+        """A bound of the rates of z over the vertices, 1/s: the largest eigenvalue of absolute entries."""
+        if self.reducible:
+            forms = [self._blind.T @ self._error_rate(i) @ self._blind for i in range(len(self.box.vertices))]
+        else:
+            forms = [self._error_rate(i) for i in range(len(self.box.vertices))]
+        return max(float(np.abs(np.linalg.eigvals(np.abs(one))).max(initial=0.0)) for one in forms)
+
+    def _error_rate(self, vertex: int) -> FloatArray:
+        """N at a vertex."""
+        point = self.box.named(self.box.vertices[vertex])
+        n: FloatArray = self.system.gamma(point) - self.gains.matrices[vertex] @ self.system.c
+        return n
 
     def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
         """x_hat = z - E y."""
@@ -137,7 +188,7 @@ class UnknownInputObserver:
 
     def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
         """The z of an estimate: T x_hat."""
-        z: FloatArray = self.system.t(point) @ estimate
+        z: FloatArray = self.system.t(point, check=False) @ estimate
         return z
 
     @property
@@ -168,7 +219,7 @@ class UnknownInputObserver:
         Equal to the full form started with C x_hat = y: C z = 0 stays true, so K never acts.
         """
         estimate = self.expand(reduced) - self.system.e(point) @ y
-        return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point) @ known)
+        return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point, check=False) @ known)
 
 
 def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
@@ -184,19 +235,29 @@ def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex12
     return np.array(rows).reshape(len(rows), widest)
 
 
-def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float) -> None:
-    """Raise InfeasibleError, with the largest sigma, if a zero reaches -sigma/2."""
-    most = largest_sigma(zeros)
+def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float, time: str = "continuous") -> None:
+    """Raise InfeasibleError, with the largest sigma, if a zero reaches -sigma/2.
+
+    In discrete time if its modulus reaches exp(-sigma/2).
+    """
+    most = largest_sigma(zeros, time)
     if sigma < most:
         return
-    vertex = int(zeros.real.max(axis=1).argmax())
-    zero = zeros[vertex][zeros[vertex].real.argmax()]
+    sizes = np.abs(zeros) if time == "discrete" else zeros.real
+    vertex = int(sizes.max(axis=1).argmax())
+    zero = zeros[vertex][sizes[vertex].argmax()]
     value = f"{zero.real:.6g}" if zero.imag == 0.0 else f"{zero:.6g}"
+    unit = "1/step" if time == "discrete" else "1/s"
     end = (
-        f"the largest feasible sigma is below {most:.6g} 1/s"
+        f"the largest feasible sigma is below {most:.6g} {unit}"
         if most > 0.0
         else "no sigma above 0 is feasible in this box"
     )
+    if time == "discrete":
+        raise InfeasibleError(
+            f"the invariant zero {value} at {box.named(box.vertices[vertex])} must have a modulus below "
+            f"exp(-sigma/2) = {exp(-0.5 * sigma):g}: {end}"
+        )
     raise InfeasibleError(
         f"the invariant zero {value} 1/s at {box.named(box.vertices[vertex])} must lie below "
         f"-sigma/2 = {-0.5 * sigma:g} 1/s: {end}"

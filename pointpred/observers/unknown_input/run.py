@@ -12,15 +12,20 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
 SUBSTEP_S = 0.02
+"""Longest step of an integration, s; a fast observer takes shorter ones."""
 
 
 class UnknownInputSample(msgspec.Struct, frozen=True):
-    """The outputs y and the known part b(y, u) at ``t`` s, and the scheduling variables there."""
+    """The outputs y and the known part b(y, u) at ``t`` s (or the index), and the scheduling variables there.
+
+    An output that is NaN is missing.
+    """
 
     t: float
     y: FloatArray
@@ -29,11 +34,19 @@ class UnknownInputSample(msgspec.Struct, frozen=True):
 
 
 class UnknownInputEstimate(msgspec.Struct, frozen=True):
-    """The estimate of the state; ``certified`` while the scheduling variables lie in the design's box."""
+    """The estimate of the state, and of the unknown input d with its standard deviation ``spread``.
+
+    ``certified`` while the scheduling variables lie in the design's box and no output has been missing
+    since the sample before. ``d`` is NaN until it can be estimated, and where the schedule lacks a variable
+    of A; without a filter it is the mean since the sample before and ``spread`` is NaN. In discrete time it
+    is the d of the step that ends here.
+    """
 
     t: float
     x: FloatArray
     certified: bool
+    d: FloatArray
+    spread: FloatArray
 
 
 class Design(Protocol):
@@ -41,6 +54,13 @@ class Design(Protocol):
 
     system: ParameterVaryingSystem
     box: Box
+
+    @property
+    def fastest(self) -> float:
+        """A bound of the rates of z, 1/s."""
+
+    def onward(self, estimate: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The next z in discrete time."""
 
     @property
     def reducible(self) -> bool:
@@ -68,14 +88,20 @@ class Design(Protocol):
 class RunningUnknownInputObserver:
     """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` around a design.
 
-    Assumes measurements linear between two samples; the error of that is of second order in the interval. F
-    may depend on measured variables only. With as many outputs as unknown inputs it runs in the reduced form,
-    without gains; otherwise in the full form, outside the box with the gains of its nearest point and
-    ``certified`` false. Slow (numpy, some 100 us a step): for the camera there is a compiled law.
+    Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
+    sample is a step. With as many outputs as unknown inputs it runs in the reduced form, without gains;
+    otherwise in the full form, outside the box with the gains of its nearest point and ``certified`` false.
+    Slow (numpy, some 0.4 ms a step): for the camera there is a compiled law.
+
+    While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
+    last estimate of d (zero before the first). At its end the outputs that are measured correct the
+    estimate along F: x + F (C_s F)^+ (y_s - C_s x), which is the observer's own equation if none is
+    missing. Other errors are not corrected in such an interval, and nothing is proved. A sensor that is
+    gone for good needs a design of its own.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, whose outputs the first sample
-    replaces. Memory: the state and one sample. Raises ParameterError; EventError and EventOrderError from
-    ``update``, which leaves it unchanged.
+    replaces; ``reconstruction`` of the unknown input. Memory: the estimate, one sample, and a covariance.
+    Raises ParameterError; EventError and EventOrderError from ``update``, which leaves it unchanged.
 
     >>> from pointpred.observers.unknown_input.boxes import Box
     >>> from pointpred.observers.unknown_input.observer import UnknownInputObserver
@@ -90,64 +116,121 @@ class RunningUnknownInputObserver:
     ...     estimate = running.update(sample)
     >>> round(float(estimate.x[1] / np.exp(-2.0)), 6), estimate.certified
     (1.0, True)
+    >>> bool(abs(estimate.d[0] + estimate.x[1]) < 0.01)  # y' = x2 + d = 0
+    True
     """
 
-    def __init__(self, design: Design, start: FloatArray) -> None:
+    def __init__(
+        self, design: Design, start: FloatArray, reconstruction: InputReconstruction | None = None
+    ) -> None:
         self.design = design
         self.start = np.asarray(start, np.float64)
-        states = design.system.c.shape[1]
+        outputs, states = design.system.c.shape
         if self.start.shape != (states,) or not np.isfinite(self.start).all():
             raise ParameterError(
                 f"start needs {states} finite numbers, received {start!r:.80}", field="start"
             )
+        if reconstruction is None:
+            reconstruction = InputReconstruction(outputs, design.system.time)
+        self.reconstruction = reconstruction.fresh()
+        self._substep_s = min(SUBSTEP_S, 1.0 / max(design.fastest, 1e-300))
         self.reset()
 
     def reset(self) -> None:
         """Forget every sample."""
-        self._z: FloatArray | None = None
         self._last: UnknownInputSample | None = None
+        self._x = self.start
+        self.reconstruction.reset()
 
     def fresh(self) -> Self:
         """The same design and start, without memory."""
-        return type(self)(self.design, self.start)
+        return type(self)(self.design, self.start, self.reconstruction)
 
     def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
         """Consume one sample; a refused one changes nothing."""
         self._check(sample)
-        observer = self.design
-        if self._z is None or self._last is None:
-            inverse = np.linalg.pinv(observer.system.c)
-            x = self.start + inverse @ (sample.y - observer.system.c @ self.start)
-            z = observer.begin(x, sample.schedule(x))
+        old, system = self._last, self.design.system
+        y = np.asarray(sample.y, np.float64)
+        bridged = bool(np.isnan(y).any())
+        if old is None:
+            seen = ~np.isnan(y)
+            x = self.start + np.linalg.pinv(system.c[seen]) @ (y - system.c @ self.start)[seen]
+        elif bridged or np.isnan(old.y).any():
+            x, bridged = self._bridged(self._x, old, sample), True
         else:
-            z = self._carried(self._z, self._last, sample)
-        x = self._estimate(z, sample.y, sample.schedule)
+            x = self._carried(self._x, old, sample)
         point = sample.schedule(x)
-        self._z, self._last = z, sample
-        return UnknownInputEstimate(sample.t, x, not observer.box.outside(point))
+        certified = not (bridged or self.design.box.outside(point))
+        if old is None:
+            none = np.full(system.f(point).shape[1], np.nan)
+            d, spread = none, none
+        else:
+            d, spread = self._reconstructed(x, point, old, sample)
+        self._x, self._last = x, sample
+        return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
-    def _carried(self, z: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
-        """The classical Runge-Kutta method in steps of at most 20 ms."""
-        dt = new.t - old.t
-        steps = ceil(dt / SUBSTEP_S)
-        h = dt / steps
+    def _carried(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+        """The estimate at the next sample, with every output measured."""
+        point, system = old.schedule(x), self.design.system
+        if system.time == "discrete":
+            z = self.design.onward(x, old.y, point, old.known)
+            return self.design.estimate(z, new.y, point)
 
         def rate(z: FloatArray, s: float) -> FloatArray:
-            def schedule(x: FloatArray) -> Point:
-                before, after = old.schedule(x), new.schedule(x)
-                return {name: (1.0 - s) * before[name] + s * after[name] for name in before}
+            y, known = _between(old.y, new.y, s), _between(old.known, new.known, s)
+            here = self._estimate(z, y, _schedule(old, new, s))
+            return self._rate(z, y, _schedule(old, new, s)(here), known)
 
-            y, known = (1.0 - s) * old.y + s * new.y, (1.0 - s) * old.known + s * new.known
-            return self._rate(z, y, schedule(self._estimate(z, y, schedule)), known)
+        z = _integrated(rate, x + system.e(point) @ old.y, new.t - old.t, self._substep_s)
+        return self._estimate(z, np.asarray(new.y), new.schedule)
 
-        for i in range(steps):
-            s, half, end = i / steps, (i + 0.5) / steps, (i + 1.0) / steps
-            k1 = rate(z, s)
-            k2 = rate(z + 0.5 * h * k1, half)
-            k3 = rate(z + 0.5 * h * k2, half)
-            k4 = rate(z + h * k3, end)
-            z = z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
-        return z
+    def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+        """The estimate at the next sample by the model, corrected along F by the measured outputs."""
+        system, latest, point = self.design.system, self.reconstruction.latest, old.schedule(x)
+        try:
+            system.a(point)
+        except KeyError as unknown:
+            raise EventError(
+                "while an output is missing the model is followed: "
+                f"the schedule needs the variable {unknown} of A",
+                field="schedule",
+            ) from unknown
+
+        def moved(x: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+            change = system.a(point) @ x + known
+            return change if latest is None else change + system.f(point) @ latest
+
+        def rate(x: FloatArray, s: float) -> FloatArray:
+            return moved(x, _schedule(old, new, s)(x), _between(old.known, new.known, s))
+
+        if system.time == "discrete":
+            x = moved(x, point, old.known)
+        else:
+            speed = float(np.abs(np.linalg.eigvals(np.abs(system.a(point)))).max())
+            x = _integrated(rate, x, new.t - old.t, min(SUBSTEP_S, 1.0 / max(speed, 1e-300)))
+            point = new.schedule(x)
+        seen, f = ~np.isnan(new.y), system.f(point)
+        inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
+        return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
+
+    def _reconstructed(
+        self, x: FloatArray, point: Point, old: UnknownInputSample, new: UnknownInputSample
+    ) -> tuple[FloatArray, FloatArray]:
+        """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
+        system = self.design.system
+        first = old.schedule(self._x)
+        g = system.c @ system.f(first)
+        try:
+            known = system.c @ (system.a(first) @ self._x + old.known)
+            if system.time == "continuous":
+                known = 0.5 * (known + system.c @ (system.a(point) @ x + new.known))
+                g = 0.5 * (g + system.c @ system.f(point))
+        except KeyError:  # of a system that gives T A, A may need more variables
+            none = np.full(g.shape[1], np.nan)
+            return none, none
+        return self.reconstruction.update(
+            known, g, new.t - old.t, np.asarray(old.y, np.float64), np.asarray(new.y, np.float64)
+        )
 
     def _rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         if self.design.reducible:
@@ -160,10 +243,47 @@ class RunningUnknownInputObserver:
 
     def _check(self, sample: UnknownInputSample) -> None:
         outputs, states = self.design.system.c.shape
-        for name, value, size in (("y", sample.y, outputs), ("known", sample.known, states)):
-            if np.shape(value) != (size,) or not np.isfinite(value).all():
-                raise EventError(f"{name} needs {size} finite numbers, received {value!r:.80}", field=name)
+        if np.shape(sample.y) != (outputs,) or np.isinf(sample.y).any():
+            raise EventError(
+                f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
+                field="y",
+            )
+        if np.shape(sample.known) != (states,) or not np.isfinite(sample.known).all():
+            raise EventError(
+                f"known needs {states} finite numbers, received {sample.known!r:.80}", field="known"
+            )
         if not isfinite(sample.t):
             raise EventError(f"t must be finite, received {sample.t!r}")
         if self._last is not None and not sample.t > self._last.t:
             raise EventOrderError(f"t must increase: received {sample.t!r} s after {self._last.t!r} s")
+
+
+def _between(before: FloatArray, after: FloatArray, s: float) -> FloatArray:
+    mixed: FloatArray = (1.0 - s) * before + s * after
+    return mixed
+
+
+def _schedule(old: UnknownInputSample, new: UnknownInputSample, s: float) -> Schedule:
+    """The scheduling variables at a share of the interval."""
+
+    def schedule(x: FloatArray) -> Point:
+        before, after = old.schedule(x), new.schedule(x)
+        return {name: (1.0 - s) * before[name] + s * after[name] for name in before}
+
+    return schedule
+
+
+def _integrated(
+    rate: Callable[[FloatArray, float], FloatArray], z: FloatArray, dt: float, longest: float
+) -> FloatArray:
+    """The classical Runge-Kutta method over ``dt`` s in steps of at most ``longest``; rate(z, share)."""
+    steps = ceil(dt / longest)
+    h = dt / steps
+    for i in range(steps):
+        s, half, end = i / steps, (i + 0.5) / steps, (i + 1.0) / steps
+        k1 = rate(z, s)
+        k2 = rate(z + 0.5 * h * k1, half)
+        k3 = rate(z + 0.5 * h * k2, half)
+        k4 = rate(z + h * k3, end)
+        z = z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+    return z

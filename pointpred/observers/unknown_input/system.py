@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from copy import copy
+from typing import Any, Self
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced
 from pointpred.observers.matrices import matrix
 from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.invariant_zeros import decoupling
+from pointpred.observers.unknown_input.invariant_zeros import decoupling, without_rounding
 from pointpred.observers.unknown_input.takagi_sugeno import Scheduled, TakagiSugeno
 
 Point = Mapping[str, float]
@@ -21,8 +22,9 @@ Point = Mapping[str, float]
 class ParameterVaryingSystem:
     """x' = A(p) x + b(y, u) + F(p) d, y = C x, with d unknown and p scheduled.
 
-    Assumes that F depends on measured variables only, and that the rate of each variable it depends on is a
-    scheduling variable as well: T changes with F, and the observer needs its rate.
+    In discrete time x' is the next x. Assumes that F depends on measured variables only, and in continuous
+    time that the rate of each variable it depends on is a scheduling variable as well: T changes with F,
+    and the observer needs its rate.
 
     E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
     input does not enter e = T x - z at all.
@@ -30,7 +32,7 @@ class ParameterVaryingSystem:
     Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names for a
     variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
     than A; ``sizes`` of the states (n) that count alike in a certificate, by default chosen so that the
-    matrices are balanced.
+    matrices are balanced; ``time`` "continuous" or "discrete".
     Raises ParameterError for mismatched shapes.
 
     Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
@@ -53,10 +55,19 @@ class ParameterVaryingSystem:
         rates: Mapping[str, str] | None = None,
         decoupled: Scheduled | None = None,
         sizes: Any = None,
+        time: str = "continuous",
     ) -> None:
-        self._a, self._f, self._decoupled = a, f, decoupled
+        if time not in ("continuous", "discrete"):
+            raise ParameterError(
+                f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
+            )
+        if rates and time == "discrete":
+            raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
+        self._a, self._f, self._decoupled, self.time = a, f, decoupled, time
         self.c = _shaped("C", c, (None, None))
         self.rates = dict(rates or {})
+        self._weights = np.ones(len(self.c))
+        self._latest_e = b"", np.zeros(self.c.T.shape)
         self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
         if self.sizes is not None and (self.sizes <= 0.0).any():
             raise ParameterError(f"sizes must lie above 0, received {sizes!r}", field="sizes", value=sizes)
@@ -64,9 +75,25 @@ class ParameterVaryingSystem:
     def units(self, gammas: FloatArray, sigma: float) -> Coordinates:
         """The units in which a design for ``gammas`` is posed: those of ``sizes``, or balanced ones."""
         if self.sizes is None:
-            return balanced(gammas, seen=self.c, rates=(sigma,))
+            return balanced(gammas, seen=self.c, rates=(sigma,), time=self.time)
         none = np.zeros(0)
         return Coordinates(self.sizes, np.abs(self.c * self.sizes).max(axis=1), none, none, 1.0)
+
+    def weighted(self, box: Box) -> Self:
+        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice.
+
+        With more outputs than unknown inputs there are many inverses of C F; the one of plain least squares
+        would depend on the units of the outputs.
+        """
+        points = [box.named(vertex) for vertex in box.vertices]
+        if self._decoupled is not None or len(self.c) == self.f(points[0]).shape[1]:
+            return self
+        other = copy(self)
+        a = np.array([self.a(point) for point in points])
+        driven = np.array([self.f(point) for point in points])
+        units = balanced(a, seen=self.c, driven=driven, time=self.time)
+        other._weights, other._latest_e = 1.0 / units.outputs, (b"", self._latest_e[1])
+        return other
 
     def a(self, point: Point) -> FloatArray:
         """A at a point, n x n."""
@@ -78,40 +105,51 @@ class ParameterVaryingSystem:
 
     def e(self, point: Point) -> FloatArray:
         """E = -F (C F)^+, n x p."""
-        f = self.f(point)
-        value: FloatArray = -f @ np.linalg.pinv(self.c @ f)
-        return value
+        f, w = self.f(point), self._weights
+        # F is often constant, and the inverse is most of the cost of a step.
+        same = f.tobytes()
+        if same != self._latest_e[0]:
+            self._latest_e = same, -f @ np.linalg.pinv(w[:, None] * (self.c @ f)) * w
+        return self._latest_e[1]
 
-    def t(self, point: Point) -> FloatArray:
-        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible."""
-        return decoupling(self.f(point), self.c)
+    def t(self, point: Point, *, check: bool = True) -> FloatArray:
+        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible.
+
+        Without ``check`` it is computed in any case, and faster.
+        """
+        if check:
+            return decoupling(self.f(point), self._weights[:, None] * self.c)
+        e, one = self.e(point), np.eye(self.c.shape[1])
+        return without_rounding(one + e @ self.c, one + np.abs(e) @ np.abs(self.c))
 
     def e_rate(self, point: Point) -> FloatArray:
-        """dE/dt from the rates of F's variables; exact for F affine in each of them."""
+        """dE/dt from the rates of F's variables; exact for F affine in each, zero in discrete time."""
         f = self.f(point)
+        if not self.rates:
+            return np.zeros(self.c.T.shape)
         moving: FloatArray = np.zeros_like(f)
         for name, rate in self.rates.items():
             slope = self.f({**point, name: point[name] + 1.0}) - f
             moving = np.asarray(moving + slope * point[rate], np.float64)
-        cf, cf_rate = self.c @ f, self.c @ moving
+        cf, cf_rate = (self._weights[:, None] * (self.c @ one) for one in (f, moving))
         inverse = np.asarray(np.linalg.pinv(cf), np.float64)
         square = np.linalg.inv(cf.T @ cf)
         inverse_rate = -inverse @ cf_rate @ inverse
         inverse_rate += square @ cf_rate.T @ (np.eye(len(cf)) - cf @ inverse)
-        rate_of_e: FloatArray = -(moving @ inverse + f @ inverse_rate)
+        rate_of_e: FloatArray = -(moving @ inverse + f @ inverse_rate) * self._weights
         return rate_of_e
 
     def ta(self, point: Point) -> FloatArray:
         """T A at a point."""
         if self._decoupled is not None:
             return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
-        value: FloatArray = self.t(point) @ self.a(point)
-        return value
+        t, a = self.t(point, check=False), self.a(point)
+        return without_rounding(t @ a, np.abs(t) @ np.abs(a))
 
     def gamma(self, point: Point) -> FloatArray:
-        """Gamma = T A + T', the error dynamics without a gain."""
-        value: FloatArray = self.ta(point) + self.e_rate(point) @ self.c
-        return value
+        """Gamma = T A + T' (in discrete time T A), the error dynamics without a gain."""
+        ta, moving = self.ta(point), self.e_rate(point)
+        return without_rounding(ta + moving @ self.c, np.abs(ta) + np.abs(moving) @ np.abs(self.c))
 
     def checked(self, box: Box) -> None:
         """Raise ParameterError if the system and a box of its variables do not match."""
@@ -130,6 +168,8 @@ class ParameterVaryingSystem:
                 ) from missing
             except ParameterError as wrong:
                 raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
+        if self.time == "discrete":
+            return
         forces = TakagiSugeno.of(self.f, box, "F")
         for name, (low, high) in box.bounds.items():
             point = box.named(box.vertices[0])
