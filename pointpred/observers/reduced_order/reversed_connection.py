@@ -232,7 +232,7 @@ def invariant_observer(
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
     >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.3 ...
+    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
     >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
     [[1.0]]
     """

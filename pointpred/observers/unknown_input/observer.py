@@ -108,18 +108,9 @@ class UnknownInputObserver:
         inner_ts = np.array([inward(one, x, x) for one in ts])
         # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
         rows, c = independent(inward(system.c, y, x))
-        if system.time == "discrete":
-            p, gamma, gap = discrete_gains.lyapunov(inner, inner_ts, c, sigma)
-            found = [discrete_gains.gain(one, c, p) for one in inner]
-        else:
-            p, gamma, gap = lyapunov(inner, inner_ts, c, sigma * t)
-            found = [
-                np.asarray(
-                    np.linalg.solve(p, gain(one, two, c, p, gamma, sigma * t, output_rate * t)), np.float64
-                )
-                for one, two in zip(inner, inner_ts, strict=True)
-            ]
-        ks = [outward(one @ rows.T, x, y, t) for one in found]
+        solve = _discrete if system.time == "discrete" else _continuous
+        p, gamma, gap, inner_ks = solve(inner, inner_ts, c, sigma * t, output_rate * t)
+        ks = [outward(one @ rows.T, x, y, t) for one in inner_ks]
         # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
         p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
         ws = np.array([p @ one for one in ks])
@@ -220,6 +211,23 @@ class UnknownInputObserver:
         """
         estimate = self.expand(reduced) - self.system.e(point) @ y
         return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point, check=False) @ known)
+
+
+def _continuous(
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, output_rate: float
+) -> tuple[FloatArray, float, float, list[FloatArray]]:
+    """P, gamma, the gap and the gain of each vertex."""
+    p, gamma, gap = lyapunov(gammas, ts, c, sigma)
+    ws = [gain(one, two, c, p, gamma, sigma, output_rate) for one, two in zip(gammas, ts, strict=True)]
+    return p, gamma, gap, [np.asarray(np.linalg.solve(p, one), np.float64) for one in ws]
+
+
+def _discrete(
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, output_rate: float
+) -> tuple[FloatArray, float, float, list[FloatArray]]:
+    """The same in discrete time, where nothing depends on ``output_rate``."""
+    p, gamma, gap = discrete_gains.lyapunov(gammas, ts, c, sigma)
+    return p, gamma, gap, [discrete_gains.gain(one, c, p) for one in gammas]
 
 
 def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
