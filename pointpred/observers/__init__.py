@@ -2,7 +2,14 @@
 
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
 from pointpred.observers.detectability import undetectable
+from pointpred.observers.discretisation import c2d
+from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred.observers.error_systems.designs import error_system
+from pointpred.observers.error_systems.incremental import assumption_3_2_2
+from pointpred.observers.error_systems.l2_gain import L2Gain, l2_gain
+from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
+from pointpred.observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.interconnection import theorem_3_2_1
@@ -12,7 +19,10 @@ from pointpred.observers.interconnected.persidskii_observer import (
     observer_stage,
     regulator_stage,
 )
+from pointpred.observers.interconnected.regulator import RegulatorDesign, design_regulator
+from pointpred.observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred.observers.interconnected.state_feedback import StateFeedback, design_state_feedback
 from pointpred.observers.interconnected.steady_state import SteadyState, residuals, steady_state_map
 from pointpred.observers.interconnected.tracking import (
     TrackingCertificate,
@@ -21,9 +31,16 @@ from pointpred.observers.interconnected.tracking import (
     theorem_3_2_2,
     theorem_3_2_3,
 )
+from pointpred.observers.linear_systems import as_plant
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.printed import check_map, check_observer
 from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
-from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
+from pointpred.observers.reduced_order.reversed_certificate import (
+    Convergence,
+    certify_convergence,
+    theorem_3_3_1,
+    theorem_3_3_2,
+)
 from pointpred.observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
@@ -42,23 +59,29 @@ from pointpred.observers.regressors.nonlinear_regression import (
     regression_margin,
 )
 from pointpred.observers.simulate import SeededSignal, simulate
+from pointpred.observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
 from pointpred.observers.triangular.forms import feedback, feedforward, interlaced
-from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate
+from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
 from pointpred.observers.triangular.interlaced_certificate import certify as certify_interlaced
 from pointpred.observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
+from pointpred.observers.triangular.printed import check_steady_state
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import UnknownInputCertificate
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.observers.unknown_input.invariant_zeros import invariant_zeros
+from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
 from pointpred.observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
+    "AttractionCertificate",
     "Box",
     "Convergence",
+    "DecayCertificate",
     "ErrorBound",
+    "ErrorSystem",
     "Excitation",
     "Generator",
     "GradientRegressor",
@@ -66,6 +89,7 @@ __all__ = [
     "InterlacedEstimate",
     "InterlacedObserver",
     "InvariantObserver",
+    "L2Gain",
     "MatrixInequalities",
     "MissingInputs",
     "NonlinearRegressor",
@@ -76,9 +100,12 @@ __all__ = [
     "RecursiveLeastSquares",
     "ReducedOrderDesign",
     "RegressionMargin",
+    "RegulatorDesign",
+    "RegulatorEquations",
     "SectorBounds",
     "SeededSignal",
     "Solution",
+    "StateFeedback",
     "SteadyState",
     "SymbolicGenerator",
     "SymbolicSteadyState",
@@ -89,25 +116,41 @@ __all__ = [
     "UnknownInputEstimate",
     "UnknownInputObserver",
     "UnknownInputSample",
+    "as_plant",
+    "assumption_3_2_2",
+    "assumption_3_2_3",
+    "assumption_3_2_6",
+    "assumption_4_4_2",
+    "c2d",
     "certify_convergence",
+    "certify_decay",
     "certify_interlaced",
     "certify_tracking",
     "check",
+    "check_map",
+    "check_observer",
+    "check_steady_state",
     "closed_loop",
     "convergence_bound",
     "design_observer",
     "design_reduced_order",
+    "design_regulator",
+    "design_state_feedback",
     "discrete_excitation",
+    "error_system",
     "feedback",
     "feedforward",
     "interconnection_bound",
     "interlaced",
     "invariant_observer",
     "invariant_stage",
+    "invariant_zeros",
+    "l2_gain",
     "linear_independence",
     "observer_stage",
     "persistent_excitation",
     "regression_margin",
+    "regulator_equations",
     "regulator_stage",
     "residuals",
     "sector_bounds",
@@ -116,5 +159,9 @@ __all__ = [
     "theorem_3_2_1",
     "theorem_3_2_2",
     "theorem_3_2_3",
+    "theorem_3_3_1",
+    "theorem_3_3_2",
+    "theorem_4_4_1",
     "undetectable",
+    "zeros_over",
 ]

@@ -15,7 +15,7 @@ from pointpred.observers.triangular.interlaced_certificate import (
     InterlacedCertificate,
     certificate,
     certify,
-    inequalities,
+    theorem_4_4_1,
 )
 
 pytest.importorskip("cvxpy")
@@ -67,7 +67,7 @@ def test_the_printed_bound_is_exceeded_and_the_corrected_one_holds() -> None:
     rest = np.linalg.norm(np.linalg.solve(A - gain @ C, gain))
     for scale in (1.0, 1e-4):
         values = {name: scale * np.array(m) for name, m in printed.items()} | {"U": scale * p @ gain}
-        found = certificate(values, inequalities(A, C).check(values))
+        found = certificate(values, theorem_4_4_1(A, C).check(values))
         printed_gain = np.sqrt(scale * 1.03 * eigen[1] / eigen[0])
         corrected = np.sqrt(1.03 * eigen[1] / (0.206 * eigen[0]))
         assert rest <= found.noise_gain <= corrected + 1e-12
@@ -81,11 +81,11 @@ def test_the_printed_bound_is_exceeded_and_the_corrected_one_holds() -> None:
 def test_printed_matrices_are_audited() -> None:
     p, gain = np.array([[1.03, -0.206], [-0.206, 1.03]]), np.array([[0.6245], [0.125]])
     printed = {"P": p, "Q": np.diag([0.412, 0.206]), "Gamma": [[1.03]], "U": p @ gain}
-    assert inequalities(A, C).check(printed)["the matrix of (4.16)"] == pytest.approx(0.02977, abs=1e-5)
+    assert theorem_4_4_1(A, C).check(printed)["the matrix of (4.16)"] == pytest.approx(0.02977, abs=1e-5)
     with pytest.raises(
         CertificateError, match=r"the matrix of \(4.16\) has the eigenvalue .* must lie below 0"
     ):
-        inequalities(A, C).check(printed | {"Gamma": [[0.3]]})
+        theorem_4_4_1(A, C).check(printed | {"Gamma": [[0.3]]})
 
 
 def test_no_gain_is_returned_where_none_is_certified() -> None:
@@ -105,7 +105,7 @@ def test_another_solver_finds_the_same_least_trace(row: list[float]) -> None:
     pytest.importorskip("cvxopt")
 
     def least(solver: str) -> float:
-        problem = inequalities(A, [row]).above("Q - rate P", lambda v: v.Q - 0.5 * v.P)
+        problem = theorem_4_4_1(A, [row]).above("Q - rate P", lambda v: v.Q - 0.5 * v.P)
         solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma), solver=solver)
         assert solution.objective is not None
         return solution.objective

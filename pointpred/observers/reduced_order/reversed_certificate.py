@@ -18,6 +18,7 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reduced_order.connections import connections_of
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 from pointpred.observers.stationary import cover, decay_start, middle, normal
 
@@ -66,18 +67,29 @@ class Convergence(msgspec.Struct, frozen=True):
 
 
 def theorem_3_3_1(
-    connections: list[Connection],
-    slopes: tuple[tuple[float, float], ...] | None,
-    gamma: float,
+    observer: Any,
+    slopes: Any = None,
+    gamma: float = 1.0,
     *,
     F: Any = None,
+    times: Sequence[float] | None = None,
     **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's matrices.
 
     Unknowns: P, Xi, and W if S1 is not zero. F = P S1; if it is passed, the equality is required.
     e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) at each corner D of the slopes.
+
+    Parameters: ``observer`` an ``InvariantObserver``, or printed matrices {"S0": ..., "S1": ..., "J": ...};
+    ``slopes`` of each component of f, by default those of the observer's plant; ``gamma`` in 1/s, > 0;
+    ``times`` at which the matrices of an observer that varies are taken.
+
+    >>> theorem = theorem_3_3_1({"S0": [[-2.0]], "S1": [1.0], "J": [1.0]}, [(0.0, 0.5)], gamma=1.0)
+    >>> theorem.check({"P": 1.0, "Xi": 1.0, "W": 0.5})["the inequality"]
+    1.0
     """
+    connections, slopes = connections_of(observer, slopes, times)
+    gamma = positive("gamma", gamma)
     q = len(connections[0].S0)
     problem = MatrixInequalities("Theorem 3.3.1", **bounds).positive("P", q).symmetric("Xi", q)
     problem.above("Xi > 0", lambda v: v.Xi)
@@ -95,12 +107,24 @@ def theorem_3_3_1(
 
 
 def theorem_3_3_2(
-    connections: list[Connection], bounds_of_f: list[Any], **bounds: float
+    observer: Any,
+    slopes: Any = None,
+    gamma: float | None = None,
+    *,
+    times: Sequence[float] | None = None,
+    **bounds: float,
 ) -> MatrixInequalities:
-    """The inequalities of Theorem 3.3.2 with a constant P; ``bounds_of_f`` is its gamma, or L, for each.
+    """The inequalities of Theorem 3.3.2 with a constant P.
 
     Unknowns: P, Xi, Gamma, alpha; the last row and column are q wide, as Gamma is q x q.
+
+    Parameters: ``observer``, ``slopes`` and ``times`` as for ``theorem_3_3_1``; ``gamma`` of the theorem,
+    with abs(f(Jw) - f(Jz)) <= gamma abs(w - z), by default the L with abs(L (w - z)) that the slopes imply.
     """
+    connections, slopes = connections_of(observer, slopes, times)
+    bounds_of_f = [
+        lipschitz(slopes, one.J) if gamma is None else positive("gamma", gamma) for one in connections
+    ]
     q = len(connections[0].S0)
     problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
@@ -179,7 +203,12 @@ def certify_convergence(
 def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
     """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
 
+<<<<<<< HEAD
     Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
+=======
+    Theorem 3.3.2 has gamma I, gamma the largest singular value of L, which is larger and depends on the
+    units.
+>>>>>>> 749b270 (Theorems 3.3.1, 3.3.2, 4.4.1 by public names; assumptions 4.4.2, 3.2.3 and 3.2.6; audits of symbolic steady states)
     """
     if slopes is None or not np.isfinite(np.array(slopes)).all():
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
@@ -328,7 +357,7 @@ def _theorem(
 ) -> MatrixInequalities:
     """The theorem's inequalities with the required decay."""
     if time == "discrete":
-        problem = theorem_3_3_2(connections, [lipschitz(slopes, one.J) for one in connections], **bounds)
+        problem = theorem_3_3_2(connections, slopes, **bounds)
         share = -expm1(-2.0 * decay)
     else:
         problem, share = theorem_3_3_1(connections, slopes, gamma, **bounds), 2.0 * decay

@@ -55,7 +55,7 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
         return self.overshoot * exp(-self.rate * t) * start + self.noise_gain * noise
 
 
-def inequalities(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
+def theorem_4_4_1(a: ArrayLike, c: ArrayLike, **bounds: float) -> MatrixInequalities:
     """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
     system = matrix("A", a)
     q = len(system)
@@ -66,7 +66,7 @@ def inequalities(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
         corner = v.P @ system - v.U @ output
         return np.block([[corner + corner.T + v.Q, -v.U], [-v.U.T, -v.Gamma]])
 
-    problem = MatrixInequalities("Theorem 4.4.1").positive("P", q)
+    problem = MatrixInequalities("Theorem 4.4.1", **bounds).positive("P", q)
     problem.symmetric("Q", q).symmetric("Gamma", p).free("U", q, p)
     problem.above("Q", lambda v: v.Q).above("Gamma", lambda v: v.Gamma)
     return problem.below("the matrix of (4.16)", block)
@@ -98,7 +98,7 @@ def certify(
     require_detectable(system, output, "continuous", "(A, C)")
     units = balanced(system, seen=output, rates=(rate,))
     x, y, t = units.states, units.outputs, units.seconds
-    problem = inequalities(inward(system, x, x, t), inward(output, y, x))
+    problem = theorem_4_4_1(inward(system, x, x, t), inward(output, y, x))
     problem.above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * t * v.P)
     if gain is not None:
         fixed_gain = matrix("gain", gain, len(system), len(output))
@@ -115,7 +115,7 @@ def certify(
     values = {"P": form(inner["P"], x), "Q": form(inner["Q"], x, t), "Gamma": form(inner["Gamma"], y, t)}
     values["U"] = outward(inner["U"], 1.0 / x, y, t)
     gap = np.inf if solution.gap is None else solution.gap
-    return certificate(values, inequalities(system, output).check(values), gap)
+    return certificate(values, theorem_4_4_1(system, output).check(values), gap)
 
 
 def _start(a: FloatArray, c: FloatArray, rate: float) -> dict[str, Any] | None:

@@ -1,0 +1,1 @@
+"""Error systems: how fast an error decays, and how much a disturbance is amplified."""

@@ -1,0 +1,136 @@
+"""Proofs that an error decays, whatever the slopes: one quadratic function for all corners."""
+
+from __future__ import annotations
+
+from functools import partial
+from math import exp, expm1, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, UndecidedError
+from pointpred.observers.balance import balanced, form, inward
+from pointpred.observers.bounds import ErrorBound
+from pointpred.observers.error_systems.system import ErrorSystem
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.matrices import positive
+
+SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
+"""Fractions of the slowest corner's decay that are tried where none is required."""
+
+
+class DecayCertificate(msgspec.Struct, frozen=True):
+    """V = e'Pe decays at every corner: P, the ``margins`` recomputed from it, and the ``bound`` of abs(e).
+
+    Holds while the arguments of f stay within ``domain``.
+    """
+
+    P: FloatArray
+    values: dict[str, Any]
+    margins: dict[str, float]
+    bound: ErrorBound
+    system: ErrorSystem
+    domain: float = float("inf")
+
+
+def decay_inequalities(system: ErrorSystem, decay: float, **bounds: float) -> MatrixInequalities:
+    """V' <= -2 decay V + sum of bound_i abs(delta_i)^2 at every corner.
+
+    In discrete time V(e') <= exp(-2 decay) V with the same sum.
+
+    Unknowns: P and bound_i for each disturbance i, in the order of ``system.disturbances``.
+    """
+    problem = MatrixInequalities("decay", **bounds).positive("P", system.n)
+    for i in range(len(system.disturbances)):
+        problem.number(f"bound_{i}")
+    widths = list(system.disturbances.values())
+
+    def forces(v: Any) -> FloatArray:
+        sizes = [np.full(width, getattr(v, f"bound_{i}")) for i, width in enumerate(widths)]
+        return np.diag(np.concatenate(sizes))
+
+    def continuous(a: FloatArray, b: FloatArray, v: Any) -> FloatArray:
+        half = v.P @ (a + decay * np.eye(len(a)))
+        return np.block([[half + half.T, v.P @ b], [(v.P @ b).T, -forces(v)]])
+
+    def discrete(a: FloatArray, b: FloatArray, v: Any) -> FloatArray:
+        onward = v.P @ np.hstack([a, b])
+        n, m = b.shape
+        before = np.block([[-exp(-2.0 * decay) * v.P, np.zeros((n, m))], [np.zeros((m, n)), -forces(v)]])
+        return np.block([[before, onward.T], [onward, -v.P]])
+
+    block = discrete if system.time == "discrete" else continuous
+    for name, a, b in zip(system.names, system.A, system.B, strict=True):
+        problem.below(f"V'{f' at {name}' if name else ''}", partial(block, a, b))
+    return problem
+
+
+def certify_decay(
+    system: ErrorSystem,
+    *,
+    decay: float | None = None,
+    domain: float = np.inf,
+    solver: str = "CLARABEL",
+    **bounds: float,
+) -> DecayCertificate:
+    """A certificate that the error decays, with small overshoot and gains.
+
+    Assumes one P for all corners, which is conservative where there are several: a refusal does not say that
+    some f keeps the error from decaying.
+
+    Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's; ``margin`` and
+    ``kappa`` as for ``MatrixInequalities``. Raises InfeasibleError naming an eigenvalue that does not decay
+    before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
+
+    >>> import numpy as np
+    >>> from pointpred.observers.error_systems.system import sloped_system
+    >>> system = sloped_system(
+    ...     -2 * np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.0),), time="continuous"
+    ... )
+    >>> found = certify_decay(system, decay=0.5)
+    >>> round(found.bound.rate, 6), found.bound(0.0, 0.0, d=1.0) < 1.5, min(found.margins.values()) > 0.0
+    (0.5, True, True)
+    """
+    if decay is not None:
+        positive("decay", decay)
+    slowest = system.slowest()
+    rates = [-share * slowest for share in SHARES] if decay is None else [decay]
+    for rate in rates:
+        try:
+            return _certified(system, rate, domain, solver, bounds)
+        except (InfeasibleError, UndecidedError) as failure:
+            if rate == rates[-1]:
+                unit = "1/step" if system.time == "discrete" else "1/s"
+                raise type(failure)(f"{failure}; with decay = {rate:g} {unit}") from failure
+    raise AssertionError
+
+
+def _certified(
+    system: ErrorSystem, decay: float, domain: float, solver: str, bounds: dict[str, float]
+) -> DecayCertificate:
+    """The certificate in the user's units, from a problem in balanced ones."""
+    units = balanced(system.A, driven=system.B, rates=(decay,), time=system.time)
+    x, t = units.states, units.seconds
+    one = np.ones(system.B.shape[2])
+    a = np.array([inward(each, x, x, t) for each in system.A])
+    b = np.array([inward(each, x, one, t) for each in system.B])
+    sizes = [float(np.abs(b[:, :, one]).max(initial=0.0)) or 1.0 for one in system.places().values()]
+    b = b / np.repeat(sizes, list(system.disturbances.values()))
+    inner = msgspec.structs.replace(system, A=a, B=b)
+    problem = decay_inequalities(inner, decay * t, **bounds).number("size")
+    problem.above("size - P", lambda v: v.size * np.eye(system.n) - v.P, strict=False)
+    count = len(sizes)
+    found = problem.solve(
+        minimise=lambda v: v.size + sum(getattr(v, f"bound_{i}") for i in range(count)), solver=solver
+    ).values
+    values = {"P": form(found["P"], x)}
+    for i, size in enumerate(sizes):
+        values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
+    margins = decay_inequalities(system, decay, **bounds).check(values)
+    p = np.linalg.eigvalsh(values["P"])
+    loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
+    gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(count))
+    bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))
+    return DecayCertificate(values["P"], values, margins, bound, system, domain)

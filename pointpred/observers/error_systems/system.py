@@ -1,0 +1,124 @@
+"""The system that an error obeys, as the linear systems at the corners of what is uncertain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import pairwise
+from math import log
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.detectability import vertices
+from pointpred.observers.matrices import matrix
+
+EXACT = 1e-12
+"""Entries of S1 below this share of the largest terms that they come from count as cancelled."""
+
+
+class ErrorSystem(msgspec.Struct, frozen=True):
+    """e' = A e + B delta, z = C e, with (A, B) anywhere between the corners.
+
+    In discrete time e' is the next e. ``A`` (corners, n, n), ``B`` (corners, n, m), ``C`` (outputs, n);
+    ``names`` of the corners, "" for a linear system's only one; ``disturbances`` names the parts of delta and
+    their widths, in the order of B's columns.
+    """
+
+    A: FloatArray
+    B: FloatArray
+    C: FloatArray
+    names: tuple[str, ...]
+    disturbances: dict[str, int]
+    time: str
+
+    @property
+    def n(self) -> int:
+        """The number of states."""
+        return int(self.A.shape[1])
+
+    def places(self) -> dict[str, slice]:
+        """The columns of B by disturbance."""
+        ends = [int(one) for one in np.cumsum([0, *self.disturbances.values()])]
+        return {name: slice(*pair) for name, pair in zip(self.disturbances, pairwise(ends), strict=True)}
+
+    def seen_as(self, C: Any) -> ErrorSystem:
+        """The same system with the output z = C e; raises ParameterError for another width."""
+        return msgspec.structs.replace(self, C=matrix("C", C, None, self.n))
+
+    def disturbed_by(self, *names: str) -> ErrorSystem:
+        """The same system with only these disturbances; raises ParameterError for an unknown one."""
+        places = self.places()
+        if not names or set(names) - set(places):
+            raise ParameterError(
+                f"the disturbances are {', '.join(places)}, received {', '.join(names) or 'none'}"
+            )
+        columns = np.concatenate([np.arange(self.B.shape[2])[places[name]] for name in names])
+        widths = {name: self.disturbances[name] for name in names}
+        return msgspec.structs.replace(self, B=self.B[:, :, columns], disturbances=widths)
+
+    def slowest(self) -> float:
+        """The largest real part of an eigenvalue, 1/s (logarithm of its modulus, 1/step), at any corner.
+
+        Raises InfeasibleError naming an eigenvalue that does not decay, and its corner.
+        """
+        worst = -np.inf
+        for name, a in zip(self.names, self.A, strict=True):
+            for value in np.linalg.eigvals(a).astype(np.complex128):
+                discrete = self.time == "discrete"
+                rate = log(max(abs(value), 1e-300)) if discrete else float(value.real)
+                if rate >= 0.0:
+                    where = "inside the unit circle" if discrete else "left of 0"
+                    shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value:.6g}"
+                    corner = f" at {name}" if name else ""
+                    raise InfeasibleError(
+                        f"the error system has the eigenvalue {shown}{corner}, must lie {where}"
+                    )
+                worst = max(worst, rate)
+        return worst
+
+
+def sloped_system(
+    A: FloatArray,
+    F: FloatArray,
+    H: FloatArray,
+    B: Mapping[str, FloatArray],
+    *,
+    slopes: tuple[tuple[float, float], ...] | None,
+    time: str,
+    through: Mapping[str, FloatArray] | None = None,
+) -> ErrorSystem:
+    """The error system e' = A e + F (f(s + H e + R delta) - f(s)) + B delta for every f with these slopes.
+
+    By the mean value theorem the difference is D (H e + R delta) with D diagonal between the slopes.
+    ``through`` are the R of some of the disturbances. Raises ParameterError where f matters and its slopes
+    are missing or not bounded.
+
+    >>> system = sloped_system(
+    ...     -np.eye(1), np.ones((1, 1)), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 0.5),), time="continuous"
+    ... )
+    >>> dict(zip(system.names, system.A.ravel().tolist(), strict=True))
+    {'D = diag(0)': -1.0, 'D = diag(0.5)': -0.5}
+    """
+    drive = np.hstack([*B.values()])
+    inner = np.hstack([(through or {}).get(name, np.zeros((len(H), b.shape[1]))) for name, b in B.items()])
+    widths = {name: int(b.shape[1]) for name, b in B.items()}
+    if not F.any():
+        return ErrorSystem(A[None], drive[None], np.eye(len(A)), ("",), widths, time)
+    corners = vertices(slopes)
+    return ErrorSystem(
+        np.array([A + F @ d @ H for d in corners.values()]),
+        np.array([drive + F @ d @ inner for d in corners.values()]),
+        np.eye(len(A)),
+        tuple(f"D = diag({name})" for name in corners),
+        widths,
+        time,
+    )
+
+
+def cancelled(whole: FloatArray, *terms: FloatArray) -> FloatArray:
+    """A sum with the entries set to zero in which the terms cancel up to rounding."""
+    sizes = sum((np.abs(one) for one in terms), np.zeros_like(whole))
+    return np.where(np.abs(whole) <= EXACT * sizes, 0.0, whole)

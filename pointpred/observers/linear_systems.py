@@ -1,0 +1,56 @@
+"""Linear plants of other libraries: state-space systems of python-control and scipy."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred.observers.matrices import matrix
+from pointpred.observers.persidskii import Persidskii
+
+Plant = Any
+"""What every design takes as its plant: a ``Persidskii`` system, or whatever ``as_plant`` reads."""
+
+
+def as_plant(system: Any) -> Persidskii:
+    """The Persidskii system of a linear system x' = A x + B u, y = C x, or a Persidskii system as it is.
+
+    Discrete where the system has a step (``dt`` above 0, or True); rates are then per step. A transfer
+    function of scipy is realised by its own ``to_ss``; convert one of python-control with ``control.ss``.
+
+    Raises ParameterError for other objects, for a system without states and for D other than 0.
+
+    >>> from scipy import signal
+    >>> as_plant(signal.TransferFunction([1.0], [1.0, 2.0, 1.0])).A0.tolist()
+    [[-2.0, -1.0], [1.0, 0.0]]
+    >>> as_plant([[1.0]])
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: a plant must be a Persidskii system or a linear one with A, B, C and D, \
+such as control.StateSpace or scipy.signal.StateSpace, received list
+    """
+    if isinstance(system, Persidskii):
+        return system
+    if not hasattr(system, "A") and hasattr(system, "to_ss"):
+        system = system.to_ss()
+    if not all(hasattr(system, name) for name in "ABCD"):
+        raise ParameterError(
+            "a plant must be a Persidskii system or a linear one with A, B, C and D, such as "
+            f"control.StateSpace or scipy.signal.StateSpace, received {type(system).__name__}",
+            field="plant",
+            value=system,
+        )
+    a = matrix("A", system.A)
+    if not a.size:
+        raise ParameterError("a plant needs at least one state, A is empty", field="plant", value=system)
+    d = matrix("D", system.D, len(matrix("C", system.C)), matrix("B", system.B).shape[1])
+    if d.any():
+        raise ParameterError(
+            "a plant needs D = 0: subtract D u from the measured output and pass the system without D",
+            field="plant",
+            value=system,
+        )
+    step = getattr(system, "dt", None)
+    discrete = step is not None and step is not False and float(step) > 0.0
+    return Persidskii(
+        a, None, None, "identity", B=system.B, C0=system.C, time="discrete" if discrete else "continuous"
+    )
