@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol
 
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
 
-Plant = Any
-"""What every design takes as its plant: a ``Persidskii`` system, or whatever ``as_plant`` reads."""
+
+class LinearSystem(Protocol):
+    """x' = A x + B u, y = C x + D u of another library: ``control.StateSpace``, ``scipy.signal.lti``."""
+
+    A: Any
+    B: Any
+    C: Any
+    D: Any
+
+
+Plant = Persidskii | LinearSystem
+"""What every design takes as its plant."""
 
 
 def as_plant(system: Any) -> Persidskii:

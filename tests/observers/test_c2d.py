@@ -17,7 +17,7 @@ def test_the_linear_part_is_that_of_scipy() -> None:
     held = c2d(PLANT, 0.2)
     drive = np.hstack([PLANT.A1, PLANT.B, PLANT.Q])
     ad, bd, *_ = signal.cont2discrete((A0, drive, PLANT.C0, np.zeros((1, 3))), 0.2)
-    assert held.A0 == pytest.approx(ad, abs=1e-14)
+    assert pytest.approx(ad, abs=1e-14) == held.A0
     assert np.hstack([held.A1, held.B, held.Q]) == pytest.approx(bd, abs=1e-14)
     assert (held.time, held.slopes, held.C0.tolist()) == ("discrete", PLANT.slopes, PLANT.C0.tolist())
 
@@ -44,12 +44,16 @@ def test_half_the_step_is_half_the_error(method: str) -> None:
 
 
 def test_euler_keeps_the_steady_state_map() -> None:
-    plant = Persidskii([[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0])
+    plant = Persidskii(
+        [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0]
+    )
     generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
     pi = steady_state_map(plant, generator).Pi
     left = residuals(c2d(plant, 0.1, method="euler"), c2d(generator, 0.1, method="euler"), pi)
     assert max(np.abs(one).max() for one in left.values()) < 1e-14
-    assert steady_state_map(c2d(plant, 0.1, method="euler"), c2d(generator, 0.1, method="euler")).Pi == pytest.approx(pi)
+    assert steady_state_map(
+        c2d(plant, 0.1, method="euler"), c2d(generator, 0.1, method="euler")
+    ).Pi == pytest.approx(pi)
 
 
 def test_python_control_samples_alike() -> None:
@@ -57,8 +61,8 @@ def test_python_control_samples_alike() -> None:
     system = control.ss(A0, [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]])
     other = control.c2d(system, 0.1, "zoh")
     held = c2d(system, 0.1)
-    assert held.A0 == pytest.approx(other.A, abs=1e-12)
-    assert held.B == pytest.approx(other.B, abs=1e-12)
+    assert pytest.approx(other.A, abs=1e-12) == held.A0
+    assert pytest.approx(other.B, abs=1e-12) == held.B
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Error systems: H-infinity norms, L2 gains and decay beside closed forms, simulations and the designs themselves."""
+"""Error systems: H-infinity norms, L2 gains and decay beside closed forms and simulations."""
 
 from __future__ import annotations
 
@@ -90,7 +90,11 @@ def test_the_proved_gain_of_a_linear_system_is_its_norm(time: str) -> None:
     for n in (1, 2, 4):
         a = stable(rng, n, discrete=time == "discrete")
         units, tick = 10.0 ** rng.uniform(-3.0, 3.0, n), 1e4 if time == "continuous" else 1.0
-        a, b, c = tick * a * units / units[:, None], rng.normal(size=(n, 1)) / units[:, None], rng.normal(size=(1, n)) * units
+        a, b, c = (
+            tick * a * units / units[:, None],
+            rng.normal(size=(n, 1)) / units[:, None],
+            rng.normal(size=(1, n)) * units,
+        )
         found = l2_gain(linear(a, b, c, time))
         assert found.lower <= found.upper <= 1.002 * found.lower
         assert min(found.margins.values()) > 0.0
@@ -151,7 +155,9 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
         certify_decay(system, decay=1.01)
     with pytest.raises(InfeasibleError, match=r"eigenvalue 0\.5 at D = diag\(1\.5\), must lie left of 0"):
         certify_decay(
-            sloped_system(-np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.5),), time="continuous")
+            sloped_system(
+                -np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.5),), time="continuous"
+            )
         )
 
 
@@ -183,7 +189,9 @@ def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
 
 
 def test_the_error_system_of_a_reduced_observer_is_what_its_error_does() -> None:
-    plant = Persidskii([[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])
+    plant = Persidskii(
+        [[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
+    )
     design = design_reduced_order(plant, [[0.0, 1.0]], decay=3.0, injection=True)
     system, observer, rng = error_system(design), design.observer, np.random.default_rng(3)
     now = observer.at(0.0)
@@ -221,7 +229,7 @@ def test_the_error_system_of_an_interlaced_observer() -> None:
     steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
     observer = InterlacedObserver.design(steady, rate=0.3, gain=[[1.0], [0.0]])
     system = error_system(observer)
-    assert system.A[0].tolist() == [[-1.0, 1.0], [-1.0, 0.0]]
+    assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
     # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.
     found = l2_gain(system.seen_as([[1.0, 0.0]]))
     assert found.lower == pytest.approx(1.0, rel=1e-6)

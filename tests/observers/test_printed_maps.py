@@ -27,7 +27,9 @@ sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
 X = X1, X2, X3, X4 = sp.symbols("x1:5")
 CIRCLE = SymbolicGenerator((W1, W2), (W2, -W1))
-EIGHT = SymbolicSystem(X, (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U), U, outputs=(X3,))
+EIGHT = SymbolicSystem(
+    X, (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U), U, outputs=(X3,)
+)
 PI1 = sp.Rational(1, 40) * (W1**3 - 7 * W2**3 - 9 * W1**2 * W2 + 7 * W1 * W2**2)
 MAPS = (PI1, W1 / 2 - W2 / 2, W1, W2 + W1**3)
 INPUT = (W1**3 + 3 * W1**2 * W2 - W1 + W2) / (1 + W1**2)
@@ -36,11 +38,15 @@ INPUT = (W1**3 + 3 * W1**2 * W2 - W1 + W2) / (1 + W1**2)
 def test_the_printed_maps_of_examples_1_2_and_4_are_right() -> None:
     plant, generator = academic()
     assert max(check_map(plant, generator, [[-0.5, 0.0], [0.0, -0.5], [1.5, 0.5]]).values()) == 0.0
-    with pytest.raises(CertificateError, match=r"A0 Pi .* = 0 fails, its residual is 1\.5, nothing is rounded"):
+    with pytest.raises(
+        CertificateError, match=r"A0 Pi .* = 0 fails, its residual is 2, nothing is rounded"
+    ):
         check_map(plant, generator, [[-0.5, 0.0], [0.0, -0.5], [1.5, -0.5]])
     reactor = Bioreactor()
     rounded = reactor.printed_map.round(3)
-    assert max(check_map(reactor.plant, reactor.generator, rounded, relaxed=True, rounding=5e-4).values()) > 1e-6
+    assert (
+        max(check_map(reactor.plant, reactor.generator, rounded, relaxed=True, rounding=5e-4).values()) > 1e-6
+    )
     with pytest.raises(CertificateError, match=r"entries rounded by 5e-05 explain at most"):
         check_map(reactor.plant, reactor.generator, rounded, relaxed=True, rounding=5e-5)
     assert max(check_map(*chua_circuits(), np.eye(3)).values()) < 1e-13
@@ -49,7 +55,11 @@ def test_the_printed_maps_of_examples_1_2_and_4_are_right() -> None:
 def test_what_rounding_explains_is_what_it_does() -> None:
     """Random errors of the entries never exceed what the audit allows, and come close to it."""
     rng = np.random.default_rng(5)
-    a, b, s = rng.normal(size=(3, 3)) - 3.0 * np.eye(3), rng.normal(size=(3, 1)), np.array([[0.0, 1.0], [-1.0, 0.0]])
+    a, b, s = (
+        rng.normal(size=(3, 3)) - 3.0 * np.eye(3),
+        rng.normal(size=(3, 1)),
+        np.array([[0.0, 1.0], [-1.0, 0.0]]),
+    )
     plant, generator = Persidskii(a, None, None, "sin", b), Generator(s, L0=rng.normal(size=(1, 2)))
     pi = solve_sylvester(a, -s, -b @ generator.L0)
     size, worst = 1e-3, 0.0
@@ -61,7 +71,12 @@ def test_what_rounding_explains_is_what_it_does() -> None:
 
 
 def test_the_printed_observer_of_example_5_is_right_for_the_corrected_plant() -> None:
-    printed = {"S0": [[0.0, 1.0], [-3.6, -2.6]], "S1": [0.0, 3.0], "J": [-1.0, 0.0], "O": [[0.0, 0.0], [1.0, 0.0]]}
+    printed = {
+        "S0": [[0.0, 1.0], [-3.6, -2.6]],
+        "S1": [0.0, 3.0],
+        "J": [-1.0, 0.0],
+        "O": [[0.0, 0.0], [1.0, 0.0]],
+    }
     upsilon = [[-1.0, 0.0], [0.0, 0.0]]
     assert max(check_observer(two_masses(), UNMEASURED, upsilon, printed).values()) < 1e-12
     a0 = two_masses().A0.copy()

@@ -95,8 +95,11 @@ def _unknown_input(observer: UnknownInputObserver) -> ErrorSystem:
     gains = observer.gains.matrices
     a = np.array([system.gamma(p) - k @ system.c for p, k in zip(points, gains, strict=True)])
     names = tuple(", ".join(f"{key} = {value:g}" for key, value in p.items()) for p in points)
-    return _linear(a, np.array([system.t(p) for p in points]), {"delta": a.shape[1]}, names)
+    time = getattr(system, "time", "continuous")
+    return _linear(a, np.array([system.t(p) for p in points]), {"delta": a.shape[1]}, names, time)
 
 
-def _linear(a: FloatArray, b: FloatArray, widths: dict[str, int], names: tuple[str, ...]) -> ErrorSystem:
-    return ErrorSystem(a, b, np.eye(a.shape[1]), names, widths, "continuous")
+def _linear(
+    a: FloatArray, b: FloatArray, widths: dict[str, int], names: tuple[str, ...], time: str = "continuous"
+) -> ErrorSystem:
+    return ErrorSystem(a, b, np.eye(a.shape[1]), names, widths, time)

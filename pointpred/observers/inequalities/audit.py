@@ -11,6 +11,7 @@ from typing import Any, Self
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
@@ -27,7 +28,17 @@ class Inequalities:
     Each inequality reads block(v) < 0, where v holds the matrices.
     """
 
-    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = KAPPA) -> None:
+    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = KAPPA, **unknown: Any) -> None:
+        if unknown:
+            raise ParameterError(
+                f"{name} has no option {next(iter(unknown))!r}: the inequalities have margin and kappa",
+                field=next(iter(unknown)),
+            )
+        for option, value in (("margin", margin), ("kappa", kappa)):
+            if not is_number(value):
+                raise ParameterError(
+                    f"{option} must be a number, received {value!r}", field=option, value=value
+                )
         if not 0.0 < margin <= 1e-2:
             raise ParameterError(
                 f"margin must lie in (0, 0.01], received {margin!r}", field="margin", value=margin

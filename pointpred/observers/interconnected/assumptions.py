@@ -45,5 +45,5 @@ def assumption_3_2_6(
 
 def _without(problem: MatrixInequalities, *names: str) -> MatrixInequalities:
     for name in names:
-        del problem.blocks[name]
+        problem.blocks.pop(name, None)
     return problem

@@ -16,6 +16,7 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.interconnected.interconnection import Interconnection, theorem_3_2_1
 from pointpred.observers.interconnected.steady_state import relative_residuals
+from pointpred.observers.linear_systems import Plant
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.stationary import cover, filter_start, middle
@@ -61,7 +62,7 @@ class ObserverDesign(msgspec.Struct, frozen=True):
 
 
 def design_observer(
-    plant: Persidskii,
+    plant: Plant,
     generator: Generator,
     Pi: Any,
     *,
@@ -96,6 +97,7 @@ def design_observer(
     """
     decay = positive("decay", decay, zero=True)
     connection = Interconnection(plant, generator, Pi)
+    plant = connection.plant
     for name, d in connection.corners.items():
         pair = f"(S0 + S1 D J, C0 Pi + C1 D J), D = diag({name}),"
         sloped = (

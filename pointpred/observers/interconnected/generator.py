@@ -9,9 +9,10 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
-from pointpred.observers.persidskii import Persidskii, column
+from pointpred.observers.persidskii import column
 
 
 class Fitted(msgspec.Struct, frozen=True):
@@ -59,7 +60,7 @@ class Generator:
         self.q = len(self.S0)
         if not self.q:
             raise ParameterError("S0 needs at least one state, received none", field="S0")
-        self._fitted: tuple[Persidskii, Fitted] | None = None
+        self._fitted: tuple[Plant, Fitted] | None = None
         self.S1 = None if S1 is None else column("S1", S1, self.q)
         self.J = None if J is None else matrix("J", J, None, self.q)
         self.G = None if G is None else column("G", G, self.q)
@@ -68,14 +69,14 @@ class Generator:
         self.L1 = None if L1 is None else matrix("L1", L1, None if self.L0 is None else len(self.L0))
         self.f = None if f is None else nonlinearity(f, 1 if self.S1 is None else self.S1.shape[1])
 
-    def beside(self, plant: Persidskii) -> Fitted:
+    def beside(self, plant: Plant) -> Fitted:
         """Every matrix in the shape that the plant needs, zero where it was left out.
 
         Raises ParameterError naming the matrix, its shape and the shape needed.
         """
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
-        q = self.q
+        given, plant, q = plant, as_plant(plant), self.q
         k = plant.k if self.f is None or self.S1 is None else self.S1.shape[1]
         needed = {
             "S1": (q, k),
@@ -86,7 +87,7 @@ class Generator:
         }
         full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
-        self._fitted = plant, Fitted(q=q, S0=self.S0, J=j, **full)
+        self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
         return self._fitted[1]
 
     def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:

@@ -16,8 +16,8 @@ from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
-from pointpred.observers.persidskii import Persidskii
 
 
 class Interconnection:
@@ -28,10 +28,13 @@ class Interconnection:
     Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
     """
 
-    def __init__(self, plant: Persidskii, generator: Generator, Pi: Any) -> None:
+    def __init__(self, plant: Plant, generator: Generator, Pi: Any) -> None:
+        plant = as_plant(plant)
         if plant.varying:
             reason = f"{', '.join(plant.varying)} vary: use plant.at"
             raise ParameterError(f"a design needs constant matrices, {reason}")
+        if not plant.p:
+            raise ParameterError("an observer needs an output: give the plant C0 or C1", field="C0")
         self.plant, self.g = plant, generator.beside(plant)
         self.pi = matrix("Pi", Pi, plant.n, self.g.q)
         self.j: FloatArray = plant.H @ self.pi
@@ -140,7 +143,7 @@ class Completed:
 
 
 def theorem_3_2_1(
-    plant: Persidskii,
+    plant: Plant,
     generator: Generator,
     Pi: Any,
     *,
@@ -160,6 +163,7 @@ def theorem_3_2_1(
     True
     """
     connection = Interconnection(plant, generator, Pi)
+    plant = connection.plant
     q, p = connection.g.q, plant.p
     problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).symmetric("Theta", q)
     problem.symmetric("Gamma", p).symmetric("Xi", q).free("U", q, p)

@@ -15,9 +15,9 @@ from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.plain_law import PlainLaw
 from pointpred.observers.interconnected.realisation import Realisation
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
-from pointpred.observers.persidskii import Persidskii
 from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage
 
@@ -206,11 +206,12 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
     )
 
 
-def regulator_stage(plant: Persidskii, regulator: Generator, **settings: Any) -> PersidskiiObserver:
+def regulator_stage(plant: Plant, regulator: Generator, **settings: Any) -> PersidskiiObserver:
     """Regulator (3.8): inputs are Y, then rho; it returns u = L0 w + L1 f(Jw).
 
     A missing input keeps its last value. Raises ParameterError if the regulator has no J.
     """
+    plant = as_plant(plant)
     g = regulator.beside(plant)
     if g.J is None:
         raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")

@@ -35,13 +35,16 @@ class Regulated(msgspec.Struct, frozen=True):
         s, tilde, j = self.s, self.tilde, self.j
         q, k = tilde.shape
         problem = MatrixInequalities("Assumption 3.2.3", **bounds).positive("P", q).symmetric("Gamma", q)
-        problem.symmetric("Xi", q).diagonal("Omega", k).diagonal("Lambda", k)
+        problem.symmetric("Xi", q)
+        for name in ("Omega", "Lambda") if k else ():
+            problem.diagonal(name, k)
 
         def block(v: Any) -> FloatArray:
+            weight = weights(v, "Lambda", k)
             upper = s.T @ v.P + v.P @ s + v.Xi
-            across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
-            middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
-            lift, none = j.T @ v.Lambda, np.zeros((q, q))
+            across = v.P @ tilde + s.T @ j.T @ weight + j.T @ weights(v, "Omega", k)
+            middle = tilde.T @ j.T @ weight + weight @ j @ tilde
+            lift, none = j.T @ weight, np.zeros((q, q))
             return np.block(
                 [
                     [upper, across, v.P, v.P],
@@ -53,7 +56,7 @@ class Regulated(msgspec.Struct, frozen=True):
 
         problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
         problem.above("Xi", lambda v: v.Xi, strict=False)
-        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
+        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ weights(v, "Omega", k) @ j)
 
     def units(self) -> Coordinates:
         """The units in which the regulator is balanced; f and its arguments keep theirs."""
@@ -73,8 +76,7 @@ class Regulated(msgspec.Struct, frozen=True):
             "P": form(values["P"], x),
             "Gamma": form(values["Gamma"], x, 1.0 / t),
             "Xi": form(values["Xi"], x, t),
-            "Omega": values["Omega"] / t,
-            "Lambda": values["Lambda"],
+            **{name: values[name] / unit for name, unit in (("Omega", t), ("Lambda", 1.0)) if name in values},
         }
 
 
@@ -99,7 +101,10 @@ class Followed(msgspec.Struct, frozen=True):
         a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
         n, k = a1.shape
         problem = MatrixInequalities("Assumption 3.2.6", **bounds).positive("P", n).symmetric("Gamma", n)
-        problem.symmetric("Xi", n).number("gamma1").number("gamma2")
+        problem.symmetric("Xi", n)
+        if not k:
+            return _linear(problem, a0)
+        problem.number("gamma1").number("gamma2")
         for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
             problem.diagonal(name, k)
 
@@ -158,5 +163,22 @@ class Followed(msgspec.Struct, frozen=True):
         """Matrices of the balanced inequalities in the user's units."""
         x, t = units.states, units.seconds
         forms = {"P": form(values["P"], x), "Gamma": form(values["Gamma"], x, 1.0 / t)}
-        rates = {name: values[name] / t for name in ("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon")}
-        return {**forms, "Xi": form(values["Xi"], x, t), "Lambda": values["Lambda"], **rates}
+        names = ("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon")
+        rates = {name: values[name] / t for name in names if name in values}
+        lift = {name: values[name] for name in ("Lambda",) if name in values}
+        return {**forms, "Xi": form(values["Xi"], x, t), **lift, **rates}
+
+
+def weights(v: Any, name: str, k: int) -> FloatArray:
+    """A diagonal unknown, or the empty matrix where there is no f."""
+    return np.asarray(getattr(v, name) if k else np.zeros((0, 0)), np.float64)
+
+
+def _linear(problem: MatrixInequalities, a0: FloatArray) -> MatrixInequalities:
+    """Assumption 3.2.6 and the condition of Theorem 3.2.3 where there is no f."""
+
+    def block(v: Any) -> FloatArray:
+        return np.block([[a0.T @ v.P + v.P @ a0 + v.Xi, v.P], [v.P, -v.Gamma]])
+
+    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
+    return problem.above("R1 + H'(R2 + R3) H", lambda v: v.Xi)

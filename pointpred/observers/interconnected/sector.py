@@ -9,8 +9,8 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
-from pointpred.observers.persidskii import Persidskii
 
 
 class SectorBounds(msgspec.Struct, frozen=True):
@@ -24,7 +24,7 @@ class SectorBounds(msgspec.Struct, frozen=True):
     Psi2: FloatArray
 
 
-def sector_bounds(plant: Persidskii, **values: Any) -> SectorBounds:
+def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
     """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those passed.
 
     Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
@@ -36,6 +36,7 @@ def sector_bounds(plant: Persidskii, **values: Any) -> SectorBounds:
     >>> sector_bounds(plant).Sigma1.tolist()
     [[0.0, 0.0], [0.0, 4.0]]
     """
+    plant = as_plant(plant)
     slopes = np.array(plant.slopes if plant.slopes is not None else [], np.float64).reshape(-1, 2)
     if len(slopes) != plant.k or not np.isfinite(slopes).all():
         raise ParameterError(f"Assumption 3.2.4 needs bounded slopes, received {plant.slopes}")

@@ -12,8 +12,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.riccati import invariant_graphs, refined
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, moments, share
-from pointpred.observers.persidskii import Persidskii
 
 TOLERANCE = 1e-9
 
@@ -35,7 +35,7 @@ class SteadyState(msgspec.Struct, frozen=True):
 
 
 def residuals(
-    plant: Persidskii,
+    plant: Plant,
     generator: Generator,
     Pi: Any,
     *,
@@ -52,7 +52,7 @@ def residuals(
 
 
 def relative_residuals(
-    plant: Persidskii, generator: Generator, Pi: Any, *, relaxed: bool = False
+    plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
 ) -> dict[str, tuple[float, float]]:
     """The largest residual of each equality, and the largest share that one has of its terms.
 
@@ -68,9 +68,10 @@ def relative_residuals(
 
 
 def _equalities(
-    plant: Persidskii, generator: Generator, Pi: Any, relaxed: bool, part: Any, minus: float
+    plant: Plant, generator: Generator, Pi: Any, relaxed: bool, part: Any, minus: float
 ) -> dict[str, FloatArray]:
     """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
+    plant = as_plant(plant)
     g = generator.beside(plant)
     pi = part(matrix("Pi", Pi, plant.n, g.q))
     a0, a1, b, q, c0, c1, h = (
@@ -93,7 +94,7 @@ def _equalities(
 
 
 def steady_state_map(
-    plant: Persidskii,
+    plant: Plant,
     generator: Generator,
     *,
     relaxed: bool = False,
@@ -124,7 +125,7 @@ def steady_state_map(
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: A0 Pi - Pi G C0 Pi - Pi S0 + B L0 = 0 cannot hold: ... residual is 2
     """
-    tolerance = share("tolerance", tolerance)
+    plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     if generator.f is not None and not relaxed:
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"

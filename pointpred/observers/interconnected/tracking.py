@@ -14,8 +14,8 @@ from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.interconnected.regulated import Followed, Regulated
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
 from pointpred.observers.interconnected.steady_state import TOLERANCE, relative_residuals
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
-from pointpred.observers.persidskii import Persidskii
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -31,7 +31,7 @@ class TrackingCertificate(msgspec.Struct, frozen=True):
 
 
 def theorem_3_2_2(
-    plant: Persidskii,
+    plant: Plant,
     regulator: Generator,
     Pi: Any,
     **bounds: float,
@@ -44,12 +44,13 @@ def theorem_3_2_2(
 
     Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
+    plant = as_plant(plant)
     g = regulator.beside(plant)
     return Regulated.of(plant, g, matrix("Pi", Pi, plant.n, g.q)).inequalities(**bounds)
 
 
 def theorem_3_2_3(
-    plant: Persidskii,
+    plant: Plant,
     regulator: Generator,
     Pi: Any,
     sector: SectorBounds | None = None,
@@ -60,13 +61,14 @@ def theorem_3_2_3(
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
     A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
+    plant = as_plant(plant)
     g = regulator.beside(plant)
     bound = sector_bounds(plant) if sector is None else sector
     return Followed.of(plant, g, matrix("Pi", Pi, plant.n, g.q), bound).inequalities(**bounds)
 
 
 def certify_tracking(
-    plant: Persidskii,
+    plant: Plant,
     regulator: Generator,
     Pi: Any,
     *,
@@ -94,7 +96,7 @@ def certify_tracking(
     >>> min(certificate.margins.values()) > 0.0
     True
     """
-    tolerance = share("tolerance", tolerance)
+    plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     scale = max(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0))
     for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
         if part > tolerance and worst > tolerance * scale:
@@ -127,8 +129,9 @@ def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float])
     return Solution(values, one.inequalities(**bounds).check(values))
 
 
-def closed_loop(plant: Persidskii, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:
+def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:
     """The derivative of (x, w) under the regulator; ``rho``, ``v``, ``d`` and ``w`` are signals at t."""
+    plant = as_plant(plant)
     g: Fitted = regulator.beside(plant)
     x, w = np.asarray(both[: plant.n], np.float64), np.asarray(both[plant.n :], np.float64)
     if g.J is None:

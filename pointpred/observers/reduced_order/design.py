@@ -11,6 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import Coordinates, balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
@@ -35,7 +36,7 @@ class ReducedOrderDesign(msgspec.Struct, frozen=True):
 
 
 def design_reduced_order(
-    plant: Persidskii,
+    plant: Plant,
     Pi: Any = None,
     *,
     decay: float = 1.0,
@@ -65,7 +66,7 @@ def design_reduced_order(
     >>> bool(design.observer.at(0.0).S0[0, 0] < -2.0)
     True
     """
-    decay = positive("decay", decay)
+    plant, decay = as_plant(plant), positive("decay", decay)
     if plant.varying:
         raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
     units = balanced(

@@ -203,12 +203,7 @@ def certify_convergence(
 def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
     """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
 
-<<<<<<< HEAD
     Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
-=======
-    Theorem 3.3.2 has gamma I, gamma the largest singular value of L, which is larger and depends on the
-    units.
->>>>>>> 749b270 (Theorems 3.3.1, 3.3.2, 4.4.1 by public names; assumptions 4.4.2, 3.2.3 and 3.2.6; audits of symbolic steady states)
     """
     if slopes is None or not np.isfinite(np.array(slopes)).all():
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")

@@ -13,8 +13,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
+from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
-from pointpred.observers.persidskii import Persidskii
 
 TOLERANCE = 1e-9
 Given = Any
@@ -49,7 +49,7 @@ class InvariantObserver:
 
     def __init__(
         self,
-        plant: Persidskii,
+        plant: Plant,
         Pi: Given,
         Upsilon: Given,
         *,
@@ -58,6 +58,7 @@ class InvariantObserver:
         rates: dict[str, Callable[[float], Any]] | None = None,
         tolerance: float = TOLERANCE,
     ) -> None:
+        plant = as_plant(plant)
         self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
@@ -199,7 +200,7 @@ class InvariantObserver:
 
 
 def invariant_observer(
-    plant: Persidskii,
+    plant: Plant,
     Pi: Given,
     Upsilon: Given = None,
     *,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import product
-from math import inf
 from typing import Any
 
 import msgspec
@@ -18,6 +16,7 @@ from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.triangular.interlaced_observer import output_matrix
 from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.ranges import enclosure
+from pointpred.observers.triangular.regions import Region, intervals_of
 from pointpred.observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8
@@ -39,7 +38,7 @@ class AttractionCertificate(msgspec.Struct, frozen=True):
 
 def assumption_4_4_2(
     steady: SymbolicSteadyState,
-    region: Mapping[Any, tuple[float, float]] | None = None,
+    region: Region = None,
     *,
     decay: float | None = None,
     solver: str = "CLARABEL",
@@ -72,7 +71,9 @@ def assumption_4_4_2(
     """
     c = output_matrix(steady)
     require_detectable(steady.generator.matrix(), c, "continuous", "(A, C)")
-    box = _bounds(steady, region)
+    system = steady.system
+    states = (*system.states, *system.zero, *steady.generator.states)
+    box = {} if region is None else intervals_of(region, states)
     constant, terms = _jacobian(steady)
     if len(terms) > TERMS_MOST:
         raise ParameterError(
@@ -89,9 +90,9 @@ def assumption_4_4_2(
         names.append(", ".join(f"{term} = {value:.6g}" for term, value in zip(terms, chosen, strict=True)))
     n = len(constant)
     drive = np.broadcast_to(np.eye(n), (len(corners), n, n)).copy()
-    system = ErrorSystem(np.array(corners), drive, np.eye(n), tuple(names), {"d": n}, "continuous")
+    errors = ErrorSystem(np.array(corners), drive, np.eye(n), tuple(names), {"d": n}, "continuous")
     try:
-        found = certify_decay(system, decay=decay, solver=solver, **bounds)
+        found = certify_decay(errors, decay=decay, solver=solver, **bounds)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 4.4.2: {failure}") from failure
     return AttractionCertificate(
@@ -120,35 +121,3 @@ def _jacobian(steady: SymbolicSteadyState) -> tuple[FloatArray, dict[Any, FloatA
                 else:
                     constant[i, j] += float(summand)
     return constant, terms
-
-
-def _bounds(steady: SymbolicSteadyState, region: Any) -> dict[Any, tuple[float, float]]:
-    """The box by symbol; raises ParameterError for unknown names and for what is no interval."""
-    system = steady.system
-    known = {str(one): one for one in (*system.states, *system.zero, *steady.generator.states)}
-    if region is None:
-        return {}
-    if not isinstance(region, Mapping):
-        raise ParameterError(
-            f"region must hold (low, high) for each of {', '.join(known)} that matters, received {region!r}",
-            field="region",
-            value=region,
-        )
-    box = {}
-    for name, pair in region.items():
-        if str(name) not in known:
-            raise ParameterError(
-                f"region may hold {', '.join(known)}, received {name!r}", field="region", value=region
-            )
-        try:
-            low, high = (float(one) for one in pair)
-        except (TypeError, ValueError) as unusable:
-            raise ParameterError(
-                f"{name} needs (low, high), received {pair!r}", field="region", value=pair
-            ) from unusable
-        if not -inf < low <= high < inf:
-            raise ParameterError(
-                f"{name} needs finite low <= high, received {pair!r}", field="region", value=pair
-            )
-        box[known[str(name)]] = (low, high)
-    return box

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.nonzero import Region
 from pointpred.observers.triangular.order import Solving
+from pointpred.observers.triangular.regions import Region
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 
@@ -31,8 +31,8 @@ def feedback(
     pi_(i+1) = (Dpi_i s - f_i) / g_i, l = (Dpi_n s - f_n) / g_n
 
     Parameters: ``first`` pi_1; ``zero`` rho if known, else the zero dynamics are solved as a power series up
-    to ``degree``; ``region`` bounds of each state of the generator, in which g_i must vanish nowhere,
-    ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with the place
+    to ``degree``; ``region`` in which g_i must vanish nowhere, (low, high) of each state of the generator by
+    symbol or in order, ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with the place
     where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError if neither is shown.
     Reference: Khalin 2022, Proposition 4.3.1.
 

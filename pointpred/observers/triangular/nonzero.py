@@ -7,15 +7,12 @@ does not end, the answer is undecided.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import inf
 from typing import Any
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.triangular.polynomials import symbolic
+from pointpred.observers.triangular.regions import Region, intervals_of
 from pointpred.observers.triangular.system import vanishes
-
-Region = Sequence[tuple[float, float]] | None
-"""Bounds of each state of the generator; ``None`` is the whole space."""
 
 BOXES_MOST = 4000
 """Most boxes examined before the answer is undecided."""
@@ -91,12 +88,14 @@ def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
     return low > SMALL or high < -SMALL
 
 
-def _box(over: Sequence[Any], region: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    if len(region) != len(over) or any(not -inf < low <= high < inf for low, high in region):
+def _box(over: Sequence[Any], region: Region) -> list[tuple[float, float]]:
+    """The interval of each state in order; raises ParameterError where one is missing."""
+    intervals = intervals_of(region, over)
+    if missing := [str(w) for w in over if w not in intervals]:
         raise ParameterError(
-            f"region needs {len(over)} pairs (low, high), received {region!r}", field="region", value=region
+            f"region needs {', '.join(missing)}, received {region!r}", field="region", value=region
         )
-    return [(float(low), float(high)) for low, high in region]
+    return [intervals[w] for w in over]
 
 
 def _middle(box: Sequence[tuple[float, float]]) -> list[float]:

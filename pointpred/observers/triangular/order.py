@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.nonzero import Region, prove_nonzero
+from pointpred.observers.triangular.nonzero import prove_nonzero
 from pointpred.observers.triangular.polynomials import exact, symbolic
 from pointpred.observers.triangular.power_series import Free, power_series
+from pointpred.observers.triangular.regions import Region
 from pointpred.observers.triangular.system import (
     HIGHEST_DEGREE,
     SymbolicGenerator,

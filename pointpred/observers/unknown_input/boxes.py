@@ -41,6 +41,10 @@ class Box:
     """
 
     def __init__(self, bounds: Mapping[str, tuple[float, float]]) -> None:
+        if not isinstance(bounds, Mapping):
+            raise ParameterError(
+                f"a box needs (low, high) by name, received {bounds!r}", field="bounds", value=bounds
+            )
         if not bounds:
             raise ParameterError("a box needs at least one axis, received none")
         self.bounds = {name: _interval(name, pair) for name, pair in bounds.items()}

@@ -14,7 +14,7 @@ from pointpred.observers.balance import Coordinates, balanced
 from pointpred.observers.matrices import matrix
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.invariant_zeros import decoupling, without_rounding
-from pointpred.observers.unknown_input.takagi_sugeno import Scheduled, TakagiSugeno
+from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno, scheduled
 
 Point = Mapping[str, float]
 
@@ -29,8 +29,8 @@ class ParameterVaryingSystem:
     E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
     input does not enter e = T x - z at all.
 
-    Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names for a
-    variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
+    Parameters: ``a``, ``f`` n x n and n x m, each a matrix or a function of a point; ``c`` p x n;
+    ``rates`` names for a variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
     than A; ``sizes`` of the states (n) that count alike in a certificate, by default chosen so that the
     matrices are balanced; ``time`` "continuous" or "discrete".
     Raises ParameterError for mismatched shapes.
@@ -48,12 +48,12 @@ class ParameterVaryingSystem:
 
     def __init__(
         self,
-        a: Scheduled,
-        f: Scheduled,
-        c: FloatArray,
+        a: Any,
+        f: Any,
+        c: Any,
         *,
         rates: Mapping[str, str] | None = None,
-        decoupled: Scheduled | None = None,
+        decoupled: Any = None,
         sizes: Any = None,
         time: str = "continuous",
     ) -> None:
@@ -63,6 +63,8 @@ class ParameterVaryingSystem:
             )
         if rates and time == "discrete":
             raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
+        a, f = scheduled("A", a), scheduled("F", f)
+        decoupled = None if decoupled is None else scheduled("T A", decoupled)
         self._a, self._f, self._decoupled, self.time = a, f, decoupled, time
         self.c = _shaped("C", c, (None, None))
         self.rates = dict(rates or {})

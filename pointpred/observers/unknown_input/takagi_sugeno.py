@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.matrices import matrix
 from pointpred.observers.unknown_input.boxes import Box
 
 Scheduled = Callable[[Mapping[str, float]], FloatArray]
@@ -16,6 +17,21 @@ Scheduled = Callable[[Mapping[str, float]], FloatArray]
 ROUNDING = 1e-9
 POINTS = 16
 SEED = 20211217
+
+
+def scheduled(name: str, given: Any) -> Scheduled:
+    """A matrix as a function of the scheduling variables; an array is the same everywhere.
+
+    Raises ParameterError for what is neither a function nor a matrix.
+
+    >>> scheduled("A", [[0.0, 1.0]])({}).tolist()
+    [[0.0, 1.0]]
+    """
+    if callable(given):
+        function: Scheduled = given
+        return function
+    constant = matrix(name, given)
+    return lambda point: constant
 
 
 class TakagiSugeno:
@@ -51,16 +67,16 @@ class TakagiSugeno:
             raise ParameterError("a model needs finite matrices")
 
     @classmethod
-    def of(cls, matrix: Scheduled, box: Box, name: str = "the matrix") -> Self:
+    def of(cls, function: Scheduled, box: Box, name: str = "the matrix") -> Self:
         """The model of a function; raises ParameterError where it is not affine in each variable."""
-        model = cls(box, np.array([matrix(box.named(vertex)) for vertex in box.vertices]))
+        model = cls(box, np.array([function(box.named(vertex)) for vertex in box.vertices]))
         lows, highs = np.array(list(box.bounds.values())).T
         random = np.random.default_rng(SEED)
         shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
         error = 0.0
         for share in shares:
             point = box.named(lows + share * (highs - lows))
-            error = max(error, float(np.abs(model.at(point) - matrix(point)).max()))
+            error = max(error, float(np.abs(model.at(point) - function(point)).max()))
         if error > ROUNDING * max(1.0, float(np.abs(model.matrices).max())):
             raise ParameterError(
                 f"{name} must be affine in each variable; it is off by {error:.3g}", field=name
