@@ -44,8 +44,7 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
             f"method must be one of {', '.join(METHODS)}, received {method!r}", field="method", value=method
         )
     if isinstance(system, Generator):
-        q = system.q
-        parts = [np.zeros((q, 0)) if one is None else one for one in (system.S1, system.G, system.E)]
+        parts = [np.zeros((system.q, 0)) if one is None else one for one in (system.S1, system.G, system.E)]
         s0, (s1, g, e) = _sampled(system.S0, parts, step_s, method)
         return Generator(
             s0,

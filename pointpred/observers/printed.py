@@ -93,10 +93,10 @@ def check_observer(
         s0, b, onto = now.get("S0"), now.get("B"), z @ one.A0
         parts = {"Upsilon C1": upsilon @ one.C1}
         if s0 is not None or b is not None:
+            if b is None:
+                b = (onto - np.asarray(s0) @ z) @ np.linalg.pinv(one.C0)
             if s0 is None:
-                s0 = (onto - given["B"] @ one.C0) @ np.linalg.pinv(z)
-            elif b is None:
-                b = (onto - s0 @ z) @ np.linalg.pinv(one.C0)
+                s0 = (onto - b @ one.C0) @ np.linalg.pinv(z)
             parts["S0 Z + B C0 - Z A0"] = s0 @ z + b @ one.C0 - onto
         if "S1" in now:
             if b is None and one.C1.any():

@@ -348,7 +348,7 @@ def _theorem(
     slopes: tuple[tuple[float, float], ...] | None,
     decay: float,
     gamma: float,
-    bounds: dict[str, float],
+    bounds: dict[str, Any],
 ) -> MatrixInequalities:
     """The theorem's inequalities with the required decay."""
     if time == "discrete":

@@ -110,7 +110,8 @@ def _jacobian(steady: SymbolicSteadyState) -> tuple[FloatArray, dict[Any, FloatA
     if parameters := system.parameters() - {*steady.generator.states}:
         raise ParameterError(f"parameters without value: {sorted(map(str, parameters))}")
     n = len(states)
-    constant, terms = np.zeros((n, n)), {}
+    constant: FloatArray = np.zeros((n, n))
+    terms: dict[Any, FloatArray] = {}
     for i, row in enumerate((*system.field, *system.zero_field)):
         for j, state in enumerate(states):
             entry = sp.expand(sp.diff(row, state).subs(system.input, steady.input))

@@ -32,7 +32,7 @@ def intervals_of(region: Region, over: Sequence[Any]) -> dict[Any, tuple[float, 
                 f"region may hold {', '.join(known)}, received {unknown[0]!r}", field="region", value=region
             )
         return {known[str(name)]: _interval(str(name), pair) for name, pair in region.items()}
-    if not isinstance(region, Sequence) or isinstance(region, str) or len(region) != len(over):
+    if not isinstance(region, list | tuple) or len(region) != len(over):
         raise ParameterError(
             f"region needs {len(over)} pairs (low, high), received {region!r}", field="region", value=region
         )
