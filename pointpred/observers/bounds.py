@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.inequalities.definite import least
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, matrix, one_of, positive
 
 
 class ErrorBound(msgspec.Struct, frozen=True):
@@ -42,6 +42,8 @@ class ErrorBound(msgspec.Struct, frozen=True):
 def eigenvalues(name: str, value: Any) -> FloatArray:
     """The eigenvalues of a matrix that must be positive; raises CertificateError naming the least."""
     square = matrix(name, value)
+    if not square.size or square.shape[0] != square.shape[1]:
+        raise ParameterError(f"{name} must be a square matrix, received {value!r}", field=name, value=value)
     half: FloatArray = 0.5 * (square + square.T)
     values: FloatArray = np.asarray(np.linalg.eigvalsh(half), np.float64)
     # Accurate beside a largest one of any size, as in units of different sizes.
@@ -70,6 +72,7 @@ def interconnection_bound(
     >>> interconnection_bound([[1.0]], [[2.0]], [[8.0]], [[2.0]])(1.0, 1.0, v=0.5)  # exp(-1) + 2 * 0.5
     1.3678794411714423
     """
+    one_of("time", time, TIMES)
     p, theta = eigenvalues("P", P), eigenvalues("Theta", Theta)
     gamma, xi = eigenvalues("Gamma", Gamma), eigenvalues("Xi", Xi)
     c = float(theta[0] / p[-1])
@@ -89,7 +92,7 @@ def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
     >>> convergence_bound([[4.0]], [[1.0]], 1.0)(0.0, 0.0, delta=1.0)
     2.0
     """
-    p, xi = eigenvalues("P", P), eigenvalues("Xi", Xi)
+    p, xi, gamma = eigenvalues("P", P), eigenvalues("Xi", Xi), positive("gamma", gamma)
     overshoot = sqrt(p[-1] / p[0])
     return ErrorBound(
         overshoot, float(0.5 * xi[0] / p[-1]), (overshoot * sqrt(p[-1] / xi[0] / gamma),), ("delta",)

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.balance import balanced, inward
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, matrix, one_of
 
 SINGULAR = 1e-9
 """A singular value below this, relative to the matrices, counts as zero."""
@@ -26,10 +26,7 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     >>> undetectable([[1.0, 0.0], [0.0, -2.0]], [[0.0, 1.0]])
     [(1+0j)]
     """
-    if time not in ("continuous", "discrete"):
-        raise ParameterError(
-            f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
-        )
+    one_of("time", time, TIMES)
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
     units = balanced(a, seen=c, time=time)

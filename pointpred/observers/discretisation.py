@@ -11,7 +11,7 @@ from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import positive
+from pointpred.observers.matrices import one_of, positive
 from pointpred.observers.persidskii import Persidskii
 
 METHODS = ("zoh", "euler")
@@ -39,10 +39,7 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
     ([[0.904837]], [[0.095163]], 'discrete')
     """
     step_s = positive("step_s", step_s)
-    if method not in METHODS:
-        raise ParameterError(
-            f"method must be one of {', '.join(METHODS)}, received {method!r}", field="method", value=method
-        )
+    one_of("method", method, METHODS)
     if isinstance(system, Generator):
         parts = [np.zeros((system.q, 0)) if one is None else one for one in (system.S1, system.G, system.E)]
         s0, (s1, g, e) = _sampled(system.S0, parts, step_s, method)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+
+Kind = TypeVar("Kind")
+TIMES = ("continuous", "discrete")
 
 
 def matrix(name: str, value: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
@@ -84,6 +87,61 @@ def share(name: str, value: Any) -> float:
     if not is_number(value) or not 0.0 < value < 1.0:
         raise _wrong(name, "must lie in (0, 1)", value)
     return float(value)
+
+
+def vector(name: str, value: Any, size: int) -> FloatArray:
+    """An array of ``size`` numbers, not copied; raises ParameterError.
+
+    >>> vector("x", [1.0], 2)
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: x must be 2 numbers, received [1.0]
+    """
+    try:
+        numbers = np.atleast_1d(np.asarray(value, np.float64))
+    except (TypeError, ValueError) as unusable:
+        raise _wrong(name, f"must be {size} numbers", value) from unusable
+    if numbers.shape != (size,):
+        raise _wrong(name, f"must be {size} numbers", value)
+    return numbers
+
+
+def instance(name: str, value: Any, kind: type[Kind]) -> Kind:
+    """The value, which must be of this kind; raises ParameterError.
+
+    >>> instance("system", 3, dict)
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: system must be a dict, received 3
+    """
+    if not isinstance(value, kind):
+        article = "an" if kind.__name__[0] in "AEIOU" else "a"
+        raise ParameterError(
+            f"{name} must be {article} {kind.__name__}, received {value!r:.80}", field=name, value=value
+        )
+    return value
+
+
+def one_of(name: str, value: Any, options: Sequence[str]) -> str:
+    """The value, which must be one of these words; raises ParameterError.
+
+    >>> one_of("time", "soon", ("continuous", "discrete"))
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: time must be 'continuous' or 'discrete', received 'soon'
+    """
+    if not isinstance(value, str) or value not in options:
+        raise _wrong(name, f"must be {' or '.join(map(repr, options))}", value)
+    return value
+
+
+def listed(name: str, value: Any) -> Sequence[Any]:
+    """The values of a list, or of anything else that holds several in order; raises ParameterError.
+
+    >>> listed("states", 3)
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: states must be a list, received 3
+    """
+    if isinstance(value, str | dict) or not isinstance(value, Iterable):
+        raise _wrong(name, "must be a list", value)
+    return list(value)
 
 
 def _wrong(name: str, must: str, value: Any) -> ParameterError:

@@ -82,7 +82,9 @@ cube, received 'sine'
     if callable(f):
         return Nonlinearity(f, None, bounds)
     names = [f] * count if isinstance(f, str) else f
-    if not isinstance(names, Sequence) or any(name not in KNOWN for name in names):
+    if not isinstance(names, Sequence) or any(
+        not isinstance(name, str) or name not in KNOWN for name in names
+    ):
         raise ParameterError(
             f"f must be a function or one of {', '.join(KNOWN)}, received {f!r}", field="f", value=f
         )

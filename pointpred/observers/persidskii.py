@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, matrix, one_of
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
@@ -53,11 +54,8 @@ class Persidskii:
         *,
         domain: float = np.inf,
     ) -> None:
-        if time not in ("continuous", "discrete"):
-            raise ParameterError(
-                f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
-            )
-        if not domain > 0.0:
+        one_of("time", time, TIMES)
+        if not is_number(domain) or not domain > 0.0:
             raise ParameterError(
                 f"domain must lie above 0, received {domain!r}", field="domain", value=domain
             )

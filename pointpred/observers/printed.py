@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.steady_state import residuals
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, positive
+from pointpred.observers.matrices import instance, matrix, positive
 from pointpred.observers.persidskii import Persidskii
 
 EXACT = 1e-9
@@ -43,7 +43,7 @@ def check_map(
 entries rounded by 0.025 explain at most 0.075
     """
     one = as_plant(plant)
-    g = generator.beside(one)
+    g = fitted(generator, one)
     pi = matrix("Pi", Pi, one.n, g.q)
     return _audited(
         lambda given: residuals(one, generator, given["Pi"], relaxed=relaxed), {"Pi": pi}, (one, g), rounding
@@ -51,7 +51,7 @@ entries rounded by 0.025 explain at most 0.075
 
 
 def check_observer(
-    plant: Plant, Pi: Any, Upsilon: Any, printed: Mapping[str, Any], *, rounding: float = 0.0
+    plant: Plant, Pi: Any, Upsilon: Any, printed: dict[str, Any], *, rounding: float = 0.0
 ) -> dict[str, float]:
     """The largest residual of each equality of (3.20), (3.21) for the printed matrices of an observer.
 
@@ -82,6 +82,7 @@ def check_observer(
     upsilon = np.zeros((q, one.p)) if Upsilon is None else matrix("Upsilon", Upsilon, q, one.p)
     z, inputs = pi + upsilon @ one.C0, np.hstack([one.B, one.Q])
     shapes = {"S0": (q, q), "S1": (q, one.k), "J": (one.r, q), "B": (q, one.p), "O": (q, inputs.shape[1])}
+    instance("printed", printed, dict)
     if not printed or set(printed) - set(shapes):
         raise ParameterError(
             f"printed may hold {', '.join(shapes)}, received {', '.join(map(str, printed)) or 'nothing'}",

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import listed, matrix, one_of, positive
 
 Field = Callable[[float, FloatArray], Any]
 INTEGRATORS = ("rk4", "scipy", "discrete")
@@ -34,22 +34,16 @@ class SeededSignal:
     def __init__(
         self, seed: int, size: int, amplitude: float, *, kind: str = "uniform", period_s: float = 1e-2
     ) -> None:
-        if kind not in ("uniform", "normal"):
-            raise ParameterError(
-                f"kind must be 'uniform' or 'normal', received {kind!r}", field="kind", value=kind
-            )
-        if not 0.0 <= amplitude < np.inf:
-            raise ParameterError(
-                f"amplitude must be finite and not negative, received {amplitude!r}",
-                field="amplitude",
-                value=amplitude,
-            )
-        if not 0.0 < period_s < np.inf:
-            raise ParameterError(
-                f"period_s must be finite and above 0, received {period_s!r}",
-                field="period_s",
-                value=period_s,
-            )
+        one_of("kind", kind, ("uniform", "normal"))
+        positive("amplitude", amplitude, zero=True)
+        positive("period_s", period_s)
+        for name, number in (("seed", seed), ("size", size)):
+            if not isinstance(number, int | np.integer) or isinstance(number, bool) or number < 0:
+                raise ParameterError(
+                    f"{name} must be a whole number not below 0, received {number!r}",
+                    field=name,
+                    value=number,
+                )
         self.seed, self.size, self.amplitude, self.kind, self.period_s = seed, size, amplitude, kind, period_s
         self._chunk, self._values = -1, np.zeros((CHUNK, size))
 
@@ -96,19 +90,17 @@ def simulate(
     >>> simulate(lambda k, x: 0.5 * x, [1.0], range(3), integrator="discrete").ravel().tolist()
     [1.0, 0.5, 0.25]
     """
-    if integrator not in INTEGRATORS:
+    one_of("integrator", integrator, INTEGRATORS)
+    positive("step_s", step_s)
+    if not callable(field):
         raise ParameterError(
-            f"integrator must be one of {', '.join(INTEGRATORS)}, received {integrator!r}",
-            field="integrator",
-            value=integrator,
+            f"field must be a function of t and x, received {field!r}", field="field", value=field
         )
-    if not 0.0 < step_s < np.inf:
-        raise ParameterError(
-            f"step_s must be finite and above 0, received {step_s!r}", field="step_s", value=step_s
-        )
-    t = matrix("times", list(times), 1)[0]
+    t = matrix("times", listed("times", times), 1)[0]
     if (np.diff(t) <= 0.0).any():
         raise ParameterError("times must increase", field="times")
+    if not len(t):
+        raise ParameterError("times needs at least one time, received none", field="times")
     x0 = matrix("start", start, 1)[0]
     if integrator == "scipy":
         return _adaptive(field, x0, t, 100.0 * step_s, tolerance)

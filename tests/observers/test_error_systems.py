@@ -162,7 +162,7 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
 
 
 def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
-    """The observer of (3.5) and its generator are run; f = asinh has slopes within (0, 1]."""
+    """The observer of (3.5) and its generator are run."""
     plant = Persidskii(
         [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0], None,
         [[1.0, 0.0]], slopes=(0.3, 1.0),
@@ -242,7 +242,7 @@ def test_what_cannot_be_is_named() -> None:
         system.disturbed_by("w")
     with pytest.raises(ParameterError, match=r"C has shape \(1, 2\)"):
         system.seen_as([[1.0, 0.0]])
-    with pytest.raises(ParameterError, match="needs an ObserverDesign, .*, received str"):
+    with pytest.raises(ParameterError, match=r"needs an ObserverDesign, .*, received str"):
         error_system("observer")
     with pytest.raises(InfeasibleError, match="eigenvalue 0"):
         l2_gain(linear(np.zeros((1, 1)), np.eye(1), np.eye(1)))

@@ -53,13 +53,17 @@ DOORS: dict[str, Callable[[Any], Any]] = {
     "theorem_3_2_3": lambda p: [sorted(theorem_3_2_3(p, REGULATOR.regulator, REGULATOR.Pi).blocks)],
     "assumption_3_2_2": lambda p: assumption_3_2_2(p, decay=0.1).P,
     "assumption_3_2_3": lambda p: [sorted(assumption_3_2_3(p, REGULATOR.regulator, REGULATOR.Pi).blocks)],
-    "certify_tracking": lambda p: certify_tracking(p, REGULATOR.regulator, REGULATOR.Pi).regulator.values["P"],
+    "certify_tracking": lambda p: certify_tracking(p, REGULATOR.regulator, REGULATOR.Pi).regulator.values[
+        "P"
+    ],
     "closed_loop": lambda p: closed_loop(p, REGULATOR.regulator, 0.0, [1.0, 2.0, 3.0, 4.0]),
     "regulator_stage": lambda p: regulator_stage(p, REGULATOR.regulator, start=[1.0, 2.0]).update(0.0, [1.0]),
     "sector_bounds": lambda p: sector_bounds(p).Sigma1,
     "design_reduced_order": lambda p: design_reduced_order(p, decay=2.0).Upsilon,
     "invariant_observer": lambda p: invariant_observer(p, [[0.0, 1.0]], [[-3.0]]).at(0.0).S0,
-    "certify_convergence": lambda p: certify_convergence(invariant_observer(p, [[0.0, 1.0]], [[-3.0]])).values["P"],
+    "certify_convergence": lambda p: certify_convergence(
+        invariant_observer(p, [[0.0, 1.0]], [[-3.0]])
+    ).values["P"],
     "design_state_feedback": lambda p: design_state_feedback(p).L0,
     "design_regulator": lambda p: design_regulator(p).regulator.S0,
     "regulator_equations": lambda p: regulator_equations(p, CIRCLE).Pi,
@@ -87,13 +91,18 @@ def test_systems_of_python_control() -> None:
     assert as_plant(control.ss(A, B, C, D, None)).time == "continuous"
     assert as_plant(control.ss(A, B, C, D, True)).time == "discrete"
     own = control.poles(control.ss(A, B, C, D))
-    assert np.sort_complex(np.linalg.eigvals(as_plant(control.ss(A, B, C, D)).A0)) == pytest.approx(np.sort_complex(own))
+    assert np.sort_complex(np.linalg.eigvals(as_plant(control.ss(A, B, C, D)).A0)) == pytest.approx(
+        np.sort_complex(own)
+    )
 
 
 def test_systems_of_scipy() -> None:
     assert as_plant(signal.lti(A, B, C, D)).time == "continuous"
     assert as_plant(signal.dlti(A, B, C, D, dt=0.1)).time == "discrete"
-    for one in (signal.TransferFunction([1.0], [1.0, 0.5, 2.0]), signal.ZerosPolesGain([], [-1.0, -2.0], 3.0)):
+    for one in (
+        signal.TransferFunction([1.0], [1.0, 0.5, 2.0]),
+        signal.ZerosPolesGain([], [-1.0, -2.0], 3.0),
+    ):
         plant = as_plant(one)
         w, response = signal.freqresp(one, [0.7])
         inside = plant.C0 @ np.linalg.solve(1j * w[0] * np.eye(2) - plant.A0, plant.B)
@@ -105,7 +114,10 @@ def test_systems_of_scipy() -> None:
     [
         (signal.StateSpace(A, B, C, [[1.0]]), "needs D = 0: subtract D u"),
         (signal.TransferFunction([1.0, 0.0], [1.0, 1.0]), "needs D = 0"),
-        (SimpleNamespace(A=np.zeros((0, 0)), B=np.zeros((0, 1)), C=np.zeros((1, 0)), D=[[0.0]]), "A is empty"),
+        (
+            SimpleNamespace(A=np.zeros((0, 0)), B=np.zeros((0, 1)), C=np.zeros((1, 0)), D=[[0.0]]),
+            "A is empty",
+        ),
         (SimpleNamespace(A=[[1.0, 2.0]], B=[[0.0]], C=[[1.0, 0.0]], D=[[0.0]]), "A0 has shape"),
         (SimpleNamespace(A=[[1.0]], B=[[0.0]], C=[[1.0]], D=[[0.0, 0.0]]), "D has shape"),
         ({"A": A}, "received dict"),

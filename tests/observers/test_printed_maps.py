@@ -38,9 +38,7 @@ INPUT = (W1**3 + 3 * W1**2 * W2 - W1 + W2) / (1 + W1**2)
 def test_the_printed_maps_of_examples_1_2_and_4_are_right() -> None:
     plant, generator = academic()
     assert max(check_map(plant, generator, [[-0.5, 0.0], [0.0, -0.5], [1.5, 0.5]]).values()) == 0.0
-    with pytest.raises(
-        CertificateError, match=r"A0 Pi .* = 0 fails, its residual is 2, nothing is rounded"
-    ):
+    with pytest.raises(CertificateError, match=r"A0 Pi .* = 0 fails, its residual is 2, nothing is rounded"):
         check_map(plant, generator, [[-0.5, 0.0], [0.0, -0.5], [1.5, -0.5]])
     reactor = Bioreactor()
     rounded = reactor.printed_map.round(3)

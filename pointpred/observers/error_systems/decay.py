@@ -15,7 +15,7 @@ from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.matrices import positive
+from pointpred.observers.matrices import instance, positive
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
 """Fractions of the slowest corner's decay that are tried where none is required."""
@@ -95,7 +95,7 @@ def certify_decay(
     """
     if decay is not None:
         positive("decay", decay)
-    slowest = system.slowest()
+    slowest = instance("system", system, ErrorSystem).slowest()
     rates = [-share * slowest for share in SHARES] if decay is None else [decay]
     for rate in rates:
         try:

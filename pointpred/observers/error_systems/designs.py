@@ -17,7 +17,6 @@ from pointpred.observers.triangular.interlaced_observer import InterlacedObserve
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 
-@singledispatch
 def error_system(observer: Any) -> ErrorSystem:
     """The system that an observer's error obeys, for ``l2_gain``, ``certify_decay`` and simulations.
 
@@ -39,6 +38,11 @@ def error_system(observer: Any) -> ErrorSystem:
     >>> bool(gain.lower <= gain.upper < 1.001 * gain.lower)
     True
     """
+    return _system(observer)
+
+
+@singledispatch
+def _system(observer: Any) -> ErrorSystem:
     raise ParameterError(
         "an error system needs an ObserverDesign, a ReducedOrderDesign, an InvariantObserver, an "
         f"InterlacedObserver or an UnknownInputObserver, received {type(observer).__name__}",
@@ -47,7 +51,7 @@ def error_system(observer: Any) -> ErrorSystem:
     )
 
 
-@error_system.register
+@_system.register
 def _interconnected(observer: ObserverDesign) -> ErrorSystem:
     g, plant, m = observer.generator, observer.plant, observer.gain
     return sloped_system(
@@ -60,7 +64,7 @@ def _interconnected(observer: ObserverDesign) -> ErrorSystem:
     )
 
 
-@error_system.register
+@_system.register
 def _invariant(observer: InvariantObserver) -> ErrorSystem:
     if observer.varying:
         raise ParameterError("an error system needs constant matrices, those of the observer vary")
@@ -76,19 +80,19 @@ def _invariant(observer: InvariantObserver) -> ErrorSystem:
     )
 
 
-@error_system.register
+@_system.register
 def _reduced(observer: ReducedOrderDesign) -> ErrorSystem:
     return _invariant(observer.observer)
 
 
-@error_system.register
+@_system.register
 def _interlaced(observer: InterlacedObserver) -> ErrorSystem:
     gain = np.asarray(observer.certificate.L, np.float64)
     a = observer.steady.generator.matrix() - gain @ output_matrix(observer.steady)
     return _linear(a[None], -gain[None], {"v": gain.shape[1]}, ("",))
 
 
-@error_system.register
+@_system.register
 def _unknown_input(observer: UnknownInputObserver) -> ErrorSystem:
     system, box = observer.system, observer.box
     points = [box.named(vertex) for vertex in box.vertices]

@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
 from pointpred.observers.error_systems.system import ErrorSystem, cancelled, sloped_system
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
 
@@ -30,7 +30,7 @@ def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any
     disturbances = {"d": np.eye(one.n)}
     a0, a1 = one.A0, one.A1
     if generator is not None:
-        g = generator.beside(one)
+        g = fitted(generator, one)
         if Pi is None and g.G.any():
             raise ParameterError("a generator with a G needs Pi: take it from steady_state_map", field="Pi")
         if Pi is not None:

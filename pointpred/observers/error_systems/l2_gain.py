@@ -14,6 +14,7 @@ from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.error_systems.h_infinity import h_infinity
 from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.matrices import instance
 
 ROOM = 1e-6
 """Relative room that is added to the least gain, with which the inequality would hold with equality."""
@@ -85,7 +86,7 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
     >>> round(found.lower, 4), round(found.upper, 3), found.corner
     (1.0, 1.0, 'D = diag(1)')
     """
-    system.slowest()
+    instance("system", system, ErrorSystem).slowest()
     norms = [h_infinity(a, b, system.C, system.time) for a, b in zip(system.A, system.B, strict=True)]
     worst = max(range(len(norms)), key=lambda i: norms[i][0])
     lower, frequency = norms[worst]

@@ -101,6 +101,7 @@ def _library(solver: str) -> Any:
     except ImportError as missing:
         raise missing_extra("observers", "designing an observer needs a solver") from missing
     library: Any = cvxpy
-    if solver not in (there := library.installed_solvers()):
+    there = library.installed_solvers()
+    if not isinstance(solver, str) or solver not in there:
         raise ParameterError(f"solver {solver!r} is not installed; there are {', '.join(there)}")
     return library

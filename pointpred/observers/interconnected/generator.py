@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import instance, matrix
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.observers.persidskii import column
 
@@ -114,6 +114,18 @@ class Generator:
         if own is None or self.J is None:
             raise ParameterError("the nonlinear part needs f and J: give them, or take them from the plant")
         return own(self.J @ w)
+
+
+def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
+    """Every matrix of a generator, or of a regulator, in the shape that the plant needs.
+
+    Raises ParameterError for what is no generator, and naming the matrix that does not fit.
+
+    >>> fitted(None, Persidskii([[-1.0]], None, None, "sin"), "regulator")
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: regulator must be a Generator, received None
+    """
+    return instance(name, generator, Generator).beside(plant)
 
 
 def _shaped(name: str, value: FloatArray | None, shape: tuple[int, int]) -> FloatArray:

@@ -15,7 +15,7 @@ from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
 
@@ -35,7 +35,7 @@ class Interconnection:
             raise ParameterError(f"a design needs constant matrices, {reason}")
         if not plant.p:
             raise ParameterError("an observer needs an output: give the plant C0 or C1", field="C0")
-        self.plant, self.g = plant, generator.beside(plant)
+        self.plant, self.g = plant, fitted(generator, plant)
         self.pi = matrix("Pi", Pi, plant.n, self.g.q)
         self.j: FloatArray = plant.H @ self.pi
         self.output: FloatArray = plant.C0 @ self.pi

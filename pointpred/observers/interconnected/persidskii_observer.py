@@ -11,12 +11,12 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.observers.interconnected import persidskii_law as law
 from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.plain_law import PlainLaw
 from pointpred.observers.interconnected.realisation import Realisation
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, instance, matrix, one_of
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage
@@ -122,12 +122,7 @@ class PersidskiiObserver(CompiledStage):
     def declare(self, **values: Any) -> None:
         """Check the values."""
         super().declare(**values)
-        if self.time not in ("continuous", "discrete"):
-            raise ParameterError(
-                f"time must be 'continuous' or 'discrete', received {self.time!r}",
-                field="time",
-                value=self.time,
-            )
+        one_of("time", self.time, TIMES)
 
     def _check_gap(self, step_s: float) -> None:
         """Check the number of steps in the longest gap."""
@@ -192,6 +187,7 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
 
     A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
     """
+    design = instance("design", design, ObserverDesign)
     g, plant, m = design.generator, design.plant, design.gain
     return PersidskiiObserver(
         g.S0 - m @ plant.C0 @ design.Pi,
@@ -212,7 +208,7 @@ def regulator_stage(plant: Plant, regulator: Generator, **settings: Any) -> Pers
     A missing input keeps its last value. Raises ParameterError if the regulator has no J.
     """
     plant = as_plant(plant)
-    g = regulator.beside(plant)
+    g = fitted(regulator, plant, "regulator")
     if g.J is None:
         raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
     return PersidskiiObserver(

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
 from pointpred.observers.interconnected.state_feedback import StateFeedback, design_state_feedback
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -112,7 +112,7 @@ def _servo(
     equations: RegulatorEquations,
 ) -> tuple[Generator, FloatArray]:
     """The regulator with the reference's states behind its own, and Pi = (I 0)."""
-    r, n, q = reference.beside(plant), plant.n, reference.q
+    r, n, q = fitted(reference, plant, "reference"), plant.n, reference.q
     pi = np.hstack([np.eye(n), np.zeros((n, q))])
     l0 = np.hstack([feedback.L0, equations.L0 - feedback.L0 @ equations.Pi])
     whole = np.block([[plant.A0 + plant.B @ feedback.L0, plant.B @ l0[:, n:]], [np.zeros((q, n)), r.S0]])

@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
@@ -61,7 +61,7 @@ def regulator_equations(
     one = as_plant(plant)
     if one.varying:
         raise ParameterError(f"the regulator equations need constant matrices; {', '.join(one.varying)} vary")
-    g = generator.beside(one)
+    g = fitted(generator, one)
     if g.G.any():
         raise ParameterError("the regulator equations need a generator without G, received one with G")
     tolerance = share("tolerance", tolerance)

@@ -10,10 +10,10 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.riccati import invariant_graphs, refined
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, moments, share
+from pointpred.observers.matrices import instance, matrix, moments, share
 
 TOLERANCE = 1e-9
 
@@ -72,7 +72,7 @@ def _equalities(
 ) -> dict[str, FloatArray]:
     """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
     plant = as_plant(plant)
-    g = generator.beside(plant)
+    g = fitted(generator, plant)
     pi = part(matrix("Pi", Pi, plant.n, g.q))
     a0, a1, b, q, c0, c1, h = (
         part(one) for one in (plant.A0, plant.A1, plant.B, plant.Q, plant.C0, plant.C1, plant.H)
@@ -126,6 +126,7 @@ def steady_state_map(
     pointpred.errors.InfeasibleError: A0 Pi - Pi G C0 Pi - Pi S0 + B L0 = 0 cannot hold: ... residual is 2
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
+    instance("generator", generator, Generator)
     if generator.f is not None and not relaxed:
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"

@@ -10,12 +10,12 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.interconnected.generator import Fitted, Generator
+from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
 from pointpred.observers.interconnected.regulated import Followed, Regulated
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
 from pointpred.observers.interconnected.steady_state import TOLERANCE, relative_residuals
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, share
+from pointpred.observers.matrices import instance, matrix, share, vector
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -45,7 +45,7 @@ def theorem_3_2_2(
     Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
     plant = as_plant(plant)
-    g = regulator.beside(plant)
+    g = fitted(regulator, plant, "regulator")
     return Regulated.of(plant, g, matrix("Pi", Pi, plant.n, g.q)).inequalities(**bounds)
 
 
@@ -62,8 +62,8 @@ def theorem_3_2_3(
     A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
     plant = as_plant(plant)
-    g = regulator.beside(plant)
-    bound = sector_bounds(plant) if sector is None else sector
+    g = fitted(regulator, plant, "regulator")
+    bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
     return Followed.of(plant, g, matrix("Pi", Pi, plant.n, g.q), bound).inequalities(**bounds)
 
 
@@ -101,9 +101,9 @@ def certify_tracking(
     for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
         if part > tolerance and worst > tolerance * scale:
             raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
-    g = regulator.beside(plant)
+    g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)
-    bound = sector_bounds(plant) if sector is None else sector
+    bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
     solutions: list[Solution] = []
     failed: list[Exception] = []
     for one in (Regulated.of(plant, g, pi), Followed.of(plant, g, pi, bound)):
@@ -132,8 +132,12 @@ def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float])
 def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:
     """The derivative of (x, w) under the regulator; ``rho``, ``v``, ``d`` and ``w`` are signals at t."""
     plant = as_plant(plant)
-    g: Fitted = regulator.beside(plant)
-    x, w = np.asarray(both[: plant.n], np.float64), np.asarray(both[plant.n :], np.float64)
+    g: Fitted = fitted(regulator, plant, "regulator")
+    if unknown := set(signals) - {"rho", "v", "d", "w"}:
+        raise ParameterError(f"the signals are rho, v, d and w, received {', '.join(sorted(unknown))}")
+    sizes = {"rho": plant.z, "v": plant.p, "d": plant.n, "w": g.q}
+    signals = {name: vector(name, one, sizes[name]) for name, one in signals.items() if one is not None}
+    x, w = np.split(vector("both", both, plant.n + g.q), [plant.n])
     if g.J is None:
         raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
     nonlinear = plant.f(g.J @ w)

@@ -16,7 +16,7 @@ from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bo
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
-from pointpred.observers.matrices import matrix, moments, positive
+from pointpred.observers.matrices import instance, matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.connections import connections_of
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
@@ -173,7 +173,7 @@ def certify_convergence(
     for name, given in (("decay", decay), ("gamma", gamma)):
         if given is not None:
             positive(name, given)
-    varying = "the observer" if observer.varying else ""
+    varying = "the observer" if instance("observer", observer, InvariantObserver).varying else ""
     connections = [observer.at(t) for t in moments(varying, times, "certified")]
     slowest = max(_slowest(one, observer.plant) for one in connections)
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]

@@ -14,7 +14,7 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, share
+from pointpred.observers.matrices import instance, matrix, share
 
 TOLERANCE = 1e-9
 Given = Any
@@ -62,7 +62,7 @@ class InvariantObserver:
         self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
-        self._rates = dict(rates or {})
+        self._rates = dict(instance("rates", {} if rates is None else rates, dict))
         self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
         self._check_rates()
         self._latest = 0.0, self._connection(0.0)
@@ -294,6 +294,7 @@ def invariant_stage(
     >>> stage.update(1.5, None).round(4).tolist()  # half a second later, without a measurement
     [0.45, 0.3]
     """
+    observer = instance("observer", observer, InvariantObserver)
     plant, now = observer.plant, observer.at(0.0)
     m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
     guess = np.zeros(plant.n) if start is None else matrix("start", start, 1, plant.n)[0]

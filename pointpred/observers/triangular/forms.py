@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
+from pointpred.observers.matrices import instance
 from pointpred.observers.triangular.order import Solving
 from pointpred.observers.triangular.regions import Region
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
@@ -32,8 +33,9 @@ def feedback(
 
     Parameters: ``first`` pi_1; ``zero`` rho if known, else the zero dynamics are solved as a power series up
     to ``degree``; ``region`` in which g_i must vanish nowhere, (low, high) of each state of the generator by
-    symbol or in order, ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with the place
-    where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError if neither is shown.
+    symbol or in order, ``None`` the whole space. Raises ParameterError for a row of another form,
+    InfeasibleError with the place where a g_i vanishes and at a resonance of the zero dynamics,
+    UndecidedError if neither is shown.
     Reference: Khalin 2022, Proposition 4.3.1.
 
     >>> import sympy as sp
@@ -43,7 +45,7 @@ def feedback(
     >>> steady.maps, steady.input, steady.exact
     ((w1, w1**3 + w2), (w1**3 + 3*w1**2*w2 - w1 + w2)/(w1**2 + 1), True)
     """
-    maps = {system.states[0]: first}
+    maps = {instance("system", system, SymbolicSystem).states[0]: first}
     return Solving(system, generator, maps, upper=0, zero=zero, degree=degree, region=region).solve()
 
 
@@ -75,7 +77,7 @@ def feedforward(
     >>> steady.maps[1], steady.maps[0].coeff(w1, 3), steady.exact
     (w1/2 - w2/2, 1/40, True)
     """
-    maps = {system.input: input}
+    maps = {instance("system", system, SymbolicSystem).input: input}
     upper = len(system.states)
     return Solving(system, generator, maps, upper=upper, zero=zero, degree=degree, region=None).solve()
 
@@ -107,6 +109,7 @@ def interlaced(
     >>> steady.maps, steady.input
     ((w1/2 - w2/2, w1), -w1/2 + 3*w2/2)
     """
+    instance("system", system, SymbolicSystem)
     if not isinstance(upper, int) or not 0 <= upper < len(system.states):
         most = len(system.states) - 1
         raise ParameterError(

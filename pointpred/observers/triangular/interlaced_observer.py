@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import instance, matrix
 from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, certify
 from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.program import ROW, computable, execute, program
@@ -211,7 +211,8 @@ class InterlacedObserver(CompiledStage):
         **values: float,
     ) -> InterlacedObserver:
         """Compute or certify a gain and build the observer with it; see ``certify``."""
-        certificate = certify(steady.generator.matrix(), output_matrix(steady), rate=rate, gain=gain)
+        output = output_matrix(steady)
+        certificate = certify(steady.generator.matrix(), output, rate=rate, gain=gain)
         return cls(steady, certificate, start=start, **values)
 
     def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
@@ -281,7 +282,7 @@ def evaluable(steady: SymbolicSteadyState) -> Callable[[Any], FloatArray]:
 
 def output_matrix(steady: SymbolicSteadyState) -> FloatArray:
     """C with h(rho, pi) = C w; raises ParameterError for an output that is not linear in w."""
-    states = steady.generator.states
+    states = instance("steady", steady, SymbolicSteadyState).generator.states
     if not steady.system.outputs:
         raise ParameterError("an observer needs outputs of the system, received none")
     rows = []

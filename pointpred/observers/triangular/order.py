@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
+from pointpred.observers.matrices import instance, listed
 from pointpred.observers.triangular.nonzero import prove_nonzero
 from pointpred.observers.triangular.polynomials import exact, symbolic
 from pointpred.observers.triangular.power_series import Free, power_series
@@ -37,6 +38,8 @@ class Solving:
         degree: int | None,
         region: Region,
     ) -> None:
+        instance("system", system, SymbolicSystem)
+        instance("generator", generator, SymbolicGenerator)
         self.system, self.generator, self.region, self.degree = system, generator, region, degree
         if degree is not None and (not isinstance(degree, int) or not 1 <= degree <= HIGHEST_DEGREE):
             raise ParameterError(
@@ -55,7 +58,7 @@ class Solving:
         self.imposed: tuple[Any, ...] = ()
         self._check_form(upper)
         if zero is not None:
-            if len(zero) != len(system.zero):
+            if len(listed("zero", zero)) != len(system.zero):
                 raise ParameterError(
                     f"zero must hold {len(system.zero)} maps, received {len(zero)}", field="zero"
                 )

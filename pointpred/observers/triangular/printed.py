@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.matrices import instance, listed
 from pointpred.observers.triangular.polynomials import composed, cut, exact, symbolic
 from pointpred.observers.triangular.system import (
     HIGHEST_DEGREE,
@@ -45,11 +46,10 @@ def check_steady_state(
     Traceback (most recent call last):
     pointpred.errors.CertificateError: the printed steady state fails: x2' leaves 3*w2/2
     """
+    instance("system", system, SymbolicSystem)
+    instance("generator", generator, SymbolicGenerator)
     states, rows = (*system.states, *system.zero), (*system.field, *system.zero_field)
-    for name, several in (("maps", maps), ("zero", zero)):
-        if not isinstance(several, Sequence) or isinstance(several, str):
-            raise ParameterError(f"{name} must be a list of expressions, received {several!r}", field=name)
-    given = tuple(exact(one) for one in (*maps, *zero))
+    given = tuple(exact(one) for one in (*listed("maps", maps), *listed("zero", zero)))
     if len(maps) != len(system.states) or len(zero) != len(system.zero):
         raise ParameterError(
             f"needs {len(system.states)} maps and {len(system.zero)} of the zero dynamics, "

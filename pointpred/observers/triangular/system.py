@@ -10,6 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.matrices import listed
 from pointpred.observers.triangular.polynomials import exact, symbolic
 from pointpred.observers.triangular.power_series import Free
 
@@ -76,7 +77,7 @@ class SymbolicSystem:
         if not isinstance(input, symbolic().Symbol):
             raise ParameterError(f"the input must be a symbol, received {input!r}")
         self.input = input
-        self.outputs = tuple(exact(h) for h in outputs)
+        self.outputs = tuple(exact(h) for h in listed("outputs", outputs))
         named = (*self.states, *self.zero, self.input)
         if len(set(named)) != len(named):
             raise ParameterError(f"states, zero dynamics and input need different symbols, received {named}")
@@ -154,7 +155,10 @@ def vanishes(expression: Any) -> tuple[bool, Any]:
 
 
 def _fields(name: str, states: Sequence[Any], field: Sequence[Any]) -> tuple[Any, Any]:
-    states = tuple(states)
+    states, field = (
+        tuple(listed(f"the states of the {name}", states)),
+        listed(f"the field of the {name}", field),
+    )
     for one in states:
         if not isinstance(one, symbolic().Symbol):
             raise ParameterError(f"{name} needs symbols as states, received {one!r}", field=name, value=one)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, inward
+from pointpred.observers.matrices import matrix
 
 ROUNDING = 1e-14
 """An entry below this share of its terms is rounding."""
@@ -58,7 +61,7 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
     return basis
 
 
-def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
+def invariant_zeros(a: Any, f: Any, c: Any) -> NDArray[np.complex128]:
     """The invariant zeros of x' = A x + F d, y = C x, where d is unknown.
 
     Assumes rank(C F) = rank(F) = columns of F, so that d can be decoupled; raises ParameterError otherwise.
@@ -77,8 +80,11 @@ def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> NDArray[np.c
     >>> invariant_zeros(a, f, c).real.tolist()
     [0.0, -2.0]
     """
-    t = decoupling(f, c)
-    return fixed_modes(without_rounding(t @ a, np.abs(t) @ np.abs(a)), c)
+    drift = matrix("A", a)
+    n = len(drift)
+    drift, inputs, outputs = matrix("A", a, n, n), matrix("F", f, n), matrix("C", c, None, n)
+    t = decoupling(inputs, outputs)
+    return fixed_modes(without_rounding(t @ drift, np.abs(t) @ np.abs(drift)), outputs)
 
 
 def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:

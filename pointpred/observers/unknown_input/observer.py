@@ -13,6 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import form, inward, outward
+from pointpred.observers.matrices import instance
 from pointpred.observers.unknown_input import discrete_gains
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
@@ -85,6 +86,7 @@ class UnknownInputObserver:
         ``sigma`` 1/s (1/step in discrete time), positive; ``output_rate`` 1/s, decay rate of errors of the
         outputs themselves, by default 5; in discrete time these end at the next step.
         """
+        instance("system", system, ParameterVaryingSystem)
         if output_rate != OUTPUT_RATE and system.time == "discrete":
             raise ParameterError(
                 "a discrete observer has no output_rate: errors of the outputs end at the next step",
@@ -232,7 +234,8 @@ def _discrete(
 
 def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
     """The invariant zeros, one row per vertex; needs no solver."""
-    points = [box.named(vertex) for vertex in box.vertices]
+    instance("system", system, ParameterVaryingSystem)
+    points = [box.named(vertex) for vertex in instance("box", box, Box).vertices]
     rows = [fixed_modes(system.ta(p), system.c) for p in points]
     widest = max(len(row) for row in rows)
     if any(len(row) != widest for row in rows):

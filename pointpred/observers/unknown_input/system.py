@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, instance, matrix, one_of
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.invariant_zeros import decoupling, without_rounding
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno, scheduled
@@ -30,9 +30,9 @@ class ParameterVaryingSystem:
     input does not enter e = T x - z at all.
 
     Parameters: ``a``, ``f`` n x n and n x m, each a matrix or a function of a point; ``c`` p x n;
-    ``rates`` names for a variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
-    than A; ``sizes`` of the states (n) that count alike in a certificate, by default chosen so that the
-    matrices are balanced; ``time`` "continuous" or "discrete".
+    ``rates`` names for a variable the one that is its rate; ``decoupled`` T A as a function of a point, if
+    it needs fewer variables than A; ``sizes`` of the states (n) that count alike in a certificate, by
+    default chosen so that the matrices are balanced; ``time`` "continuous" or "discrete".
     Raises ParameterError for mismatched shapes.
 
     Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
@@ -57,17 +57,14 @@ class ParameterVaryingSystem:
         sizes: Any = None,
         time: str = "continuous",
     ) -> None:
-        if time not in ("continuous", "discrete"):
-            raise ParameterError(
-                f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
-            )
+        one_of("time", time, TIMES)
         if rates and time == "discrete":
             raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
         a, f = scheduled("A", a), scheduled("F", f)
         decoupled = None if decoupled is None else scheduled("T A", decoupled)
         self._a, self._f, self._decoupled, self.time = a, f, decoupled, time
         self.c = _shaped("C", c, (None, None))
-        self.rates = dict(rates or {})
+        self.rates = dict(instance("rates", {} if rates is None else rates, dict))
         self._weights = np.ones(len(self.c))
         self._latest_e = b"", np.zeros(self.c.T.shape)
         self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
@@ -155,6 +152,7 @@ class ParameterVaryingSystem:
 
     def checked(self, box: Box) -> None:
         """Raise ParameterError if the system and a box of its variables do not match."""
+        instance("box", box, Box)
         for name, rate in self.rates.items():
             for one in (name, rate):
                 if one not in box.names:
