@@ -3,15 +3,15 @@
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
 from pointpred.observers.detectability import undetectable
 from pointpred.observers.discretisation import c2d
+from pointpred.observers.error_equations import error_system
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.designs import error_system
-from pointpred.observers.error_systems.incremental import assumption_3_2_2
 from pointpred.observers.error_systems.l2_gain import L2Gain, l2_gain
 from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
 from pointpred.observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.incremental import assumption_3_2_2
 from pointpred.observers.interconnected.interconnection import theorem_3_2_1
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import (

@@ -128,7 +128,8 @@ def one_of(name: str, value: Any, options: Sequence[str]) -> str:
     pointpred.errors.ParameterError: time must be 'continuous' or 'discrete', received 'soon'
     """
     if not isinstance(value, str) or value not in options:
-        raise _wrong(name, f"must be {' or '.join(map(repr, options))}", value)
+        words = " or ".join(map(repr, options)) if len(options) == 2 else f"one of {', '.join(options)}"
+        raise _wrong(name, f"must be {words}", value)
     return value
 
 

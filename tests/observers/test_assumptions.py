@@ -25,6 +25,7 @@ from pointpred.observers import (
     steady_state_map,
 )
 from pointpred.observers.examples import academic, chua_circuits
+from pointpred.observers.triangular.ranges import enclosure
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
@@ -156,6 +157,20 @@ def test_example_9_satisfies_4_4_2_in_a_region() -> None:
     assert min(found.decay.margins.values()) > 0.0
     slope = steady.system.field[1].diff(y3)
     assert float(slope.subs(y3, 0.3)) == pytest.approx(found.decay.system.A[:, 1, 2].min(), rel=1e-3)
+
+
+@pytest.mark.parametrize("expression", ["x*y - x**2*sin(z)", "exp(x)*y/(2 + z)", "x**3", "sqrt(2 + x*y*z)"])
+def test_an_enclosure_holds_every_value_and_little_more(expression: str) -> None:
+    symbols = sp.symbols("x y z")
+    box = dict(zip(symbols, [(-1.0, 1.5), (0.2, 1.0), (-0.5, 1.0)], strict=True))
+    function = sp.sympify(expression)
+    low, high = enclosure(function, box)
+    grid = np.meshgrid(*(np.linspace(*side, 25) for side in box.values()))
+    values = np.broadcast_to(sp.lambdify(symbols, function)(*grid), grid[0].shape)
+    least, most = float(values.min()), float(values.max())
+    assert low <= least
+    assert most <= high
+    assert high - low <= 1.35 * (most - least)
 
 
 def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> None:

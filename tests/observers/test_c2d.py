@@ -78,5 +78,5 @@ def test_python_control_samples_alike() -> None:
 def test_what_cannot_be_sampled_is_named(arguments: tuple, message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         c2d(*arguments)
-    with pytest.raises(ParameterError, match="method must be one of zoh, euler"):
+    with pytest.raises(ParameterError, match="method must be 'zoh' or 'euler'"):
         c2d(PLANT, 0.1, method="tustin")

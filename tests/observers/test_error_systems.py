@@ -60,7 +60,7 @@ def test_the_norm_of_a_discrete_lag_is_known(pole: float) -> None:
 
 
 @given(st.integers(0, 2**31), st.integers(1, 6), st.booleans())
-@settings(max_examples=30)
+@settings(max_examples=15)
 def test_no_frequency_exceeds_the_norm_and_one_reaches_it(seed: int, n: int, discrete: bool) -> None:
     rng = np.random.default_rng(seed)
     a, b, c = stable(rng, n, discrete=discrete), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
@@ -78,7 +78,7 @@ def test_no_frequency_exceeds_the_norm_and_one_reaches_it(seed: int, n: int, dis
 def test_python_control_computes_the_same_norm() -> None:
     control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
     rng = np.random.default_rng(4)
-    for n in (1, 3, 5):
+    for n in (1, 4):
         a, b, c = stable(rng, n), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
         other = control.system_norm(control.ss(a, b, c, np.zeros((2, 2))), "inf", tol=1e-8)
         assert h_infinity(a, b, c)[0] == pytest.approx(other, rel=1e-6)
@@ -164,8 +164,8 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
 def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
     """The observer of (3.5) and its generator are run."""
     plant = Persidskii(
-        [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0], None,
-        [[1.0, 0.0]], slopes=(0.3, 1.0),
+        [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],
+        C0=[[1.0, 0.0]], slopes=(0.3, 1.0),
     )  # fmt: skip
     generator = Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
     pi_map = np.eye(2)

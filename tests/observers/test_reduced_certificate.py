@@ -211,6 +211,6 @@ def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
     )  # fmt: skip
     steepest = lipschitz(((-1.0, 1.0),), one.J)
     assert steepest.tolist() == [[0.0, 2.0]]
-    assert min(theorem_3_3_2([one], [steepest]).solve().margins.values()) > 0.0
+    assert min(theorem_3_3_2([one], [(-1.0, 1.0)]).solve().margins.values()) > 0.0
     with pytest.raises(InfeasibleError):
-        theorem_3_3_2([one], [2.0]).solve()
+        theorem_3_3_2([one], gamma=2.0).solve()

@@ -38,7 +38,7 @@ def random_plant(seed: int, *, time: str = "continuous") -> Persidskii:
 
 
 @given(st.integers(0, 2**31), st.booleans())
-@settings(max_examples=8)
+@settings(max_examples=4)
 def test_the_feedback_decays_as_proved_for_every_constant_slope(seed: int, discrete: bool) -> None:
     plant = random_plant(seed, time="discrete" if discrete else "continuous")
     try:
@@ -55,13 +55,13 @@ def test_the_feedback_decays_as_proved_for_every_constant_slope(seed: int, discr
 
 def test_most_random_plants_have_a_feedback() -> None:
     designed = 0
-    for seed in range(10):
+    for seed in range(5):
         try:
             design_state_feedback(random_plant(seed), decay=0.3)
             designed += 1
         except ArithmeticError:
             continue
-    assert designed >= 9
+    assert designed == 5
 
 
 def test_the_feedback_of_a_double_integrator_is_small_where_it_may_be() -> None:

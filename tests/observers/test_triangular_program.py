@@ -121,6 +121,10 @@ def test_what_is_neither_is_undecided() -> None:
         prove_nonzero("g", (W1 - sp.pi) ** 2, W, None)
     with pytest.raises(ParameterError, match=r"g = k\*w1 \+ 1 needs values for \['k'\]"):
         prove_nonzero("g", 1 + sp.Symbol("k") * W1, W, None)
-    for wrong in ([(0, 1)], [(1, 0), (0, 1)], [(0, np.inf), (0, 1)]):
-        with pytest.raises(ParameterError, match=r"region needs 2 pairs \(low, high\), received"):
+    for wrong, told in (
+        ([(0, 1)], r"region needs 2 pairs \(low, high\), received"),
+        ([(1, 0), (0, 1)], r"w1 needs finite low <= high, received \(1, 0\)"),
+        ([(0, np.inf), (0, 1)], "w1 needs finite low <= high"),
+    ):
+        with pytest.raises(ParameterError, match=told):
             prove_nonzero("g", W1, W, wrong)

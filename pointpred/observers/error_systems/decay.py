@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.bounds import ErrorBound
+from pointpred.observers.bounds import ErrorBound, eigenvalues
 from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import instance, positive
@@ -129,7 +129,7 @@ def _certified(
     for i, size in enumerate(sizes):
         values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
     margins = decay_inequalities(system, decay, **bounds).check(values)
-    p = np.linalg.eigvalsh(values["P"])
+    p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
     gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(count))
     bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))

@@ -121,6 +121,7 @@ def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
 
     Raises ParameterError for what is no generator, and naming the matrix that does not fit.
 
+    >>> from pointpred.observers import Persidskii
     >>> fitted(None, Persidskii([[-1.0]], None, None, "sin"), "regulator")
     Traceback (most recent call last):
     pointpred.errors.ParameterError: regulator must be a Generator, received None

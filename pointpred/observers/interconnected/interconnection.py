@@ -157,6 +157,7 @@ def theorem_3_2_1(
     corner D of the slopes. In discrete time, for which the thesis has no such theorem, V(e+) - V(e) replaces
     V' at each corner.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
     >>> theorem = theorem_3_2_1(plant, Generator([[0.0]], L0=[1.0]), [[1.0]])
     >>> theorem.check({"P": 1.0, "Theta": 1.0, "Gamma": 9.0, "Xi": 4.0, "U": 2.0})["the LMI"] > 0.0

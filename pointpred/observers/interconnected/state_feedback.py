@@ -97,13 +97,9 @@ def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
     """Raise InfeasibleError naming a mode that no input moves, at any corner of the slopes."""
     a1 = plant.A1 if l1 is None else cancelled(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
     corners = vertices(plant.slopes) if a1.any() else {"": np.zeros((plant.k, plant.r))}
-    units = balanced(plant.A0, driven=plant.B, time=plant.time)
-    x, one = units.states, np.ones(plant.m)
     for name, d in corners.items():
-        a = inward(plant.A0 + a1 @ d @ plant.H, x, x, units.seconds)
-        for mode in undetectable(a.T, inward(plant.B, x, one).T, plant.time):
-            value = mode if plant.time == "discrete" else mode / units.seconds
-            shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value:.6g}"
+        for mode in undetectable((plant.A0 + a1 @ d @ plant.H).T, plant.B.T, plant.time):
+            shown = f"{mode.real:.6g}" if mode.imag == 0.0 else f"{mode:.6g}"
             corner = f" at D = diag({name})" if name else ""
             raise InfeasibleError(
                 f"no input moves the mode of the eigenvalue {shown}{corner}: (A0, B) is not stabilisable"

@@ -43,6 +43,7 @@ def residuals(
 ) -> dict[str, FloatArray]:
     """Residual of each equality for a Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     >>> generator = Generator([[0.0]], L0=[2.0])
     >>> {name: one.tolist() for name, one in residuals(plant, generator, [[2.0]]).items()}
@@ -118,6 +119,7 @@ def steady_state_map(
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     >>> steady_state_map(plant, Generator([[0.0]], L0=[2.0])).Pi.tolist()
     [[2.0]]

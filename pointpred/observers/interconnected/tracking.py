@@ -90,6 +90,7 @@ def certify_tracking(
 
     Reference: Khalin 2022, section 3.2.3.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
     >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
     >>> certificate = certify_tracking(plant, regulator, [[1.0]])
@@ -97,6 +98,7 @@ def certify_tracking(
     True
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
+    instance("regulator", regulator, Generator)
     scale = max(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0))
     for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
         if part > tolerance and worst > tolerance * scale:
