@@ -27,6 +27,7 @@ from pages.openapi import document as openapi
 from pages.predictors import page as predictors
 from pages.readme import page as readme
 from pages.rendering import rendered
+from pages.reproduce import page as reproduce
 from pages.results import page as results
 from pages.settings import page as settings
 from pages.soak import figure as soak_figure
@@ -69,6 +70,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         "costs",
         several(**{part: f"costs/{part}" for part in COSTS}),
     ),
+    "docs/evidence/reproduce.md": ("reproduce", reproduce.context),
     "docs/evidence/targets.md": (
         "targets",
         lambda: measured("targets")() | several(proposals="proposals/data")(),

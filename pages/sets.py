@@ -25,6 +25,12 @@ def folder() -> Path | None:
     return Path(named)
 
 
+def folder_with(name: str) -> Path | None:
+    """The folder that the environment names, if it holds a file of this name; ``None`` otherwise."""
+    named = folder()
+    return named if named is not None and (named / name).is_file() else None
+
+
 def recordings(folder: Path | None, unread: dict[str, str]) -> Iterator[Recording]:
     """The embedded sample, then one set after the other; what cannot be read goes into ``unread``."""
     yield sample()

@@ -30,10 +30,16 @@ def absent(extra: str) -> list[str]:
     return [name for name in EXTRAS[extra] if find_spec(name) is None]
 
 
-def require(extra: str, purpose: str) -> None:
-    """Raise MissingExtraError, with the command that installs the extra, where a library of it is missing."""
-    if missing := absent(extra):
-        raise missing_extra(extra, f"{purpose} needs {', '.join(missing)}")
+def require(extra: str, purpose: str, *more: str) -> None:
+    """Raise MissingExtraError, with the command that installs what is missing, where a library is.
+
+    ``more``: further extras that the purpose needs.
+    """
+    missing = {name: absent(name) for name in (extra, *more)}
+    lacking = [name for name, libraries in missing.items() if libraries]
+    if lacking:
+        libraries = dict.fromkeys(library for name in lacking for library in missing[name])
+        raise missing_extra(",".join(lacking), f"{purpose} needs {', '.join(libraries)}")
 
 
 def missing_extra(extra: str, why: str) -> MissingExtraError:

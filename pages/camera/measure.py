@@ -13,31 +13,33 @@ from pages.camera.figures import draw
 from pages.camera.tables import designs, residuals
 from pages.data import Table, keep
 from pointpred.camera import (
-    SCENARIOS,
     WAYS,
     DepthObserver,
     Noise,
     PointFilter,
-    Scenario,
     Trajectory,
     UnknownInputs,
     consistent,
     cramer_rao,
     printed,
-    trajectory,
     velocities,
 )
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
 from pointpred.columns import FloatArray
+from pointpred.reproduction.camera import (
+    FOCAL_PX,
+    GUESSED_S,
+    NAMES,
+    RUNS,
+    START_CHI,
+    START_ETA,
+    estimated,
+    scenario_45,
+)
 
-FOCAL, RUNS, RATE_HZ, LENGTH_S = 800.0, 24, 33.0, 10.0
-GUESSED_S = 63.0
-"""The length with which cos for sin comes nearest to TABLE I."""
 PIXELS = (0.0, 2.0, 4.0, 8.0)
-START = {"start_chi": 4.0, "start_eta": -1.6}
 SMALLEST_PX = 0.05
-NAMES = ("chi", "eta", "v_x", "v_y", "v_z")
 
 
 def rms(errors: Any) -> Any:
@@ -69,10 +71,10 @@ class Run(msgspec.Struct, frozen=True):
 
 def one_run(truth: Trajectory, noise: Noise, seed: int, accel: float | None = None) -> Run:
     """Simulate once and compare the observer, with every way, and the filter with the truth."""
-    samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
-    observer = DepthObserver(focal_px=FOCAL, **START).run(samples)
+    samples = observed(truth, focal_px=FOCAL_PX, noise=noise, seed=seed)
+    observer = DepthObserver(focal_px=FOCAL_PX, start_chi=START_CHI, start_eta=START_ETA).run(samples)
     track = PointFilter(
-        focal_px=FOCAL,
+        focal_px=FOCAL_PX,
         noise_px=filter_sigma(noise.noise_px),
         accel_noise=noise.accel_noise if accel is None else accel,
         gyro_noise=noise.gyro_noise,
@@ -80,7 +82,7 @@ def one_run(truth: Trajectory, noise: Noise, seed: int, accel: float | None = No
     wanted = np.column_stack([truth.chi, truth.eta, truth.v])
     ways = {}
     for way in WAYS:
-        d = UnknownInputs(way, focal_px=FOCAL, noise_px=filter_sigma(noise.noise_px)).run(
+        d = UnknownInputs(way, focal_px=FOCAL_PX, noise_px=filter_sigma(noise.noise_px)).run(
             samples, observer.eta
         )
         ways[way] = np.column_stack([observer.chi, observer.eta, velocities(d, observer)]) - wanted
@@ -127,7 +129,7 @@ def peer_table(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
     """The peer beside the bound, its consistency, and the observer over the same time."""
     rows = []
     for noise_px, some in runs.items():
-        bound = cramer_rao(truth, focal_px=FOCAL, noise_px=filter_sigma(noise_px))
+        bound = cramer_rao(truth, focal_px=FOCAL_PX, noise_px=filter_sigma(noise_px))
         least = float(np.sqrt(bound[-1, 2, 2]))
         depth_error = float(rms([run.depth for run in some]))
         average, (low, high) = consistent(np.array([run.nees for run in some]))
@@ -161,35 +163,16 @@ def peer_table(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
 def table_one(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
     """TABLE I as printed, ours from the printed start, and ours from a start that is right in v_z."""
     rows = []
-    paper = SCENARIOS["paper"]
-    longer = np.arange(round(GUESSED_S * RATE_HZ) + 1) / RATE_HZ
-    cosine = trajectory(Scenario("cosine", _cosine, paper.angular), longer)
+    guessed = estimated(scenario_45(GUESSED_S, cosine=True))
     for noise_px, values in printed.TABLE_I.items():
         rows.append((f"{noise_px}", "print", *_short(values)))
         rows.append(
             (f"{noise_px}", "ours", *_short(rms([run.ways["difference"] for run in runs[float(noise_px)]])))
         )
-    rows.append(("0", "ours, v_z right at the start: eta(0) = -1.2", *_short(_without_noise(truth, -1.2))))
-    rows.append(("0", "ours, cos for sin in v_z, 63 s", *_short(_without_noise(cosine, -1.6))))
+    right = estimated(truth, start_eta=-1.2)
+    rows.append(("0", "ours, v_z right at the start: eta(0) = -1.2", *_short(right.rmse)))
+    rows.append(("0", "ours, cos for sin in v_z, 63 s", *_short(guessed.rmse)))
     return Table.of(("noise px", "", *NAMES), rows)
-
-
-def _cosine(t: Any) -> tuple[Any, Any, Any]:
-    """(45) with cos for sin in v_z, so that the printed start is right in v_z."""
-    vx, vy, _ = SCENARIOS["paper"].velocity(t)
-    return vx, vy, -0.3 * np.exp(-0.02 * t) - 0.1 * np.cos(np.pi / 6.0 * t)
-
-
-def _without_noise(truth: Trajectory, start_eta: float) -> Any:
-    """RMSE of the observer with plain differences."""
-    samples = observed(truth, focal_px=FOCAL)
-    observer = DepthObserver(focal_px=FOCAL, start_chi=4.0, start_eta=start_eta).run(samples)
-    d = UnknownInputs("difference", focal_px=FOCAL).run(samples, observer.eta)
-    return rms(
-        np.column_stack(
-            [observer.chi - truth.chi, observer.eta - truth.eta, velocities(d, observer) - truth.v]
-        )
-    )
 
 
 def _short(values: Any) -> list[str]:
@@ -198,7 +181,7 @@ def _short(values: Any) -> list[str]:
 
 def main() -> None:
     """Measure, print, draw, and fill the page."""
-    truth = trajectory(SCENARIOS["paper"], np.arange(round(LENGTH_S * RATE_HZ) + 1) / RATE_HZ)
+    truth = scenario_45()
     runs = monte_carlo(truth)
     parts = {
         "residuals": residuals(),
@@ -209,7 +192,7 @@ def main() -> None:
         "sensors": sensors(truth),
     }
     keep("camera", parts)
-    draw(FIGURES, FOCAL)
+    draw(FIGURES, FOCAL_PX)
 
 
 def sensors(truth: Trajectory) -> Table:

@@ -19,7 +19,6 @@ from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL, RATE_HZ = 800.0, 33.0
-START = {"start_chi": 4.0, "start_eta": -1.6}
 
 
 def residuals() -> Table:

@@ -15,11 +15,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages import FIGURES
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.scored import find, named
-from pages.thesis.figures import write_figures
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
@@ -185,7 +183,6 @@ def main() -> None:
     else:
         print("POINTPRED_RECORDINGS is not set: the tables of recorded people stay as they were")
     keep("thesis", tables, numbers={"losses": losses(scored), "anova": about})
-    write_figures(prepare(recording), scored, FIGURES)
 
 
 if __name__ == "__main__":

@@ -23,6 +23,7 @@ from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
+from pointpred.cli.reproduce import reproduce
 from pointpred.cli.score import score
 from pointpred.cli.serve import serve
 from pointpred.cli.simulate import simulate
@@ -41,7 +42,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, train, simulate, convert, predictors, serve, demo, replay, live, doctor):
+for command in (score, train, simulate, convert, predictors, serve, demo, replay, reproduce, live, doctor):
     app.command()(command)
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")

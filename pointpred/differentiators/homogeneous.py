@@ -270,6 +270,11 @@ class HomogeneousDifferentiator(Differentiator):
         settings[HOLD] = 1.0 if self.between == "hold" else 0.0
         return settings
 
+    @property
+    def position(self) -> tuple[float, float]:
+        """The filtered position z_1 of x and of y in m, from where the law last began."""
+        return float(self._memory[ZX]), float(self._memory[ZY])
+
     def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
         """Make the memory, and measure how long the law takes to settle and whether it comes to rest."""
         super().lay_out(settings, states)

@@ -24,6 +24,8 @@ assert pointpred.__file__.startswith({folder!r}), pointpred.__file__
 assert importlib.util.find_spec("server") is None
 assert importlib.util.find_spec("datasets") is None
 assert (pointpred.server.app.WEB / "index.html").exists()
+from pointpred.reproduction.catalogue import entry_of
+assert "</svg>" in entry_of("3.9").make(None).draw().svg
 """
 
 

@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from pages.transfer.trials import CPI, DPI, simulate_trials
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import PointerEvent
+from pointpred.reproduction.transfer_trials import CPI, DPI, simulate_trials
 from pointpred.transfer import (
     ConstantGain,
     PolynomialFunction,

@@ -1,0 +1,160 @@
+"""``pointpred reproduce``: a figure or table of the thesis or of the camera paper, made again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import msgspec
+import typer
+from rich.table import Table
+
+from pointpred.cli.output_files import Force, check_target, check_targets, write_json
+from pointpred.console import remarks, results
+from pointpred.errors import ParameterError
+from pointpred.extras import require
+
+if TYPE_CHECKING:
+    from pointpred.reproduction.figure import Entry, Reproduction, Value
+
+AGREES = {True: "agrees", False: "differs", None: ""}
+
+
+def reproduce(
+    number: Annotated[
+        str | None,
+        typer.Argument(help="Number of the figure, as 2.12 or 3.4; camera-1, camera-2, camera-table-1."),
+    ] = None,
+    every: Annotated[bool, typer.Option("--list", help="List every figure and table.")] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="SVG file to draw (thesis-2.12.svg, camera-1.svg)."),
+    ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="PATH",
+            help="A recording of people in place of simulated ones (2.2, 2.3, 2.8 to 2.10, 2.12, 2.13), or "
+            "the folder that holds sniffer.csv (3.10, 3.11).",
+        ),
+    ] = None,
+    json: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Make a figure or table of the thesis or of the camera paper again, with its numbers beside the print.
+
+    Draws an SVG file, prints each number of ours beside the printed one, and says what differs and why.
+    Figures need the extra 'report', those of chapters 3 and 4 'observers' as well: where one is missing, an
+    error shows the command that installs it.
+
+    Try:
+
+      pointpred reproduce --list
+
+      pointpred reproduce 3.4
+
+      pointpred reproduce 2.12 --recordings study_samples.parquet --out error.svg
+    """
+    from pointpred.reproduction.catalogue import ENTRIES, entry_of
+
+    if every:
+        _print_list(list(ENTRIES.values()))
+        return
+    if number is None:
+        raise ParameterError("name a figure or table, such as 2.12; --list shows all", field="number")
+    entry = entry_of(number)
+    if entry.make is None:
+        results().print(f"{_title(entry)}. {entry.differs}", markup=False)
+        return
+    target = _target(entry, out, recordings, json, force)
+    require(*entry.extras[:1], f"figure {number}", *entry.extras[1:])
+    if entry.slow:
+        remarks().print("scoring a whole experiment, which takes some seconds")
+    made = entry.make(recordings)
+    if made.draw is not None:
+        target.write_text(made.draw().svg, encoding="utf-8")
+    if json is not None:
+        write_json(_document(entry, made), json)
+    if json is None or str(json) != "-":
+        _print(entry, made)
+    if made.draw is not None:
+        remarks().print(f"drawn: {target}", markup=False)
+
+
+def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path:
+    """The file to draw; raises ParameterError before any work where something named cannot be used."""
+    target = Path(entry.file_name) if out is None else out
+    if data is not None and not entry.reads:
+        raise ParameterError(f"{entry.number} is computed without recordings: leave --recordings out")
+    if data is not None and not data.exists():
+        raise ParameterError(f"--recordings: no such file or folder: {data}")
+    if target.suffix != ".svg":
+        raise ParameterError(f"--out must name a file that ends in .svg, received {target}")
+    if target.exists() and not force:
+        raise ParameterError(f"{target} exists: choose another --out, or --force to replace it")
+    check_target(target)
+    check_targets({"--out": target, "--json": json}, [] if data is None else [data])
+    return target
+
+
+def _title(entry: Entry) -> str:
+    thesis = entry.source == "thesis"
+    named = f"Thesis, figure {entry.number}" if thesis else entry.number.replace("-", " ").capitalize()
+    return f"{named}: {entry.shows}"
+
+
+def _print_list(entries: list[Entry]) -> None:
+    table = Table(box=None, pad_edge=False)
+    for heading in ("number", "shows", "reads"):
+        table.add_column(heading, no_wrap=heading == "number")
+    for one in entries:
+        note = "diagram" if one.make is None else one.reads and f"--recordings: {one.reads}"
+        table.add_row(one.number, one.shows, note)
+    results().print(table)
+
+
+def _print(entry: Entry, made: Reproduction) -> None:
+    screen = results()
+    screen.print(_title(entry), style="bold", markup=False)
+    screen.print(f"from: {made.data}", markup=False)
+    table = Table(box=None, pad_edge=False)
+    for heading in ("number", "printed", "ours", "unit", ""):
+        table.add_column(heading, justify="right" if heading in ("printed", "ours") else "left")
+    for value in made.values:
+        table.add_row(value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
+    screen.print(table)
+    screen.print(f"What differs: {entry.differs}", markup=False)
+
+
+def shown(value: Value) -> str:
+    """Our number with five digits; what is rounding of 0 is 0."""
+    return "0" if abs(value.ours) < 1e-12 else f"{value.ours:.5g}"
+
+
+class ValueDocument(msgspec.Struct, frozen=True):
+    """A number of ``--json``; ``printed`` and ``agrees`` are null where the source prints none."""
+
+    name: str
+    printed: str | None
+    ours: float
+    unit: str
+    agrees: bool | None
+
+
+class ReproductionDocument(msgspec.Struct, frozen=True):
+    """What ``pointpred reproduce --json`` writes."""
+
+    version: int
+    number: str
+    source: str
+    shows: str
+    data: str
+    differs: str
+    values: tuple[ValueDocument, ...]
+
+
+def _document(entry: Entry, made: Reproduction) -> ReproductionDocument:
+    values = tuple(ValueDocument(v.name, v.printed, v.ours, v.unit, v.agrees) for v in made.values)
+    return ReproductionDocument(1, entry.number, entry.source, entry.shows, made.data, entry.differs, values)

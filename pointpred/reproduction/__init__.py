@@ -1,0 +1,1 @@
+"""The figures and tables of the thesis and of the camera paper, made again with their numbers."""

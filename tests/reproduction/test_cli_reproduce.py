@@ -1,0 +1,137 @@
+"""``pointpred reproduce``: what it prints, draws and writes, and what it refuses before any work."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from pointpred import extras
+from pointpred.reproduction.catalogue import ENTRIES
+from pointpred.reproduction.people import CONDITION, novice_and_expert
+from pointpred.simulation import simulate_circle
+from pointpred.sources import write
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_list_has_every_number_and_what_it_may_read(command: Callable) -> None:
+    left = command("reproduce", "--list")
+    assert left.code == 0
+    lines = {line.split()[0]: line for line in left.out.splitlines()[1:]}
+    assert set(ENTRIES) <= set(lines)
+    assert "--recordings: sniffer.csv" in lines["3.11"]
+    assert "--recordings: a recording" in lines["2.12"]
+    assert lines["1.1"].rstrip().endswith("diagram")
+
+
+def test_a_figure_is_drawn_with_its_numbers_beside_the_print(command: Callable, tmp_path: Path) -> None:
+    left = command("reproduce", "2.11", "--json", "numbers.json")
+    assert left.code == 0, left.err
+    assert (tmp_path / "thesis-2.11.svg").read_text(encoding="utf-8").startswith("<svg")
+    numbers = json.loads((tmp_path / "numbers.json").read_text())
+    assert numbers["number"] == "2.11"
+    named = {value["name"]: value for value in numbers["values"]}
+    assert named["T^ at the peak"] == {
+        "name": "T^ at the peak", "printed": "1", "ours": pytest.approx(1.0), "unit": "", "agrees": True,
+    }  # fmt: skip
+    assert "What differs: Nothing differs." in left.out
+    again = command("reproduce", "2.11")
+    assert again.code == 2
+    assert "--force" in again.err
+    assert command("reproduce", "2.11", "--force").code == 0
+
+
+def test_a_diagram_says_which_part_of_the_library_it_is(command: Callable, tmp_path: Path) -> None:
+    left = command("reproduce", "2.4")
+    assert left.code == 0
+    assert "switched-printed" in left.out
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("3.44",), "did you mean"),
+        ((), "--list"),
+        (("2.11", "--recordings", "x.csv"), "leave --recordings out"),
+        (("2.2", "--recordings", "missing.csv"), "missing.csv"),
+        (("2.11", "--out", "figure.png"), ".svg"),
+        (("2.11", "--out", "nowhere/figure.svg"), "nowhere"),
+    ],
+)
+def test_what_cannot_be_made_is_refused_in_one_line(
+    command: Callable, tmp_path: Path, arguments: tuple[str, ...], words: str
+) -> None:
+    left = command("reproduce", *arguments)
+    assert left.code == 2
+    assert words in left.err
+    assert len(left.err.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_missing_extras_are_named_with_one_command_before_any_work(
+    command: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gone = {"matplotlib", "cvxpy"}
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name in gone else name)
+    left = command("reproduce", "3.3")
+    assert left.code == 1
+    assert "matplotlib, cvxpy" in left.err
+    assert extras.install_command("report,observers") in left.err
+    left = command("reproduce", "2.11")
+    assert extras.install_command("report") in left.err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_list_and_the_diagrams_need_no_extra() -> None:
+    """With every optional library gone, in a process of its own."""
+    names = {name for libraries in extras.EXTRAS.values() for name in libraries}
+    code = (
+        f"import sys; sys.modules.update(dict.fromkeys({names!r}))\n"
+        "from pointpred.cli import main\n"
+        "main(['reproduce', '--list'])"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    assert "camera-table-1" in ran.stdout
+
+
+def test_a_recording_takes_the_place_of_simulated_people(command: Callable, tmp_path: Path) -> None:
+    recording = simulate_circle(novice_and_expert(), [CONDITION], seed=5, trials=4, name="study")
+    provenance = msgspec.structs.replace(recording.provenance, simulated=False)
+    recording = msgspec.structs.replace(recording, provenance=provenance)
+    file = write(recording, tmp_path / "study_samples.csv")[0]
+    for number in ("2.2", "2.9"):
+        left = command("reproduce", number, "--recordings", file)
+        assert left.code == 0, left.err
+        assert "from: study" in left.out
+        assert (tmp_path / f"thesis-{number}.svg").exists()
+
+
+def test_the_sniffer_data_are_taken_from_their_folder_and_checked(command: Callable, tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    rows = rng.uniform(1.0, 9.0, (40, 4))
+    table = np.column_stack([rows, rows @ [1.0, -2.0, 3.0, 4.0]])
+    np.savetxt(tmp_path / "sniffer.csv", table, delimiter=",", header="a,b,c,d,y")
+    left = command("reproduce", "3.10", "--recordings", tmp_path, "--json", "-")
+    assert left.code == 0, left.err
+    document = json.loads(left.out)
+    assert document["data"] == "sniffer.csv"
+    ends = [value["ours"] for value in document["values"] if "recursive" in value["name"]]
+    assert ends == pytest.approx([1.0, -2.0, 3.0, 4.0], abs=1e-6)
+    np.savetxt(tmp_path / "sniffer.csv", table[:, :3], delimiter=",", header="a,b,c")
+    left = command("reproduce", "3.11", "--recordings", tmp_path)
+    assert left.code == 1
+    assert "five columns" in left.err
+    (tmp_path / "sniffer.csv").unlink()
+    assert "Weisberg" in command("reproduce", "3.11", "--recordings", tmp_path).err
