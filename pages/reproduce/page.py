@@ -31,7 +31,7 @@ def _row(number: str, tables: dict[str, Table]) -> Row:
     judged = [one for one in verdicts if one]
     named = "FOLDER" if entry.reads == SNIFFER else "FILE"
     option = f" [--recordings {named}]" if entry.reads else ""
-    drawn = entry.make is not None and "table" not in number
+    drawn = entry.make is not None and not entry.is_table
     return Row(
         number,
         f"pointpred reproduce {number}{option}",

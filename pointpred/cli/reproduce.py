@@ -9,7 +9,7 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.output_files import Force, check_target, check_targets, write_json
+from pointpred.cli.output_files import Force, check_targets, write_json
 from pointpred.console import remarks, results
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -66,35 +66,37 @@ def reproduce(
         raise ParameterError("name a figure or table, such as 2.12; --list shows all", field="number")
     entry = entry_of(number)
     if entry.make is None:
-        results().print(f"{_title(entry)}. {entry.differs}", markup=False)
+        results().print(f"{_title(entry)}. {entry.differs}", markup=False, soft_wrap=True)
         return
     target = _target(entry, out, recordings, json, force)
-    require(*entry.extras[:1], f"figure {number}", *entry.extras[1:])
+    first, *more = entry.extras
+    require(first, entry.number, *more)
     if entry.slow:
         remarks().print("scoring a whole experiment, which takes some seconds")
     made = entry.make(recordings)
-    if made.draw is not None:
+    if made.draw is not None and target is not None:
         target.write_text(made.draw().svg, encoding="utf-8")
     if json is not None:
         write_json(_document(entry, made), json)
     if json is None or str(json) != "-":
         _print(entry, made)
-    if made.draw is not None:
+    if target is not None:
         remarks().print(f"drawn: {target}", markup=False)
 
 
-def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path:
-    """The file to draw; raises ParameterError before any work where something named cannot be used."""
-    target = Path(entry.file_name) if out is None else out
+def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path | None:
+    """The file to draw, ``None`` for a table; raises ParameterError where something cannot be used."""
     if data is not None and not entry.reads:
         raise ParameterError(f"{entry.number} is computed without recordings: leave --recordings out")
     if data is not None and not data.exists():
         raise ParameterError(f"--recordings: no such file or folder: {data}")
-    if target.suffix != ".svg":
+    if entry.is_table and out is not None:
+        raise ParameterError(f"{entry.number} is a table, which is printed: leave --out out")
+    target = None if entry.is_table else out or Path(entry.file_name)
+    if target is not None and target.suffix != ".svg":
         raise ParameterError(f"--out must name a file that ends in .svg, received {target}")
-    if target.exists() and not force:
+    if target is not None and target.exists() and not force:
         raise ParameterError(f"{target} exists: choose another --out, or --force to replace it")
-    check_target(target)
     check_targets({"--out": target, "--json": json}, [] if data is None else [data])
     return target
 
@@ -120,12 +122,12 @@ def _print(entry: Entry, made: Reproduction) -> None:
     screen.print(_title(entry), style="bold", markup=False)
     screen.print(f"from: {made.data}", markup=False)
     table = Table(box=None, pad_edge=False)
-    for heading in ("number", "printed", "ours", "unit", ""):
+    for heading in ("value", "printed", "ours", "unit", ""):
         table.add_column(heading, justify="right" if heading in ("printed", "ours") else "left")
     for value in made.values:
         table.add_row(value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
     screen.print(table)
-    screen.print(f"What differs: {entry.differs}", markup=False)
+    screen.print(f"What differs: {entry.differs}", markup=False, soft_wrap=True)
 
 
 def shown(value: Value) -> str:

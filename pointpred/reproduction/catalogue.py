@@ -33,14 +33,14 @@ LISTED = (
     _diagram("1.3", "observer for connected systems", "`design_observer` designs it."),
     _diagram("1.4", "interconnected systems with a reference signal", "`certify_tracking` covers them."),
     _diagram("1.5", "observer for interconnected systems", "`design_observer` designs it."),
-    _diagram("1.6", "connected systems, reversed", "`invariant_observer` and `design_reduced_order`."),
+    _diagram("1.6", "connected systems, reversed", "`design_reduced_order` designs such an observer."),
     _diagram("2.1", "closed-loop model of pointing", "`pointpred simulate` plays it with simulated people."),
     Entry(
         "2.2",
         THESIS,
         "position of the mouse, its differences and its derivatives by the homogeneous differentiator",
-        f"{PEOPLE}: this is a simulated person, whose true velocity is known, so that errors can be given. "
-        "The gains are the printed ones; the sign of the last discrete line is corrected, because the law "
+        f"{PEOPLE}; without --recordings this is a simulated person, whose true velocity is known. The "
+        "gains are the printed ones; the sign of the last discrete line is corrected, because the law "
         "diverges as printed.",
         trials.figure_2_2,
         reads=READS,
@@ -49,8 +49,8 @@ LISTED = (
         "2.3",
         THESIS,
         "a trial without and one with sub-movements",
-        f"{PEOPLE}: these are simulated people. The thesis does not say what a peak is; here the speed must "
-        "fall by half between two.",
+        f"{PEOPLE}; without --recordings these are simulated people. The thesis does not say what a peak "
+        "is; here the speed must fall by half between two.",
         trials.figure_2_3,
         reads=READS,
     ),
@@ -84,8 +84,8 @@ LISTED = (
         "2.8",
         THESIS,
         "the corrective model alone on a whole movement",
-        f"{PEOPLE}: this is a simulated person. x counts from the start of the movement, because the "
-        "printed bound 0.1 abs(x) would depend on where the screen begins.",
+        f"{PEOPLE}; without --recordings this is a simulated person. x counts from the start of the "
+        "movement, because the printed bound 0.1 abs(x) would depend on where the screen begins.",
         trials.figure_2_8,
         reads=READS,
     ),
@@ -93,8 +93,8 @@ LISTED = (
         "2.9",
         THESIS,
         "the switched model on a movement without sub-movements",
-        "A simulated person as in 2.8. Simulated movements peak before half of the way, so that doubling "
-        "at the peak falls short.",
+        "A person as in 2.8. Simulated people are fastest before half of the way, so that doubling at the "
+        "peak falls short.",
         trials.figure_2_9,
         reads=READS,
     ),
@@ -102,7 +102,7 @@ LISTED = (
         "2.10",
         THESIS,
         "the switched model on a movement with sub-movements",
-        "A simulated person as in 2.8.",
+        "A person as in 2.8.",
         trials.figure_2_10,
         reads=READS,
     ),
@@ -117,9 +117,10 @@ LISTED = (
         "2.12",
         THESIS,
         "mean absolute error against the path, switched and KEP, 960 trials",
-        f"{PEOPLE}: ten simulated people stand for them. On these the switched model loses to KEP at 70 and "
-        "80 % of the path, because their speed peaks before half of the way. KEP ignores zeros more than "
-        "ten times the way ahead, which the thesis does not have and which helps KEP.",
+        f"{PEOPLE}; without --recordings ten simulated people stand for them. On these the switched model "
+        "loses to KEP at 70 and 80 % of the path, because their speed peaks before half of the way. KEP "
+        "ignores zeros more than ten times the way ahead, which the thesis does not have and which helps "
+        "KEP.",
         comparison.figure_2_12,
         reads=READS,
         slow=True,
@@ -128,7 +129,7 @@ LISTED = (
         "2.13",
         THESIS,
         "distribution of the error against the path, and its analysis of variance",
-        "Ten simulated people as in 2.12.",
+        "People as in 2.12.",
         comparison.figure_2_13,
         reads=READS,
         slow=True,

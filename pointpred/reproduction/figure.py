@@ -98,6 +98,11 @@ class Entry(msgspec.Struct, frozen=True):
     """Whether it takes more than a few seconds."""
 
     @property
+    def is_table(self) -> bool:
+        """Whether it is a table, of which nothing is drawn."""
+        return "table" in self.number
+
+    @property
     def file_name(self) -> str:
         """The file it is drawn into unless another is named."""
         return f"{self.number}.svg" if self.source == CAMERA else f"thesis-{self.number}.svg"

@@ -25,7 +25,7 @@ assert importlib.util.find_spec("server") is None
 assert importlib.util.find_spec("datasets") is None
 assert (pointpred.server.app.WEB / "index.html").exists()
 from pointpred.reproduction.catalogue import entry_of
-assert "</svg>" in entry_of("3.9").make(None).draw().svg
+assert "</svg>" in entry_of("3.4").make(None).draw().svg
 """
 
 

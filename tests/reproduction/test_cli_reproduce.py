@@ -66,6 +66,7 @@ def test_a_diagram_says_which_part_of_the_library_it_is(command: Callable, tmp_p
         (("2.11", "--recordings", "x.csv"), "leave --recordings out"),
         (("2.2", "--recordings", "missing.csv"), "missing.csv"),
         (("2.11", "--out", "figure.png"), ".svg"),
+        (("camera-table-1", "--out", "table.svg"), "is a table"),
         (("2.11", "--out", "nowhere/figure.svg"), "nowhere"),
     ],
 )
