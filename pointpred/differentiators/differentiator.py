@@ -86,12 +86,16 @@ class Differentiator(CompiledStage):
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
         before = self.remembered()
-        motions = MotionColumns(self.walk(events.begin, events.table))
+        motions = MotionColumns(self.walk_events(events))
         refused = motions.t != motions.t
         if refused.any():
             self.recall(before)
             raise self.refusal_of_row(events, int(refused.argmax()))
         return motions
+
+    def walk_events(self, events: EventColumns) -> FloatArray:
+        """``walk`` over events; of the samples beside them only a differentiator that fuses knows."""
+        return self.walk(events.begin, events.table)
 
     def refusal(self, event: PointerEvent) -> EventError:
         """Why ``update`` refuses an event."""

@@ -1,0 +1,242 @@
+"""The differentiator that fuses counts and acceleration, against known sensors and a second filter."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.linalg import expm, solve_continuous_are
+
+from pointpred import EventColumns
+from pointpred.columns import FloatArray
+from pointpred.differentiators import KalmanDifferentiator
+from pointpred.differentiators.inertial import InertialDifferentiator
+from pointpred.errors import EventError, EventOrderError
+from pointpred.events import METRES_PER_INCH
+
+CPI = 2000.0
+COUNT_M = METRES_PER_INCH / CPI
+GRAVITY = 9.81
+
+
+def path(t: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Position m, velocity, acceleration of a smooth path in the plane, shape (rows, 2), at rest at 0."""
+    place, speed, push = (np.zeros((len(t), 2)) for _ in range(3))
+    for axis, parts in enumerate((((0.03, 1.1), (0.004, 3.7)), ((0.02, 1.7), (0.003, 4.3)))):
+        for size, rate_hz in parts:
+            w = 2.0 * np.pi * rate_hz
+            place[:, axis] += size * (1.0 - np.cos(w * t))
+            speed[:, axis] += size * w * np.sin(w * t)
+            push[:, axis] += size * w * w * np.cos(w * t)
+    return place, speed, push
+
+
+class Bench:
+    """A path with an accelerometer: turned, scaled, tilted, biased, with positions ``delay_s`` late."""
+
+    def __init__(
+        self, length_s: float, turn: float, delay_s: float, noise: float, seed: int = 1, counts: bool = True
+    ) -> None:
+        random = np.random.default_rng(seed)
+        self.t = np.arange(round(1000.0 * length_s)) / 1000.0
+        late = np.maximum(self.t - delay_s, 0.0)
+        place = path(late)[0]
+        if counts:
+            place = np.round(place / COUNT_M) * COUNT_M
+        px = place * 96.0 / METRES_PER_INCH
+        self.events = EventColumns.of(self.t, px[:, 0], px[:, 1])
+        self.scale = 1.04
+        turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)], [0.02, -0.03]])
+        self.matrix = self.scale * turned
+        self.zero = GRAVITY * np.array([0.03, -0.05, 0.998]) + np.array([0.15, -0.2, 0.1])
+        self.sample_t = np.arange(round(1600.0 * length_s)) / 1600.0
+        force = path(self.sample_t)[2] @ self.matrix.T + self.zero
+        force += noise * random.standard_normal(force.shape)
+        self.samples = np.column_stack([self.sample_t, force])
+        self.beside = self.events.sampled(self.samples)
+
+
+def test_without_samples_it_is_the_kalman_filter() -> None:
+    random = np.random.default_rng(4)
+    t = np.cumsum(random.choice([0.0, 0.001, 0.008, 0.05, 0.15, 0.4], 300))
+    x = np.cumsum(random.integers(-9, 20, 300)).astype(np.float64)
+    events = EventColumns.of(t, x, -x)
+    fused, plain = InertialDifferentiator().run(events).table, KalmanDifferentiator().run(events).table
+    np.testing.assert_allclose(fused, plain, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize(("turn", "delay_s"), [(0.15, 0.0), (-0.4, 0.006), (1.2, 0.012), (0.1, -0.004)])
+def test_known_gravity_bias_angle_scale_and_delay_are_recovered(turn: float, delay_s: float) -> None:
+    bench = Bench(8.0, turn, delay_s, 0.05)
+    differentiator = InertialDifferentiator()
+    motions = differentiator.run(bench.beside)
+    sensor = differentiator.sensor
+    assert sensor is not None
+    # weights @ matrix is the identity, whichever of the weights across make it so
+    np.testing.assert_allclose(sensor.weights @ bench.matrix, np.eye(2), atol=0.02)
+    np.testing.assert_allclose(sensor.weights @ bench.zero + sensor.offset, 0.0, atol=0.05)
+    assert sensor.delay_s == pytest.approx(delay_s, abs=0.0007)
+    _, speed, push = path(bench.t)
+    last = bench.t > 5.0
+    velocity = np.column_stack([motions.vx, motions.vy])[last] - speed[last]
+    acceleration = np.column_stack([motions.ax, motions.ay])[last] - push[last]
+    assert np.sqrt(np.mean(velocity**2)) < 0.002
+    assert np.sqrt(np.mean(acceleration**2)) < 0.14  # 3 ms of averaging at a jerk of 40 m/s^3
+
+
+class DenseFilter:
+    """The same model by matrix exponentials: the past is reached by carrying the state back."""
+
+    def __init__(self, force_density: float, drift: float, noise: float) -> None:
+        self.densities, self.noise = (force_density, drift), noise
+        self.state = np.zeros(13)
+        self.state[[3, 10]] = 1.0
+        axis = [noise, 0.3**2, 1.0, 0.49, 0.49, 0.09]
+        self.spread = np.diag([*axis, *axis, 1e-4])
+        self.past: list[tuple[float, FloatArray]] = []
+
+    @staticmethod
+    def rates(force: FloatArray) -> FloatArray:
+        a = np.zeros((13, 13))
+        for at in (0, 6):
+            a[at, at + 1] = a[at + 1, at + 2] = 1.0
+            a[at + 1, at + 3 : at + 6] = force
+        return a
+
+    def carry(self, dt: float, force: FloatArray) -> None:
+        """Van Loan's method."""
+        a, q = self.rates(force), np.zeros((13, 13))
+        for at in (0, 6):
+            q[at + 1, at + 1], q[at + 2, at + 2] = self.densities
+        q[12, 12] = 1e-6
+        both = expm(np.block([[-a, q], [np.zeros((13, 13)), a.T]]) * dt)
+        f = both[13:, 13:].T
+        self.state, self.spread = f @ self.state, f @ self.spread @ f.T + f @ both[:13, 13:]
+        self.past.append((dt, force))
+
+    def row(self, at: int, delay_s: float, force: FloatArray) -> FloatArray:
+        """The position of an axis ``delay_s`` ago as a row on the present state."""
+        back = np.eye(13)
+        if delay_s <= 0.0:
+            back = expm(-delay_s * self.rates(force))
+        for dt, push in reversed(self.past):
+            back = expm(-min(dt, max(delay_s, 0.0)) * self.rates(push)) @ back
+            delay_s -= dt
+            if delay_s <= 0.0:
+                break
+        return np.asarray(back[at])
+
+    def measure(self, at: int, place: float, force: FloatArray) -> None:
+        d = float(self.state[12])
+        h = self.row(at, d, force)
+        ends = [self.row(at, d + step, force) @ self.state for step in (-1e-6, 1e-6)]
+        error = place - h @ self.state
+        h[12] = (ends[1] - ends[0]) / 2e-6
+        self.correct(h, error, self.noise)
+
+    def correct(self, h: FloatArray, error: float, noise: float) -> None:
+        gain = self.spread @ h / (h @ self.spread @ h + noise)
+        self.state, self.spread = self.state + gain * error, self.spread - np.outer(gain, h @ self.spread)
+        self.state[12] = np.clip(self.state[12], -0.02, 0.02)
+
+
+def test_it_equals_a_filter_of_dense_matrices() -> None:
+    bench = Bench(0.25, 0.3, 0.003, 0.05, counts=False)
+    motions = InertialDifferentiator().run(bench.beside)
+    dense = DenseFilter(1e-4, 1e-3, 1e-8)
+    for at in (2, 8):  # the first sample comes before the first event: the device rests
+        dense.correct(np.eye(13)[at], -float(dense.state[at]), 0.3**2)
+    start, reference = bench.events.table[0, 1:3], bench.samples[0, 1:]
+    now, force, k, velocities = 0.0, np.zeros(3), 1, [[0.0, 0.0]]
+    for i in range(1, len(bench.t)):
+        for sample_t, *values in bench.samples[k : bench.beside.accelerations.before[i]].tolist():
+            newer = np.array(values) - reference
+            dense.carry(sample_t - now, 0.5 * (force + newer))
+            now, force, k = sample_t, newer, k + 1
+        if bench.t[i] > now:
+            dense.carry(bench.t[i] - now, force)
+            now = bench.t[i]
+        place = (bench.events.table[i, 1:3] - start) * METRES_PER_INCH / 96.0
+        dense.measure(0, float(place[0]), force)
+        dense.measure(6, float(place[1]), force)
+        velocities.append([dense.state[1], dense.state[7]])
+    own = np.column_stack([motions.vx, motions.vy])
+    # The law keeps the past at intervals of 0.3 ms and draws lines between: 1e-3 of 2.5 m/s.
+    np.testing.assert_allclose(own, velocities, rtol=1e-3, atol=1e-3)
+
+
+def test_the_velocity_has_the_spread_of_the_riccati_equation() -> None:
+    q, r = 1e-4, 1e-8 * 1e-3
+    steady = solve_continuous_are(
+        np.array([[0.0, 0.0], [1.0, 0.0]]), np.array([[1.0], [0.0]]), np.diag([0.0, q]), np.array([[r]])
+    )
+    assert np.sqrt(steady[1, 1]) == pytest.approx(2**0.25 * q**0.375 * r**0.125, rel=1e-6)
+
+
+def test_live_chunks_and_a_table_are_one_path() -> None:
+    bench = Bench(0.5, 0.3, 0.004, 0.05)
+    whole = InertialDifferentiator().run(bench.beside).table
+    chunked, live = InertialDifferentiator(), InertialDifferentiator()
+    parts = [chunked.run(bench.beside[a:b]).table for a, b in ((0, 1), (1, 177), (177, 500))]
+    assert np.concatenate(parts).tobytes() == whole.tobytes()
+    k, streamed = 0, []
+    for i, event in enumerate(bench.events.events()):
+        for sample in bench.samples[k : bench.beside.accelerations.before[i]].tolist():
+            live.sense(*sample)
+        k = int(bench.beside.accelerations.before[i])
+        streamed.append(live.update(event))
+    assert [(m.vx, m.ay) for m in streamed] == [(row[3], row[6]) for row in whole.tolist()]
+
+
+def test_reset_and_a_begin_mark_keep_the_sensor_and_fresh_forgets_it() -> None:
+    bench = Bench(6.0, 0.8, 0.006, 0.05)
+    used = InertialDifferentiator()
+    first = used.run(bench.beside).table
+    assert used.fresh().run(bench.beside).table.tobytes() == first.tobytes()
+    used.reset()
+    assert used.sensor is None
+    again = used.run(bench.beside[:300])
+    begin = np.zeros(len(bench.t), np.bool_)
+    speed = path(bench.t)[1][100:300, 0]
+    off = np.sqrt(np.mean((again.vx[100:300] - speed) ** 2))
+    at_first = np.sqrt(np.mean((first[100:300, 3] - speed) ** 2))
+    assert off < 0.5 * at_first
+    begin[0] = True
+    marked = InertialDifferentiator()
+    marked.run(bench.beside)
+    events = EventColumns(bench.beside.table, begin, bench.beside.accelerations)
+    assert marked.run(events).table[:300].tobytes() == again.table.tobytes()
+
+
+def test_samples_that_stop_leave_the_kalman_filter() -> None:
+    bench = Bench(3.0, 0.3, 0.004, 0.05)
+    cut = bench.events.sampled(bench.samples[bench.sample_t < 1.0])
+    motions = InertialDifferentiator(noise_m=1e-5).run(cut)
+    plain = KalmanDifferentiator(noise_m=1e-5).run(bench.events)
+    np.testing.assert_allclose(motions.vx[1500:], plain.vx[1500:], atol=1e-4)
+    assert np.isfinite(motions.table).all()
+
+
+@pytest.mark.parametrize(
+    ("sample", "words"),
+    [
+        ((float("nan"), 0.0, 0.0, 0.0), "t of a sample must lie in"),
+        ((1.0, 0.0, float("inf"), 0.0), r"ay of a sample must lie in \[-10000, 10000\] m/s\^2"),
+        ((1.0, 0.0, 0.0, -1e5), "az of a sample"),
+    ],
+)
+def test_a_sample_that_is_no_measurement_is_refused(
+    sample: tuple[float, float, float, float], words: str
+) -> None:
+    differentiator = InertialDifferentiator()
+    differentiator.sense(0.5, 0.0, 0.0, 9.81)
+    kept = differentiator.remembered()
+    with pytest.raises(EventError, match=words):
+        differentiator.sense(*sample)
+    assert differentiator.remembered() == kept
+
+
+def test_samples_run_forwards() -> None:
+    differentiator = InertialDifferentiator()
+    differentiator.sense(0.5, 0.0, 0.0, 9.81)
+    with pytest.raises(EventOrderError, match=r"received 0\.4 s after 0\.5 s"):
+        differentiator.sense(0.4, 0.0, 0.0, 9.81)
