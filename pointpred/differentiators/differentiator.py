@@ -94,8 +94,11 @@ class Differentiator(CompiledStage):
         return motions
 
     def walk_events(self, events: EventColumns) -> FloatArray:
-        """``walk`` over events; of the samples beside them only a differentiator that fuses knows."""
+        """``walk`` over events; the samples beside them are for a differentiator that fuses."""
         return self.walk(events.begin, events.table)
+
+    def sense(self, t: float, ax: float, ay: float, az: float) -> None:
+        """Consume a sample of an accelerometer; without effect but on a differentiator that fuses."""
 
     def refusal(self, event: PointerEvent) -> EventError:
         """Why ``update`` refuses an event."""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import exp
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
+from pointpred.columns import EventColumns, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import fused_path, sampling
 from pointpred.differentiators.differentiator import Differentiator
@@ -27,9 +27,7 @@ from pointpred.errors import EventError, EventOrderError
 from pointpred.events import LATEST_S
 from pointpred.parameter import parameter
 from pointpred.rows import REFUSED, EventRow, Row, TenFloats, event_at
-from pointpred.stage import loop_of, offsets
-
-IntArray = NDArray[np.int64]
+from pointpred.stage import loop_beside, loop_of, offsets
 
 FORCE_MOST_M_S2 = 1e4
 """Bound on the magnitude of a sample: a thousand times gravity."""
@@ -151,13 +149,18 @@ def sample_at(table: FloatArray, i: int) -> tuple[float, float, float, float]:
 
 
 @law
+def is_sample(sample: Row) -> bool:
+    """Whether the values make a sample: all within their bounds."""
+    t, fx, fy, fz = sample
+    most = FORCE_MOST_M_S2
+    return bool(abs(t) <= LATEST_S and abs(fx) <= most and abs(fy) <= most and abs(fz) <= most)
+
+
+@law
 def sense(memory: FloatArray, sample: Row) -> bool:
     """One sample of the accelerometer; whether it was accepted."""
     t, fx, fy, fz = sample
-    largest = max(abs(fx), abs(fy), abs(fz))
-    if not (abs(t) <= LATEST_S and largest <= FORCE_MOST_M_S2 and fx == fx and fy == fy and fz == fz):
-        return False
-    if memory[REFERRED] == 1.0 and t < memory[SAMPLED]:
+    if not is_sample(sample) or (memory[REFERRED] == 1.0 and t < memory[SAMPLED]):
         return False
     if memory[REFERRED] == 0.0:
         memory[REFERENCE], memory[REFERENCE + 1], memory[REFERENCE + 2] = fx, fy, fz
@@ -226,31 +229,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
 
 
 loop = loop_of(step, event_at, conclude)
-
-
-@law
-def loop_beside(
-    memory: FloatArray,
-    first: int,
-    begin: BoolArray,
-    rows: FloatArray,
-    out: FloatArray,
-    samples: FloatArray,
-    before: IntArray,
-) -> None:
-    """``loop`` where samples stand beside the events: those of an event come before it, after a reset."""
-    k = 0
-    for i in range(len(rows)):
-        if begin[i]:
-            conclude(memory)
-            memory[first:] = 0.0
-        accepted = True
-        while k < before[i]:
-            accepted = sense(memory, sample_at(samples, k)) and accepted
-            k += 1
-        answer = step(memory, event_at(rows, i)) if accepted else REFUSED
-        for j in range(len(answer)):
-            out[i, j] = answer[j]
+loop_sensing = loop_beside(step, event_at, sense, sample_at, conclude)
 
 
 class Sensor(NamedTuple):
@@ -317,6 +296,18 @@ class InertialDifferentiator(Differentiator):
         if not sense(self._memory, (float(t), float(ax), float(ay), float(az))):
             raise refusal_of_sample((t, ax, ay, az), float(self._memory[SAMPLED]))
 
+    def refusal_of_row(self, events: EventColumns, row: int) -> EventError:
+        """Why ``run`` refuses a row of a table: one of the samples before it, or the event itself."""
+        beside = events.rows(row, row + 1).accelerations.table
+        earlier = events.rows(0, row).accelerations.table[:, 0]
+        last_t = float(earlier[-1]) if len(earlier) and not events.begin[row] else -LATEST_S
+        for sample in map(tuple, beside.tolist()):
+            if not is_sample(sample) or sample[0] < last_t:
+                reason = refusal_of_sample(sample, last_t)
+                return type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
+            last_t = sample[0]
+        return super().refusal_of_row(events, row)
+
     @property
     def sensor(self) -> Sensor | None:
         """What is known of the sensor at the last sample; ``None`` where no sample is used."""
@@ -334,11 +325,11 @@ class InertialDifferentiator(Differentiator):
         if not len(beside):
             return self.walk(events.begin, events.table)
         out = np.full((len(events), self.width), np.nan)
-        loop_beside(self._memory, self._first, events.begin, events.table, out, beside.table, beside.before)
+        loop_sensing(self._memory, self._first, events.begin, events.table, out, beside.table, beside.before)
         return out
 
 
-def refusal_of_sample(sample: tuple[float, float, float, float], last_t: float) -> EventError:
+def refusal_of_sample(sample: Sequence[float], last_t: float) -> EventError:
     """Why a sample was refused; ``last_t`` s is the time of the one before it."""
     t, *force = sample
     if not abs(t) <= LATEST_S:

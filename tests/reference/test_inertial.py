@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from scipy.linalg import expm, solve_continuous_are
 
-from pointpred import EventColumns
+from pointpred import EventColumns, Pipeline, build, run
+from pointpred.accelerations import Accelerations
 from pointpred.columns import FloatArray
 from pointpred.differentiators import KalmanDifferentiator
 from pointpred.differentiators.inertial import InertialDifferentiator
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import METRES_PER_INCH
+from pointpred.predictors import SwitchedPredictor
 
 CPI = 2000.0
 COUNT_M = METRES_PER_INCH / CPI
@@ -129,7 +131,7 @@ class DenseFilter:
         d = float(self.state[12])
         h = self.row(at, d, force)
         ends = [self.row(at, d + step, force) @ self.state for step in (-1e-6, 1e-6)]
-        error = place - h @ self.state
+        error = float(place - h @ self.state)
         h[12] = (ends[1] - ends[0]) / 2e-6
         self.correct(h, error, self.noise)
 
@@ -185,6 +187,48 @@ def test_live_chunks_and_a_table_are_one_path() -> None:
         k = int(bench.beside.accelerations.before[i])
         streamed.append(live.update(event))
     assert [(m.vx, m.ay) for m in streamed] == [(row[3], row[6]) for row in whole.tolist()]
+
+
+def test_a_pipeline_takes_samples_one_by_one_and_beside_events() -> None:
+    bench = Bench(0.5, 0.3, 0.004, 0.05)
+
+    def pipeline() -> Pipeline:
+        return Pipeline("switched", InertialDifferentiator(), SwitchedPredictor())
+
+    whole = run(pipeline(), bench.beside)
+    live, k, streamed = pipeline(), 0, []
+    assert live.learns
+    for i, event in enumerate(bench.events.events()):
+        for sample in bench.samples[k : bench.beside.accelerations.before[i]].tolist():
+            live.sense(*sample)
+        k = int(bench.beside.accelerations.before[i])
+        streamed.append(live.update(event))
+    assert streamed == list(whole.predictions())
+    assert whole.x[300:].tolist() != run(pipeline(), bench.events).x[300:].tolist()
+    other = build("hold")
+    other.sense(0.0, 0.0, 0.0, 9.81)  # HOMD uses no samples
+    assert list(run(other, bench.beside).predictions()) == list(
+        run(build("hold"), bench.events).predictions()
+    )
+
+
+def test_a_table_names_the_row_of_a_sample_that_is_refused() -> None:
+    bench = Bench(0.1, 0.3, 0.004, 0.05)
+    differentiator = InertialDifferentiator()
+    kept = differentiator.remembered()
+    before = bench.beside.accelerations.before
+    for place, words in (
+        (np.nan, "row 40: ax of a sample must lie in"),
+        (0.0, "row 40: t of a sample must not"),
+    ):
+        samples = bench.samples.copy()
+        samples[before[39], 1 if np.isnan(place) else 0] = place
+        events = EventColumns(bench.events.table, None, Accelerations(samples, before))
+        with pytest.raises(EventError, match=words):
+            differentiator.run(events)
+        assert differentiator.remembered() == kept
+        with pytest.raises(EventError, match=words):
+            run(Pipeline("switched", differentiator, SwitchedPredictor()), events)
 
 
 def test_reset_and_a_begin_mark_keep_the_sensor_and_fresh_forgets_it() -> None:
