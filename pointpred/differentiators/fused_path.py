@@ -119,11 +119,16 @@ def correct(memory: FloatArray, at: int, h: FloatArray, error: float, noise: flo
 
 
 @law
-def measure(memory: FloatArray, at: int, axis: int, t: float, place: float, noise: float) -> None:
-    """The position of an axis was measured as ``place`` m at ``t`` s, the state's time; ``noise`` in m^2."""
-    x, d = at + STATE + axis, memory[at + STATE + DELAY]
+def measure(
+    memory: FloatArray, at: int, axis: int, now: float, ahead: float, place: float, noise: float
+) -> None:
+    """The position of an axis was measured as ``place`` m, with ``noise`` m^2.
+
+    ``now`` s is the time of the state, which is ``ahead`` s of the stamp of the position.
+    """
+    x, d = at + STATE + axis, memory[at + STATE + DELAY] + ahead
     h = np.zeros(SIZE)
-    known, before, after, share = delay.find(memory, at + PAST, INTEGRALS, RING, t - max(d, 0.0))
+    known, before, after, share = delay.find(memory, at + PAST, INTEGRALS, RING, now - max(d, 0.0))
     h[axis + POSITION], h[axis + VELOCITY], h[axis + OFFSET] = 1.0, -d, 0.5 * d * d
     slope = memory[x + VELOCITY] - d * memory[x + OFFSET]
     for i in range(3):

@@ -214,9 +214,9 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
         fused_path.remember(memory, FILTER, 0.0)
     elif verdict == sampling.MOVED:
         advance(memory, t)
-        since, noise = t - memory[AT + sampling.SINCE], memory[NOISE]
-        fused_path.measure(memory, FILTER, 0, since, memory[AT + sampling.U], noise)
-        fused_path.measure(memory, FILTER, fused_path.SECOND, since, memory[AT + sampling.V], noise)
+        now, ahead, noise = memory[NOW] - memory[AT + sampling.SINCE], memory[NOW] - t, memory[NOISE]
+        fused_path.measure(memory, FILTER, 0, now, ahead, memory[AT + sampling.U], noise)
+        fused_path.measure(memory, FILTER, fused_path.SECOND, now, ahead, memory[AT + sampling.V], noise)
     x = FILTER + STATE
     velocity = memory[x + VELOCITY], memory[x + fused_path.SECOND + VELOCITY]
     mean = MEAN if memory[FUSED] == 1.0 else FILTER + fused_path.FORCE
@@ -257,7 +257,7 @@ class InertialDifferentiator(Differentiator):
     position, which must also cover what quantisation leaves from one event to the next: the default suits
     counts; ``force_density`` m^2/s^3 of white noise in the acceleration, what the model leaves out included;
     ``drift_density`` m^2/s^5 of the offset; ``smoothing_s`` the time over which the acceleration is averaged.
-    Memory: 1000 floats. ``sense`` consumes a sample, ``update`` an event and returns a Motion. What it learns
+    Memory: 886 floats. ``sense`` consumes a sample, ``update`` an event and returns a Motion. What it learns
     of the device stays over ``reset``. Raises ParameterError, and EventError and EventOrderError from
     ``update`` and ``sense``.
 

@@ -141,6 +141,20 @@ class DenseFilter:
         self.state[12] = np.clip(self.state[12], -0.02, 0.02)
 
 
+def test_stamps_ahead_of_the_events_are_a_delay_below_zero() -> None:
+    """The samples come in their true order; their clock runs 4 ms ahead, so the filter does, too."""
+    bench = Bench(8.0, 0.3, 0.0, 0.05)
+    ahead = bench.samples + np.array([0.004, 0.0, 0.0, 0.0])
+    before = bench.beside.accelerations.before
+    differentiator = InertialDifferentiator()
+    motions = differentiator.run(EventColumns(bench.events.table, None, Accelerations(ahead, before)))
+    sensor = differentiator.sensor
+    assert sensor is not None
+    assert sensor.delay_s == pytest.approx(-0.004, abs=0.001)
+    last = bench.t > 5.0
+    assert np.sqrt(np.mean((motions.vx - path(bench.t)[1][:, 0])[last] ** 2)) < 0.003
+
+
 def test_it_equals_a_filter_of_dense_matrices() -> None:
     bench = Bench(0.25, 0.3, 0.003, 0.05, counts=False)
     motions = InertialDifferentiator().run(bench.beside)
