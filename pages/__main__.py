@@ -78,7 +78,8 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     **{
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
-            *("adaptation", "assistance", "camera", "designs", "desktop", "differentiators", "inputs"),
+            *("accelerometer", "adaptation", "assistance", "camera", "designs", "desktop"),
+            *("differentiators", "inputs"),
             *("load", "places", "regions", "scale", "simulation", "soak"),
             *("switched", "thesis", "transfer"),
         )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.simulation import Aim, Setup, people
+from pointpred.simulation import Aim, Condition, Setup, people, simulate_circle
 from pointpred.simulation.accelerometer import GRAVITY_M_S2, Accelerometer, felt
 from pointpred.simulation.movement import Movement, move
 from pointpred.transfer import ConstantGain
@@ -65,3 +67,17 @@ def test_samples_stand_in_the_order_of_truth_and_are_stamped_by_their_own_clock(
     np.testing.assert_allclose(plain.table[:, 0] - behind.table[:, 0], 0.004)
     with pytest.raises(ParameterError, match=r"rate_hz must lie in \[50, 20000\] Hz, received 10"):
         samples(movement, Accelerometer(rate_hz=10.0))
+
+
+def test_a_recording_has_the_same_events_with_and_without_a_sensor() -> None:
+    chosen: dict[str, Any] = {
+        "persons": people(2),
+        "conditions": [Condition(150.0, 7.0, "constant")],
+        "seed": 4,
+        "trials": 2,
+    }
+    plain = simulate_circle(**chosen)
+    fitted = simulate_circle(**chosen, accelerometer=Accelerometer.drawn)
+    assert fitted.events.table.tobytes() == plain.events.table.tobytes()
+    assert len(plain.events.accelerations) == 0
+    assert [len(fitted.rows(k).accelerations) > 500 for k in range(4)] == [True] * 4
