@@ -72,14 +72,17 @@ def carry(memory: FloatArray, row: int, stride: int, at: int, dt: float) -> None
 def predict(memory: FloatArray, at: int, density: float, drift: float, dt: float) -> None:
     """State, covariance and integrals after ``dt`` s; densities of noise in m^2/s^3 and m^2/s^5."""
     p = at + COVARIANCE
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         carry(memory, at + STATE + axis, 1, at, dt)
         for j in range(SIZE):
             carry(memory, p + axis * SIZE + j, SIZE, at, dt)
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         for i in range(SIZE):
             carry(memory, p + i * SIZE + axis, 1, at, dt)
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         row, q, s = p + axis * (SIZE + 1), drift * dt, density * dt
         both = q * dt**3 / 8.0 + 0.5 * s * dt
         memory[row] += q * dt**4 / 20.0 + s * dt * dt / 3.0

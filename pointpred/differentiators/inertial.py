@@ -79,7 +79,8 @@ def start_fusion(memory: FloatArray) -> None:
     for i in range(OFFSET, SIZE):
         if i % AXIS >= OFFSET or i == DELAY:
             fused_path.forget(memory, FILTER, i, 0.0)
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         for i in range(OFFSET, AXIS):
             own = WEIGHT + (1 if axis else 0)
             memory[FILTER + STATE + axis + i] = 1.0 if i == own else 0.0
@@ -101,7 +102,8 @@ def start_fusion(memory: FloatArray) -> None:
 def end_fusion(memory: FloatArray) -> None:
     """Samples are missing: from now on the offset is the acceleration, and the force is 0."""
     conclude(memory)
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         now = fused_path.acceleration(memory, FILTER, axis, FILTER + fused_path.FORCE)
         memory[FILTER + STATE + axis + OFFSET] = now
         fused_path.forget(memory, FILTER, axis + OFFSET, START_ACCELERATION_M_S2**2)
@@ -116,7 +118,8 @@ def end_fusion(memory: FloatArray) -> None:
 @law
 def place(memory: FloatArray) -> None:
     """Put the path at its origin, at a speed that nobody knows; what is known of the device stays."""
-    for axis in range(0, DELAY, AXIS):
+    for number in range(2):
+        axis = number * AXIS
         for i in range(VELOCITY + 1):
             memory[FILTER + STATE + axis + i] = 0.0
         fused_path.forget(memory, FILTER, axis, memory[NOISE])
