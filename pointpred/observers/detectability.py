@@ -10,6 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.balance import balanced, inward
+from pointpred.observers.eigenvalues import number_text
 from pointpred.observers.matrices import TIMES, matrix, one_of
 
 SINGULAR = 1e-9
@@ -46,8 +47,9 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
 def require_detectable(a: FloatArray, c: FloatArray, time: str, pair: str) -> None:
     """Raise InfeasibleError naming the pair and its first undetectable eigenvalue."""
     for one in undetectable(a, c, time):
-        value = f"{one.real:.6g}" if one.imag == 0.0 else f"{one.real:.6g}{one.imag:+.6g}j"
-        raise InfeasibleError(f"{pair} is not detectable: the mode of the eigenvalue {value} never shows")
+        raise InfeasibleError(
+            f"{pair} is not detectable: the mode of the eigenvalue {number_text(one)} never shows"
+        )
 
 
 def vertices(slopes: tuple[tuple[float, float], ...] | None) -> dict[str, FloatArray]:

@@ -9,10 +9,11 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.error_systems.system import ErrorSystem, cancelled, sloped_system
+from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred.observers.rounding import without_rounding
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
@@ -56,7 +57,7 @@ def _interconnected(observer: ObserverDesign) -> ErrorSystem:
     g, plant, m = observer.generator, observer.plant, observer.gain
     return sloped_system(
         g.S0 - m @ plant.C0 @ observer.Pi,
-        cancelled(g.S1 - m @ plant.C1, g.S1, m @ plant.C1),
+        without_rounding(g.S1 - m @ plant.C1, g.S1, m @ plant.C1),
         plant.H @ observer.Pi,
         {"v": -(g.G + m), "eps": -m, "w": np.eye(g.q)},
         slopes=plant.slopes,
@@ -71,7 +72,7 @@ def _invariant(observer: InvariantObserver) -> ErrorSystem:
     now, plant = observer.at(0.0), observer.plant
     return sloped_system(
         now.S0,
-        cancelled(now.S1, now.onward @ plant.A1),
+        without_rounding(now.S1, now.onward @ plant.A1),
         now.J,
         {"delta": np.eye(observer.q), "v": now.B},
         slopes=plant.slopes,
@@ -99,8 +100,7 @@ def _unknown_input(observer: UnknownInputObserver) -> ErrorSystem:
     gains = observer.gains.matrices
     a = np.array([system.gamma(p) - k @ system.c for p, k in zip(points, gains, strict=True)])
     names = tuple(", ".join(f"{key} = {value:g}" for key, value in p.items()) for p in points)
-    time = getattr(system, "time", "continuous")
-    return _linear(a, np.array([system.t(p) for p in points]), {"delta": a.shape[1]}, names, time)
+    return _linear(a, np.array([system.t(p) for p in points]), {"delta": a.shape[1]}, names, system.time)
 
 
 def _linear(

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import pairwise
-from math import log
 from typing import Any
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import ParameterError
 from pointpred.observers.detectability import vertices
+from pointpred.observers.eigenvalues import require_decay
 from pointpred.observers.matrices import matrix
-
-EXACT = 1e-12
-"""Entries of S1 below this share of the largest terms that they come from count as cancelled."""
 
 
 class ErrorSystem(msgspec.Struct, frozen=True):
@@ -64,20 +61,7 @@ class ErrorSystem(msgspec.Struct, frozen=True):
 
         Raises InfeasibleError naming an eigenvalue that does not decay, and its corner.
         """
-        worst = -np.inf
-        for name, a in zip(self.names, self.A, strict=True):
-            for value in np.linalg.eigvals(a).astype(np.complex128):
-                discrete = self.time == "discrete"
-                rate = log(max(abs(value), 1e-300)) if discrete else float(value.real)
-                if rate >= 0.0:
-                    where = "inside the unit circle" if discrete else "left of 0"
-                    shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value:.6g}"
-                    corner = f" at {name}" if name else ""
-                    raise InfeasibleError(
-                        f"the error system has the eigenvalue {shown}{corner}, must lie {where}"
-                    )
-                worst = max(worst, rate)
-        return worst
+        return require_decay(zip(self.names, self.A, strict=True), self.time, "the error system")
 
 
 def sloped_system(
@@ -116,9 +100,3 @@ def sloped_system(
         widths,
         time,
     )
-
-
-def cancelled(whole: FloatArray, *terms: FloatArray) -> FloatArray:
-    """A sum with the entries set to zero in which the terms cancel up to rounding."""
-    sizes = sum((np.abs(one) for one in terms), np.zeros_like(whole))
-    return np.where(np.abs(whole) <= EXACT * sizes, 0.0, whole)

@@ -8,10 +8,11 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.system import ErrorSystem, cancelled, sloped_system
+from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
+from pointpred.observers.rounding import without_rounding
 
 
 def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any = None) -> ErrorSystem:
@@ -36,7 +37,7 @@ def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any
         if Pi is not None:
             pi = matrix("Pi", Pi, one.n, g.q)
             a0 = a0 - pi @ g.G @ one.C0
-            a1 = cancelled(a1 - pi @ g.G @ one.C1, a1, pi @ g.G @ one.C1)
+            a1 = without_rounding(a1 - pi @ g.G @ one.C1, a1, pi @ g.G @ one.C1)
             disturbances |= {"w": -pi, "v": pi @ g.G}
     return sloped_system(a0, a1, one.H, disturbances, slopes=one.slopes, time=one.time)
 

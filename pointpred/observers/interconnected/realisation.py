@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.observers.eigenvalues import perron_root
 from pointpred.observers.matrices import matrix
 
 NAMES = ("N", "L", "J", "K", "R0", "R1", "R", "R2")
@@ -92,7 +93,7 @@ class Realisation:
                 ],
             ]
         )
-        return max(_perron(measured), _perron(bridged))
+        return max(perron_root(measured), perron_root(bridged))
 
 
 def _columns(given: Any, rows: int, name: str) -> int:
@@ -100,8 +101,3 @@ def _columns(given: Any, rows: int, name: str) -> int:
         return 0
     entries = matrix(name, given, rows, 1 if np.ndim(given) == 1 else None)
     return int(entries.shape[1])
-
-
-def _perron(entries: FloatArray) -> float:
-    """The largest modulus of an eigenvalue."""
-    return float(np.abs(np.linalg.eigvals(entries)).max(initial=0.0))

@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.eigenvalues import number_text
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
@@ -133,6 +134,9 @@ def _zeros(plant: Persidskii, s0: FloatArray, rows: FloatArray | None) -> str:
         )
         sizes = np.linalg.svd(pencil, compute_uv=False)
         if len(sizes) < len(pencil) or sizes[-1] <= 1e-9 * sizes[0]:
-            shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value:.6g}"
-            return f"; the plant has a zero from u to R x at the eigenvalue {shown} of S0, or too few inputs"
+            eigenvalue = number_text(value)
+            return (
+                f"; the plant has a zero from u to R x at the eigenvalue {eigenvalue} of S0, "
+                "or too few inputs"
+            )
     return ""

@@ -12,12 +12,14 @@ from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.balance import balanced, inward, outward
 from pointpred.observers.detectability import undetectable, vertices
+from pointpred.observers.eigenvalues import number_text
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.system import ErrorSystem, cancelled, sloped_system
+from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.rounding import without_rounding
 
 ROOM = 1.01
 """The feedback is designed for a decay larger by this factor than the certified one."""
@@ -82,7 +84,7 @@ def design_state_feedback(
 
 def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSystem:
     """The system of the difference of two solutions under the feedback."""
-    whole = cancelled(plant.A1 + plant.B @ L1, plant.A1, plant.B @ L1)
+    whole = without_rounding(plant.A1 + plant.B @ L1, plant.A1, plant.B @ L1)
     return sloped_system(
         plant.A0 + plant.B @ L0,
         whole,
@@ -95,14 +97,14 @@ def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSys
 
 def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
     """Raise InfeasibleError naming a mode that no input moves, at any corner of the slopes."""
-    a1 = plant.A1 if l1 is None else cancelled(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
+    a1 = plant.A1 if l1 is None else without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
     corners = vertices(plant.slopes) if a1.any() else {"": np.zeros((plant.k, plant.r))}
     for name, d in corners.items():
         for mode in undetectable((plant.A0 + a1 @ d @ plant.H).T, plant.B.T, plant.time):
-            shown = f"{mode.real:.6g}" if mode.imag == 0.0 else f"{mode:.6g}"
             corner = f" at D = diag({name})" if name else ""
             raise InfeasibleError(
-                f"no input moves the mode of the eigenvalue {shown}{corner}: (A0, B) is not stabilisable"
+                f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}: "
+                "(A0, B) is not stabilisable"
             )
 
 
@@ -111,7 +113,7 @@ def _gains(
 ) -> tuple[FloatArray, FloatArray]:
     """L0 and L1 in the user's units, from a problem in balanced ones."""
     l1 = np.zeros((plant.m, plant.k)) if fixed is None else fixed
-    a1 = cancelled(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
+    a1 = without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
     middle, half = _slopes(plant) if a1.any() else (np.zeros(plant.k), np.zeros(plant.k))
     slope = middle[:, None] * plant.H if a1.any() else np.zeros((plant.k, plant.n))
     used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import expm1, log, sqrt
+from math import expm1, sqrt
 from typing import Any
 
 import msgspec
@@ -14,6 +14,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError, 
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound, least_ratio
 from pointpred.observers.detectability import vertices
+from pointpred.observers.eigenvalues import require_decay
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import instance, matrix, moments, positive
@@ -361,20 +362,9 @@ def _theorem(
 
 def _slowest(one: Connection, plant: Persidskii) -> float:
     """The largest real part (log modulus) at a corner of the slopes; raises unless negative."""
-    corners = vertices(plant.slopes) if one.S1.any() else {"": np.zeros((one.S1.shape[1], len(one.J)))}
-    discrete, slowest = plant.time == "discrete", -np.inf
-    for name, corner in corners.items():
-        for value in np.linalg.eigvals(one.S0 + one.S1 @ corner @ one.J).astype(np.complex128):
-            place = log(max(abs(value), 1e-300)) if discrete else float(value.real)
-            if place >= 0.0:
-                shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value.real:.6g}{value.imag:+.6g}j"
-                where, which = (
-                    "within the unit circle" if discrete else "left of 0",
-                    f" at D = diag({name})" if name else "",
-                )
-                theorem = "3.3.2" if discrete else "3.3.1"
-                raise InfeasibleError(
-                    f"Theorem {theorem}: S0 + S1 D J has the eigenvalue {shown}{which}, must lie {where}"
-                )
-            slowest = max(slowest, place)
-    return slowest
+    corners = [("", one.S0)]
+    if one.S1.any():
+        slopes = vertices(plant.slopes).items()
+        corners = [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
+    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
+    return require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")

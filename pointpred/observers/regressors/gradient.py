@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
+from pointpred.observers.matrices import TIMES, one_of
 from pointpred.parameter import option, parameter
 from pointpred.regression import gradient
 from pointpred.regression.recursive_least_squares import moment, starting
@@ -169,12 +170,7 @@ class GradientRegressor(CompiledStage):
     def declare(self, **values: Any) -> None:
         """Check the values and their combinations."""
         super().declare(**values)
-        if self.time not in ("continuous", "discrete"):
-            raise ParameterError(
-                f"time must be 'continuous' or 'discrete', received {self.time!r}",
-                field="time",
-                value=self.time,
-            )
+        one_of("time", self.time, TIMES)
         if self.normalised and self.time == "continuous":
             raise ParameterError(
                 "normalised needs time='discrete': no gain of the continuous law is too large",

@@ -11,9 +11,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, inward
 from pointpred.observers.matrices import matrix
+from pointpred.observers.rounding import without_rounding
 
-ROUNDING = 1e-14
-"""An entry below this share of its terms is rounding."""
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
@@ -102,14 +101,6 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     return zeros[np.argsort(-zeros.real, kind="stable")]
 
 
-def without_rounding(entries: FloatArray, sizes: FloatArray) -> FloatArray:
-    """A matrix with zeros for entries that are rounding, ``sizes`` those of the terms of each entry.
-
-    An entry of 1e-17 that should be 0 would count as a coupling when units are chosen.
-    """
-    return np.where(np.abs(entries) <= ROUNDING * sizes, 0.0, entries)
-
-
 def _rank(entries: FloatArray, sizes: FloatArray) -> int:
     """The rank of a matrix after its rows and columns are scaled, so that it does not depend on units.
 
@@ -141,4 +132,4 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
             "so an unknown input does not reach the outputs directly"
         )
     e = f @ np.linalg.pinv(cf)
-    return without_rounding(np.eye(len(f)) - e @ c, np.eye(len(f)) + np.abs(e) @ np.abs(c))
+    return without_rounding(np.eye(len(f)) - e @ c, np.eye(len(f)), np.abs(e) @ np.abs(c))

@@ -13,6 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import form, inward, outward
+from pointpred.observers.eigenvalues import number_text, perron_root
 from pointpred.observers.matrices import instance
 from pointpred.observers.unknown_input import discrete_gains
 from pointpred.observers.unknown_input.boxes import Box
@@ -166,7 +167,7 @@ class UnknownInputObserver:
             forms = [self._blind.T @ self._error_rate(i) @ self._blind for i in range(len(self.box.vertices))]
         else:
             forms = [self._error_rate(i) for i in range(len(self.box.vertices))]
-        return max(float(np.abs(np.linalg.eigvals(np.abs(one))).max(initial=0.0)) for one in forms)
+        return max(perron_root(one) for one in forms)
 
     def _error_rate(self, vertex: int) -> FloatArray:
         """N at a vertex."""
@@ -257,7 +258,7 @@ def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float, time: str = "c
     sizes = np.abs(zeros) if time == "discrete" else zeros.real
     vertex = int(sizes.max(axis=1).argmax())
     zero = zeros[vertex][sizes[vertex].argmax()]
-    value = f"{zero.real:.6g}" if zero.imag == 0.0 else f"{zero:.6g}"
+    value = number_text(zero)
     unit = "1/step" if time == "discrete" else "1/s"
     end = (
         f"the largest feasible sigma is below {most:.6g} {unit}"

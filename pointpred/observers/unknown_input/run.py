@@ -11,6 +11,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.observers.eigenvalues import perron_root
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
@@ -206,7 +207,7 @@ class RunningUnknownInputObserver:
         if system.time == "discrete":
             x = moved(x, point, old.known)
         else:
-            speed = float(np.abs(np.linalg.eigvals(np.abs(system.a(point)))).max())
+            speed = perron_root(system.a(point))
             x = _integrated(rate, x, new.t - old.t, min(SUBSTEP_S, 1.0 / max(speed, 1e-300)))
             point = new.schedule(x)
         seen, f = ~np.isnan(new.y), system.f(point)

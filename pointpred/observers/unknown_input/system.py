@@ -12,8 +12,9 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced
 from pointpred.observers.matrices import TIMES, instance, matrix, one_of
+from pointpred.observers.rounding import without_rounding
 from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.invariant_zeros import decoupling, without_rounding
+from pointpred.observers.unknown_input.invariant_zeros import decoupling
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno, scheduled
 
 Point = Mapping[str, float]
@@ -119,7 +120,7 @@ class ParameterVaryingSystem:
         if check:
             return decoupling(self.f(point), self._weights[:, None] * self.c)
         e, one = self.e(point), np.eye(self.c.shape[1])
-        return without_rounding(one + e @ self.c, one + np.abs(e) @ np.abs(self.c))
+        return without_rounding(one + e @ self.c, one, np.abs(e) @ np.abs(self.c))
 
     def e_rate(self, point: Point) -> FloatArray:
         """dE/dt from the rates of F's variables; exact for F affine in each, zero in discrete time."""
@@ -148,7 +149,7 @@ class ParameterVaryingSystem:
     def gamma(self, point: Point) -> FloatArray:
         """Gamma = T A + T' (in discrete time T A), the error dynamics without a gain."""
         ta, moving = self.ta(point), self.e_rate(point)
-        return without_rounding(ta + moving @ self.c, np.abs(ta) + np.abs(moving) @ np.abs(self.c))
+        return without_rounding(ta + moving @ self.c, ta, np.abs(moving) @ np.abs(self.c))
 
     def checked(self, box: Box) -> None:
         """Raise ParameterError if the system and a box of its variables do not match."""
