@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -48,6 +48,9 @@ soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every 
 
 faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut networks, signals, limits
 	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py
+
+observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
+	$(BIN)/python -m pytest -q -m slow tests/observers tests/camera tests/reproduction
 
 page: $(READY)  ## translate the laws to JavaScript, into server/web/laws
 	$(BIN)/python -m translation

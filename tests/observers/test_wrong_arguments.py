@@ -132,6 +132,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "rates": None,
             "decoupled": None,
             "sizes": [1.0, 1.0],
+            "time": "continuous",
         },
     ),
     (o.UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
@@ -195,7 +196,10 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
     (
         o.PersidskiiObserver,
-        {"N": [[-1.0]], "L": [1.0], "J": [[1.0]], "K": [1.0], "f": "tanh", "time": "continuous"},
+        {
+            **{"N": [[-1.0]], "L": [1.0], "J": [[1.0]], "K": [1.0], "f": "tanh", "time": "continuous"},
+            "missing": o.MissingInputs.held(1, 1, 1),
+        },
     ),
     (
         o.simulate,

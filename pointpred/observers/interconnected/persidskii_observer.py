@@ -92,7 +92,7 @@ class PersidskiiObserver(CompiledStage):
         first = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
         if missing is None:
             missing = MissingInputs.held(inputs, q, k, self.time)
-        missing = missing.checked(q, k, parts.at("R", 0.0))
+        missing = instance("missing", missing, MissingInputs).checked(q, k, parts.at("R", 0.0))
         own_step = self.step_s
         speed = parts.fastest(0.0, nonlinear.slopes, missing.value, missing.at(0.0))
         step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
