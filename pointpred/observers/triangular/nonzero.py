@@ -11,6 +11,7 @@ from typing import Any
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.triangular.polynomials import symbolic
+from pointpred.observers.triangular.ranges import interval_function
 from pointpred.observers.triangular.regions import Region, intervals_of
 from pointpred.observers.triangular.system import vanishes
 
@@ -44,7 +45,7 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
         raise ParameterError(f"{name} = {expression} needs values for {sorted(map(str, foreign))}")
     from mpmath import iv
 
-    enclose = symbolic().lambdify(over, expression, modules=[_functions(iv), "mpmath"])
+    enclose = interval_function(over, expression)
     value = symbolic().lambdify(over, expression, modules="math")
     if region is None and _excludes_zero(enclose, [iv.mpf(["-inf", "inf"]) for _ in over]):
         return
@@ -71,11 +72,6 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
             f"{name} = {expression} was neither shown to vanish nowhere nor found to vanish in {BOXES_MOST} "
             f"boxes; give a {wanted} of the generator"
         )
-
-
-def _functions(iv: Any) -> dict[str, Any]:
-    """The functions of printed expressions on intervals; constants become intervals as well."""
-    return {name: getattr(iv, name) for name in ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")}
 
 
 def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from math import inf, isfinite
 from typing import Any
@@ -32,9 +32,7 @@ def enclosure(expression: Any, box: Mapping[Any, tuple[float, float]]) -> tuple[
         raise ParameterError(
             f"region needs {', '.join(missing)}, which {expression} depends on", field="region"
         )
-    names = ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")
-    functions = {name: getattr(iv, name) for name in names}
-    enclose = symbolic().lambdify(over, expression, modules=[functions, "mpmath"])
+    enclose = interval_function(over, expression)
     count = max(1, int(PARTS_MOST ** (1.0 / max(1, len(over)))))
     low, high = inf, -inf
     for part in product(*(_parts(box[one], count) for one in over)):
@@ -48,6 +46,15 @@ def enclosure(expression: Any, box: Mapping[Any, tuple[float, float]]) -> tuple[
             f"{expression} has no bounds over the region: make it smaller", field="region", value=box
         )
     return low, high
+
+
+def interval_function(over: Sequence[Any], expression: Any) -> Callable[..., Any]:
+    """The expression as a function of intervals of mpmath; constants become intervals as well."""
+    from mpmath import iv
+
+    functions = {name: getattr(iv, name) for name in ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")}
+    enclose: Callable[..., Any] = symbolic().lambdify(over, expression, modules=[functions, "mpmath"])
+    return enclose
 
 
 def _parts(side: tuple[float, float], count: int) -> Sequence[tuple[float, float]]:
