@@ -197,7 +197,12 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (
         o.PersidskiiObserver,
         {
-            **{"N": [[-1.0]], "L": [1.0], "J": [[1.0]], "K": [1.0], "f": "tanh", "time": "continuous"},
+            "N": [[-1.0]],
+            "L": [1.0],
+            "J": [[1.0]],
+            "K": [1.0],
+            "f": "tanh",
+            "time": "continuous",
             "missing": o.MissingInputs.held(1, 1, 1),
         },
     ),
