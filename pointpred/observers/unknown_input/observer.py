@@ -88,17 +88,17 @@ class UnknownInputObserver:
         outputs themselves, by default 5; in discrete time these end at the next step.
         """
         instance("system", system, ParameterVaryingSystem)
+        for name, value in (("sigma", sigma), ("output_rate", output_rate)):
+            if not (is_number(value) and isfinite(value) and value > 0.0):
+                raise ParameterError(
+                    f"{name} must be positive and finite, received {value!r}", field=name, value=value
+                )
         if output_rate != OUTPUT_RATE and system.time == "discrete":
             raise ParameterError(
                 "a discrete observer has no output_rate: errors of the outputs end at the next step",
                 field="output_rate",
                 value=output_rate,
             )
-        for name, value in (("sigma", sigma), ("output_rate", output_rate)):
-            if not (is_number(value) and isfinite(value) and value > 0.0):
-                raise ParameterError(
-                    f"{name} must be positive and finite, received {value!r}", field=name, value=value
-                )
         system.checked(box)
         system = system.weighted(box)
         zeros = zeros_over(system, box)

@@ -59,13 +59,13 @@ class ParameterVaryingSystem:
         time: str = "continuous",
     ) -> None:
         one_of("time", time, TIMES)
-        if rates and time == "discrete":
-            raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
         a, f = scheduled("A", a), scheduled("F", f)
         decoupled = None if decoupled is None else scheduled("T A", decoupled)
         self._a, self._f, self._decoupled, self.time = a, f, decoupled, time
         self.c = _shaped("C", c, (None, None))
         self.rates = dict(instance("rates", {} if rates is None else rates, dict))
+        if self.rates and time == "discrete":
+            raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
         self._weights = np.ones(len(self.c))
         self._latest_e = b"", np.zeros(self.c.T.shape)
         self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
