@@ -191,6 +191,7 @@ def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> No
         assert np.linalg.norm(one - other) <= found.decay.bound(float(t), first) + 1e-9
 
 
+@pytest.mark.slow
 def test_example_8_converges_too_slowly_at_rest_for_an_exponential_bound() -> None:
     rows = (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U)
     steady = interlaced(SymbolicSystem(X, rows, U, outputs=(X3,)), OSCILLATOR, 2, W1, degree=3)

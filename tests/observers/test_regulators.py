@@ -53,6 +53,7 @@ def test_the_feedback_decays_as_proved_for_every_constant_slope(seed: int, discr
         assert rate >= 0.3
 
 
+@pytest.mark.slow
 def test_most_random_plants_have_a_feedback() -> None:
     designed = 0
     for seed in range(5):
@@ -131,6 +132,7 @@ def test_what_is_designed_passes_the_theorems_of_the_thesis_where_their_premise_
     assert min(certificate.margins.values()) > 0.0
 
 
+@pytest.mark.slow
 def test_the_arm_has_a_regulator_though_assumption_3_2_3_fails() -> None:
     """Example 3: no input drives the link, J S~ = 0; the proof at the corners of the slopes needs no such."""
     plant, _ = robotic_arm(reach=1.0)

@@ -219,7 +219,18 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
 ]
 
 
-@pytest.mark.parametrize(("door", "right"), DOORS, ids=[door.__qualname__ for door, _ in DOORS])
+SLOW = {
+    *(o.design_reduced_order, o.design_regulator, o.design_state_feedback, o.certify_convergence),
+    *(o.assumption_4_4_2, o.InterlacedObserver.design),
+}
+"""Doors that take more than a second for all their arguments."""
+CASES = [
+    pytest.param(door, right, id=door.__qualname__, marks=[pytest.mark.slow] if door in SLOW else [])
+    for door, right in DOORS
+]
+
+
+@pytest.mark.parametrize(("door", "right"), CASES)
 def test_no_argument_leads_to_a_raw_error(door: Callable[..., Any], right: dict[str, Any]) -> None:
     door(**right)
     for name in right.keys() - FLAGS:
