@@ -94,7 +94,14 @@ def test_seconds_are_as_good_as_hours() -> None:
     assert in_seconds.Upsilon == pytest.approx(in_hours.Upsilon, rel=1e-3)
 
 
-@pytest.mark.parametrize(("n", "seed"), [(n, seed) for n in (6, 8) for seed in range(4)])
+@pytest.mark.parametrize(
+    ("n", "seed"),
+    [
+        pytest.param(n, seed, marks=[pytest.mark.slow] if n + seed > 6 else [])
+        for n in (6, 8)
+        for seed in range(4)
+    ],
+)
 def test_random_linear_plants_with_one_output_are_designed(n: int, seed: int) -> None:
     random = np.random.default_rng(seed)
     plant = Persidskii(random.standard_normal((n, n)), None, None, "sin", C0=random.standard_normal((1, n)))
