@@ -136,13 +136,18 @@ def test_degenerate_axes_make_fewer_vertices(camera: UnknownInputObserver) -> No
     assert len(camera.box.vertices) == 128
 
 
-def test_closer_to_the_zeros_than_a_proof_can_be_is_undecided_not_infeasible() -> None:
-    still = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
-    box = camera_box((-0.4, -0.05), **still)
-    near = UnknownInputObserver.design(camera_system(), box, 0.06 * (1.0 - 1e-7))
+STILL = camera_box((-0.4, -0.05), turn=(-0.02, 0.02), a_z=(-0.1, 0.1), w=(0.0, 0.0), dw=(0.0, 0.0))
+
+
+def test_a_design_comes_near_to_the_zeros() -> None:
+    near = UnknownInputObserver.design(camera_system(), STILL, 0.06 * (1.0 - 1e-7))
     assert near.certificate.margin > 0.0
+
+
+@pytest.mark.slow
+def test_closer_to_the_zeros_than_a_proof_can_be_is_undecided_not_infeasible() -> None:
     with pytest.raises(UndecidedError, match=r"the invariant zeros allow sigma = 0\.06"):
-        UnknownInputObserver.design(camera_system(), box, 0.06 * (1.0 - 1e-10))
+        UnknownInputObserver.design(camera_system(), STILL, 0.06 * (1.0 - 1e-10))
 
 
 def test_more_outputs_than_unknown_inputs() -> None:
