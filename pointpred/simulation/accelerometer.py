@@ -6,10 +6,10 @@ from math import cos, sin
 
 import msgspec
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
 
 from pointpred.accelerations import Accelerations
 from pointpred.columns import FloatArray
+from pointpred.extras import require
 from pointpred.parameter import Parameter, check
 from pointpred.simulation.movement import Movement
 
@@ -78,8 +78,12 @@ def felt(
     """What the sensor measures during a movement, beside events at ``t`` s from its start.
 
     A sample stands before the first event that is not earlier in truth, whatever its stamp. Assumes a
-    sensor above the one of the counts. The same generator gives the same samples. Raises ParameterError.
+    sensor above the one of the counts. The same generator gives the same samples. Raises ParameterError, and
+    MissingExtraError without scipy.
     """
+    require("train", "a simulated accelerometer")
+    from scipy.ndimage import gaussian_filter1d
+
     check(BOUNDS, {one.name: getattr(sensor, one.name) for one in BOUNDS})
     path = np.concatenate([np.zeros((1, 2)), np.column_stack([movement.column("u"), movement.column("v")])])
     period = (movement.table[-1, 0] - movement.table[0, 0]) / (len(movement.table) - 1)
