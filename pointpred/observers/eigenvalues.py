@@ -39,7 +39,7 @@ def perron_root(entries: FloatArray) -> float:
 
     It does not change with the units of the states; that of no states is 0.
 
-    >>> perron_root(np.array([[0.0, -4.0], [1.0, 0.0]]))
+    >>> round(perron_root(np.array([[0.0, -4.0], [1.0, 0.0]])), 9)
     2.0
     """
     return float(np.abs(np.linalg.eigvals(np.abs(entries))).max(initial=0.0))
