@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pages.designs.measure import gap
@@ -59,6 +59,7 @@ def answer(door: str, one: Problem) -> Any:
 @pytest.mark.slow
 @pytest.mark.parametrize("door", list(DOORS))
 @given(SEEDS)
+@example(329)  # a gain of 1e12, with which rounding passed for a design of `design_observer`
 @settings(max_examples=15, deadline=None)
 def test_units_change_nothing(door: str, seed: int) -> None:
     """States and outputs in units up to 1e6 times larger or smaller, time in units up to 1e5 times."""

@@ -257,3 +257,14 @@ def test_an_eigenvalue_of_zero_is_told_from_a_small_one_in_every_unit(scale: flo
         equal.check({"a": 1.1, "b": 1.0})
     with pytest.raises(CertificateError, match="b - a has the eigenvalue"):
         equal.check({"a": 1.0 + 1e-11, "b": 1.0})
+
+
+def test_an_answer_may_not_violate_what_a_printed_matrix_may(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P - Q <= 0 fails by 1e-13 of its terms: rounding of a print, but no design."""
+    problem = MatrixInequalities("weak").positive("P", 1).symmetric("Q", 1)
+    problem.below("P - Q", lambda v: v.P - v.Q, strict=False)
+    assert problem.check({"P": 1.0, "Q": 1.0 - 1e-13})["P - Q"] < 0.0
+    answer = Answer("optimal", np.array([1.0, 1.0 - 1e-13]), 0.0, None)
+    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    with pytest.raises(UndecidedError):
+        problem.solve()

@@ -297,7 +297,7 @@ class MatrixInequalities(Inequalities):
         """Whether numbers pass the audit."""
         values = vars(self.unknowns.matrices(numbers))
         margins = self.margins(values)
-        return all(self._holds(name, margin, values) for name, margin in margins.items())
+        return all(self._holds(name, margin, values, printed=False) for name, margin in margins.items())
 
     def _solution(self, numbers: FloatArray, minimise: Block | None, gap: float | None) -> Solution:
         named = self.unknowns.matrices(numbers)
