@@ -6,7 +6,6 @@ import pytest
 
 from pages.designs.facts import EXAMPLES, compared
 
-
 LONG = ("6", "7")
 
 

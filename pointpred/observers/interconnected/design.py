@@ -143,7 +143,7 @@ def design_observer(
         values["W"] = form(inner["W"], x, t)
     values["U"] = values["P"] @ m
     # Audits the returned gain in the theorem as stated, not the solver's answer.
-    margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values)
+    margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values, printed=False)
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )

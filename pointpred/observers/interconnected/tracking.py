@@ -128,7 +128,7 @@ def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float])
     units = one.units()
     inner = one.inward(units).inequalities(**bounds).solve(solver=solver)
     values = one.outward(inner.values, units)
-    return Solution(values, one.inequalities(**bounds).check(values))
+    return Solution(values, one.inequalities(**bounds).check(values, printed=False))
 
 
 def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:

@@ -25,6 +25,8 @@ from pointpred.observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
+ROOM = 1e-11
+"""By this share Xi lies above the one that the decay needs, at least."""
 KEPT = ("P", "Xi", "W", "Gamma", "alpha")
 """The matrices of the two theorems; others only help to choose among them."""
 
@@ -298,12 +300,13 @@ def _solved(
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
-    # The weak inequality Xi >= 2 decay P may fail by rounding; the theorem's own has room for that.
+    # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
     share = -expm1(-2.0 * decay) if plant.time == "discrete" else 2.0 * decay
-    missing = share - least_ratio(values["P"], values["Xi"])
+    missing = (1.0 + ROOM) * share - least_ratio(values["P"], values["Xi"])
     if missing > 0.0:
         values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-    margins = _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds).check(values)
+    theorem = _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds)
+    margins = theorem.check(values, printed=False)
     return values, margins, np.inf if solution.gap is None else solution.gap
 
 
