@@ -35,7 +35,7 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
         return float(matrix[0, 0]), float(matrix[0, 0] * d[0] ** 2)
     values, vectors = np.linalg.eigh(matrix * d * d[:, None])
     relative = float(values[0])
-    if relative > ROUNDING * len(d):
+    if relative > ROUNDING:
         inverse = (vectors / values) @ vectors.T * d * d[:, None]
         return 1.0 / float(np.linalg.eigvalsh(inverse)[-1]), relative
     along = d * vectors[:, 0]

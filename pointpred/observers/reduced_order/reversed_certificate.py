@@ -25,8 +25,6 @@ from pointpred.observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
-ROOM = 1e-11
-"""By this share Xi lies above the one that the decay needs, at least."""
 KEPT = ("P", "Xi", "W", "Gamma", "alpha")
 """The matrices of the two theorems; others only help to choose among them."""
 
@@ -281,8 +279,9 @@ def _solved(
         for one in connections
     ]
     slopes = units.slopes(plant.slopes)
-    problem = _theorem(inner, plant.time, slopes, decay * t, gamma * t, bounds)
-    identity = np.eye(len(x))
+    problem, identity = _theorem(inner, plant.time, slopes, gamma * t, bounds), np.eye(len(x))
+    needed = decay_share(decay * t, plant.time)
+    problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
     problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
     if plant.time == "discrete":
         problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
@@ -301,11 +300,11 @@ def _solved(
         if name in values:
             values[name] = values[name] / t
     # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
-    share = -expm1(-2.0 * decay) if plant.time == "discrete" else 2.0 * decay
-    missing = (1.0 + ROOM) * share - least_ratio(values["P"], values["Xi"])
+    share = decay_share(decay, plant.time)
+    missing = share - least_ratio(values["P"], values["Xi"])
     if missing > 0.0:
         values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-    theorem = _theorem(connections, plant.time, plant.slopes, decay, gamma, bounds)
+    theorem = _theorem(connections, plant.time, plant.slopes, gamma, bounds)
     margins = theorem.check(values, printed=False)
     return values, margins, np.inf if solution.gap is None else solution.gap
 
@@ -327,7 +326,7 @@ def _start(
         p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
     if p is None:
         return None
-    share = -expm1(-2.0 * decay) if discrete else 2.0 * decay
+    share = decay_share(decay, time)
     values: dict[str, Any] = {"P": p, "Xi": (1.0 + 1e-9) * share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
     if discrete:
         alpha = scale * given["alpha"] if "alpha" in given else 1.0
@@ -350,17 +349,18 @@ def _theorem(
     connections: list[Connection],
     time: str,
     slopes: tuple[tuple[float, float], ...] | None,
-    decay: float,
     gamma: float,
     bounds: dict[str, Any],
 ) -> MatrixInequalities:
-    """The theorem's inequalities with the required decay."""
+    """The inequalities of the theorem."""
     if time == "discrete":
-        problem = theorem_3_3_2(connections, slopes, **bounds)
-        share = -expm1(-2.0 * decay)
-    else:
-        problem, share = theorem_3_3_1(connections, slopes, gamma, **bounds), 2.0 * decay
-    return problem.above("Xi for the decay", lambda v: v.Xi - share * v.P, strict=False)
+        return theorem_3_3_2(connections, slopes, **bounds)
+    return theorem_3_3_1(connections, slopes, gamma, **bounds)
+
+
+def decay_share(decay: float, time: str) -> float:
+    """The share of V that is lost in a unit of time: Xi must exceed so much of P."""
+    return -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
 
 
 def _slowest(one: Connection, plant: Persidskii) -> float:
