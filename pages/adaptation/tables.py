@@ -12,7 +12,7 @@ from pages import FIGURES
 from pages.data import Table, keep
 from pages.thinning import save
 from pointpred.columns import FloatArray
-from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 

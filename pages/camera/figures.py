@@ -20,7 +20,7 @@ from pointpred.camera import (
 from pointpred.camera.samples import observed
 from pointpred.cli.camera_files import truth_table
 from pointpred.cli.camera_plot import plot
-from pointpred.report.figures.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing.style import GREY, PALETTE, canvas, picture
 
 
 def draw(folder: Path, focal_px: float) -> None:

@@ -14,7 +14,7 @@ from pages.desktop import recovery
 from pages.desktop.recovery import BLOCK
 from pages.thinning import save
 from pointpred.columns import FloatArray
-from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,12 +14,12 @@ from pages.held_out import PEOPLE_OUT, SET_OUT
 from pages.results.records import SetResults, stored
 from pages.thinning import save
 from pointpred.datasets import listing
+from pointpred.drawing.style import Picture
 from pointpred.errors import ParameterError
 from pointpred.registry import RECOMMENDED, parameters
 from pointpred.report.choice import highlighted
 from pointpred.report.figures.claims import inside_curves, time_left_bars
 from pointpred.report.figures.errors import cost, curves
-from pointpred.report.figures.style import Picture
 from pointpred.scoring import FLOOR, SetSummary
 
 EARLY = 0.2

@@ -23,8 +23,9 @@ from pages.switched.parts import AxisWise, Held
 from pages.thinning import save
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
+from pointpred.drawing.style import canvas, picture
 from pointpred.recording import Recording
-from pointpred.report.figures.style import canvas, line_style, picture
+from pointpred.report.figures.style import line_style
 from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.sources import read

@@ -17,10 +17,10 @@ from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out, trained_predictors, training_sets
 from pages.targets import fit as targets_fit
 from pages.thinning import save
+from pointpred.drawing.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
-from pointpred.report.figures.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.target_choice import (
     NEAREST,

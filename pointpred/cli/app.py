@@ -19,6 +19,7 @@ from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
 from pointpred.cli.help_text import add_help
 from pointpred.cli.live import live
+from pointpred.cli.observers import app as observers
 from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -47,6 +48,7 @@ for command in (score, train, simulate, convert, predictors, serve, demo, replay
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
+app.add_typer(observers, name="observers")
 app.add_typer(recordings, name="recordings")
 add_help(app)
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.camera import CameraTable
 from pointpred.columns import FloatArray
-from pointpred.report.figures.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing.style import GREY, PALETTE, canvas, picture
 
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
 OBSERVER, PEER = PALETTE[1], PALETTE[0]

@@ -3,6 +3,7 @@
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
 from pointpred.observers.detectability import undetectable
 from pointpred.observers.discretisation import c2d
+from pointpred.observers.documents.files import audit, load, save
 from pointpred.observers.error_equations import error_system
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
 from pointpred.observers.error_systems.l2_gain import L2Gain, l2_gain
@@ -10,6 +11,7 @@ from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
 from pointpred.observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
+from pointpred.observers.interconnected.full_order import design_full_order
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.incremental import assumption_3_2_2
 from pointpred.observers.interconnected.interconnection import theorem_3_2_1
@@ -58,7 +60,10 @@ from pointpred.observers.regressors.nonlinear_regression import (
     RegressionMargin,
     regression_margin,
 )
-from pointpred.observers.simulate import SeededSignal, simulate
+from pointpred.observers.simulations.regressions import Regression
+from pointpred.observers.simulations.result import Simulation
+from pointpred.observers.simulations.simulate import simulate
+from pointpred.observers.trajectories import SeededSignal, trajectory
 from pointpred.observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
 from pointpred.observers.triangular.forms import feedback, feedforward, interlaced
 from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
@@ -68,6 +73,7 @@ from pointpred.observers.triangular.printed import check_steady_state
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import UnknownInputCertificate
+from pointpred.observers.unknown_input.corners import CornerSystem
 from pointpred.observers.unknown_input.invariant_zeros import invariant_zeros
 from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
 from pointpred.observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
@@ -79,6 +85,7 @@ __all__ = [
     "AttractionCertificate",
     "Box",
     "Convergence",
+    "CornerSystem",
     "DecayCertificate",
     "ErrorBound",
     "ErrorSystem",
@@ -99,11 +106,13 @@ __all__ = [
     "PersidskiiObserver",
     "RecursiveLeastSquares",
     "ReducedOrderDesign",
+    "Regression",
     "RegressionMargin",
     "RegulatorDesign",
     "RegulatorEquations",
     "SectorBounds",
     "SeededSignal",
+    "Simulation",
     "Solution",
     "StateFeedback",
     "SteadyState",
@@ -121,6 +130,7 @@ __all__ = [
     "assumption_3_2_3",
     "assumption_3_2_6",
     "assumption_4_4_2",
+    "audit",
     "c2d",
     "certify_convergence",
     "certify_decay",
@@ -132,6 +142,7 @@ __all__ = [
     "check_steady_state",
     "closed_loop",
     "convergence_bound",
+    "design_full_order",
     "design_observer",
     "design_reduced_order",
     "design_regulator",
@@ -147,12 +158,14 @@ __all__ = [
     "invariant_zeros",
     "l2_gain",
     "linear_independence",
+    "load",
     "observer_stage",
     "persistent_excitation",
     "regression_margin",
     "regulator_equations",
     "regulator_stage",
     "residuals",
+    "save",
     "sector_bounds",
     "simulate",
     "steady_state_map",
@@ -162,6 +175,7 @@ __all__ = [
     "theorem_3_3_1",
     "theorem_3_3_2",
     "theorem_4_4_1",
+    "trajectory",
     "undetectable",
     "zeros_over",
 ]

@@ -87,6 +87,10 @@ class Persidskii:
         """The interval of each component's slope."""
         return self.f.slopes
 
+    def given(self, name: str) -> Any:
+        """A matrix, or the function of t (of the index) that gives it."""
+        return self._given[name]
+
     def matrices(self, t: float) -> dict[str, FloatArray]:
         """Every matrix at a time (or an index), its shape checked."""
         now = {name: one(t) if callable(one) else one for name, one in self._given.items()}

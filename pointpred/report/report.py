@@ -7,6 +7,7 @@ from pathlib import Path
 
 import msgspec
 
+from pointpred.drawing.style import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.recording import Skip
@@ -15,7 +16,7 @@ from pointpred.report.figures.boxes import boxes
 from pointpred.report.figures.claims import inside_curves, time_left_bars
 from pointpred.report.figures.errors import clean_against_all, cost, curves, group_curves, skill_bars
 from pointpred.report.figures.paths import draw_worst
-from pointpred.report.figures.style import HOLD, Picture
+from pointpred.report.figures.style import HOLD
 from pointpred.report.page import page, versions
 from pointpred.report.statistics import Analysis, AxisRow, analysis, axis_row
 from pointpred.scoring.results import SetScore, WorstTrials

@@ -20,8 +20,8 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.columns import FloatArray
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Panel, Reproduction, Value
+from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.reproduction.figure import Reproduction, Value
 
 FOCAL_PX, RATE_HZ, LENGTH_S = 800.0, 33.0, 10.0
 """The paper prints the rate only; the focal length and the length are ours."""

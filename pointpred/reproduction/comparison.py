@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
+from pointpred.drawing.panels import Line, Look, Panel, drawing
 from pointpred.registry import build
 from pointpred.report.figures.boxes import boxes
-from pointpred.reproduction.drawing import drawing
-from pointpred.reproduction.figure import Line, Look, Panel, Reproduction, Value
+from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import Movements, experiment
 from pointpred.scoring import SetScore, score
 from pointpred.scoring.results import AXIS_FRACTIONS

@@ -1,4 +1,4 @@
-"""What a reproduced figure or table is made of: our numbers beside the printed ones, and lines."""
+"""What a reproduced figure or table is made of: our numbers beside the printed ones, and what draws it."""
 
 from __future__ import annotations
 
@@ -6,17 +6,13 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
-from typing import Literal
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
-from pointpred.report.figures.style import Picture
+from pointpred.drawing.style import Picture
 
-Look = Literal["truth", "first", "second", "third", "fourth", "limit"]
-"""How a line looks: the truth is grey and wide, a limit dashed and thin, the others have a colour each."""
 EXACT = 1e-6
 """How far a number may lie from an exact printed one, such as 7/40, and still be that."""
 
@@ -47,26 +43,6 @@ class Value(msgspec.Struct, frozen=True):
         rounded = "." in self.printed
         last_digit = 10.0 ** int(Decimal(self.printed).as_tuple().exponent) if rounded else 0.0
         return abs(self.ours - float(Fraction(self.printed))) <= 0.5 * last_digit + EXACT
-
-
-class Line(msgspec.Struct, frozen=True):
-    """A curve: x and y of the same length, NaN where there is nothing."""
-
-    x: FloatArray
-    y: FloatArray
-    label: str = ""
-    look: Look = "first"
-
-
-class Panel(msgspec.Struct, frozen=True):
-    """Axes with their lines; ``limits`` of y, all that is drawn unless given."""
-
-    y: str
-    lines: tuple[Line, ...]
-    x: str = "t [s]"
-    title: str = ""
-    logarithmic: bool = False
-    limits: tuple[float, float] | None = None
 
 
 class Reproduction(msgspec.Struct, frozen=True):

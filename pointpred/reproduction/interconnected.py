@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.observers import (
     SeededSignal,
     closed_loop,
     design_observer,
     residuals,
-    simulate,
     steady_state_map,
+    trajectory,
 )
 from pointpred.observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Panel, Reproduction, Value, matrix_values
+from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 
 SIMULATED = "simulated, from the printed initial conditions"
 INFLOWS = (12.7, 7.5)
@@ -43,7 +43,7 @@ def figure_3_3(_: Path | None) -> Reproduction:
         return np.concatenate([g.S0 @ w + 0.1 * np.cos(10.0 * t), dx, ahead])
 
     t = np.arange(0.0, 25.0, 0.05)
-    both = simulate(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], t, step_s=0.01)
+    both = trajectory(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], t, step_s=0.01)
     w, x, z = both[:, :2], both[:, 2:5], both[:, 5:]
     y = x[:, 0] + np.array([noise(one)[0] for one in t])
     psi = (plant.C0 @ maps.Pi)[0]
@@ -81,7 +81,7 @@ def digestion(t: FloatArray, gain: tuple[float, float], *, projected: bool) -> F
     def field(now: float, states: Any) -> Any:
         return reactor.field(float(inflow(now)), states, gain, projected=projected)
 
-    return simulate(field, [1.0, 5.0, 0.1, 0.0, 1.0, 20.0], t, step_s=0.02)
+    return trajectory(field, [1.0, 5.0, 0.1, 0.0, 1.0, 20.0], t, step_s=0.02)
 
 
 def figure_3_4(_: Path | None) -> Reproduction:
@@ -152,7 +152,7 @@ def arm_beside_reference(start: float, t: FloatArray) -> FloatArray:
         return np.concatenate([closed_loop(plant, regulator, now, both[:8], rho=rho, d=d), ahead])
 
     rest = [0.0, 0.0, 1.0, 0.0]
-    return simulate(field, [*rest, *[start] * 4, *rest], t, step_s=0.01)
+    return trajectory(field, [*rest, *[start] * 4, *rest], t, step_s=0.01)
 
 
 def figure_3_6(_: Path | None) -> Reproduction:
@@ -204,7 +204,7 @@ def figure_3_7(_: Path | None) -> Reproduction:
         return np.concatenate([g.S0 @ w + g.S1 @ f, dx, g.S0 @ z + g.S1 @ fz + m @ wrong])
 
     t = np.arange(0.0, 20.0, 0.02)
-    both = simulate(field, [0.2, 0.0, 0.2, 0.65, 0.0, 0.5, 0.0, 0.0, 0.0], t, step_s=0.005)
+    both = trajectory(field, [0.2, 0.0, 0.2, 0.65, 0.0, 0.5, 0.0, 0.0, 0.0], t, step_s=0.005)
     w, x, z = both[:, :3], both[:, 3:6], both[:, 6:]
     error, apart = np.linalg.norm(w - z, axis=1), np.linalg.norm(x - w, axis=1)
     panels = [

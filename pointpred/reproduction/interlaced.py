@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.observers import (
     InterlacedObserver,
     SeededSignal,
@@ -16,10 +17,10 @@ from pointpred.observers import (
     SymbolicSteadyState,
     SymbolicSystem,
     interlaced,
-    simulate,
+    trajectory,
 )
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Panel, Reproduction, Value
+from pointpred.observers.simulations.symbolic import driven_field, outputs_of
+from pointpred.reproduction.figure import Reproduction, Value
 
 END_S, PERIOD_S = 30.0, 0.01
 STEP_S = 2.5e-3
@@ -60,31 +61,17 @@ def example_9() -> SymbolicSteadyState:
 
 def driven(steady: SymbolicSteadyState, disturbance: float) -> Callable[[float, Any], FloatArray]:
     """Generator and plant together, every row of the plant with ``disturbance`` sin 100 t."""
-    import sympy as sp
-
-    generator = oscillator()
-    plant = sp.lambdify((*steady.system.states, steady.system.input), steady.system.field, modules="math")
-    drive = sp.lambdify(generator.states, generator.field, modules="math")
-    push = sp.lambdify(generator.states, steady.input, modules="math")
-
-    def field(t: float, v: Any) -> FloatArray:
-        w1, w2, *x = np.asarray(v).tolist()
-        shake = disturbance * np.sin(100.0 * t)
-        return np.array([*drive(w1, w2), *(rate + shake for rate in plant(*x, push(w1, w2)))])
-
-    return field
+    rows = len(steady.system.states)
+    return driven_field(steady, steady.system, lambda t: np.full(rows, disturbance * np.sin(100.0 * t)))
 
 
 def observed(
     steady: SymbolicSteadyState, rows: FloatArray, t: FloatArray, noise: float, **design: Any
 ) -> FloatArray:
     """The observer's answers to noisy outputs of the plant: w, x and u a row."""
-    import sympy as sp
-
     observer = InterlacedObserver.design(steady, rate=RATE, **design)
-    outputs = sp.lambdify(steady.system.states, steady.system.outputs, modules="numpy")(*rows[:, 2:].T)
     v = SeededSignal(8, 1, noise, period_s=PERIOD_S)
-    measured = np.array(outputs).T + np.array([v(one) for one in t])
+    measured = outputs_of(steady.system, rows[:, 2:]) + np.array([v(one) for one in t])
     table = np.column_stack([t, measured])
     return observer.walk(np.zeros(len(table), dtype=np.bool_), table)
 
@@ -146,7 +133,7 @@ def figure_4_2(_: Path | None) -> Reproduction:
 
     t = np.arange(0.0, END_S, PERIOD_S)
     steady = example_8()
-    rows = simulate(driven(steady, 20.0), [1.0, 2.0, 0.5, 0.5, 0.5, 0.5], t, step_s=STEP_S)
+    rows = trajectory(driven(steady, 20.0), [1.0, 2.0, 0.5, 0.5, 0.5, 0.5], t, step_s=STEP_S)
     estimate = observed(steady, rows, t, 0.2)[:, 2:6]
     maps = steady.function()(rows[:, :2].T)[:4].T
     numerator = sp.numer(sp.together(steady.input))
@@ -170,7 +157,7 @@ def figure_4_4(_: Path | None) -> Reproduction:
     """Example 9: the masses from rest, their steady state and its estimate with the printed gain."""
     t = np.arange(0.0, END_S, PERIOD_S)
     steady = example_9()
-    rows = simulate(driven(steady, 0.0), [0.1, 0.0, 0.0, 0.0, 0.0, 0.0], t, step_s=STEP_S)
+    rows = trajectory(driven(steady, 0.0), [0.1, 0.0, 0.0, 0.0, 0.0, 0.0], t, step_s=STEP_S)
     estimate = observed(steady, rows, t, 0.05, gain=[[0.33], [0.6]])[:, 2:6]
     maps = steady.function()(rows[:, :2].T)[:4].T
     back = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, -1, 0], [0, 1, 0, -1]]).T

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.regression import DynamicRegressorExtension
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Panel, Reproduction, Value
+from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.simulation.validation import corrective_signals, minimum_jerk_check
 
 DURATION_S = 420.0

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.drawing.panels import Look, Panel, beside, drawing
 from pointpred.errors import RecordingError
 from pointpred.observers import (
     InvariantObserver,
@@ -14,11 +15,10 @@ from pointpred.observers import (
     RecursiveLeastSquares,
     design_reduced_order,
     invariant_observer,
-    simulate,
+    trajectory,
 )
 from pointpred.observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Look, Panel, Reproduction, Value, matrix_values
+from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 
 SNIFFER = "sniffer.csv"
 PREDICTORS = ("tank temperature", "gas temperature", "tank pressure", "gas pressure")
@@ -34,7 +34,7 @@ def observed_masses(observer: InvariantObserver, t: FloatArray) -> tuple[FloatAr
         return np.concatenate([plant.field(now, both[:4], rho=u), observer.field(now, both[4:], both[:2], u)])
 
     start = [1.0, 0.0, 0.5, 0.0, *observer.invariant(0.0, [1.0, 0.0, 0.0, 0.0])]
-    both = simulate(field, start, t, step_s=0.01)
+    both = trajectory(field, start, t, step_s=0.01)
     estimate = [observer.estimate(now, row[4:], row[:2]) for now, row in zip(t, both, strict=True)]
     return both[:, :4], np.array(estimate)
 

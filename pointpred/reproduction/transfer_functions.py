@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Look, Panel, Reproduction, Value
+from pointpred.drawing.panels import Look, Panel, beside, drawing
+from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.transfer_trials import (
     SPEEDS,
     TRIALS,

@@ -9,11 +9,11 @@ import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
+from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.events import METRES_PER_INCH
 from pointpred.pipeline import Pipeline, run
 from pointpred.registry import build
-from pointpred.reproduction.drawing import beside, drawing
-from pointpred.reproduction.figure import Panel, Reproduction, Value
+from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import CPI, SEED, Movements, movements, novice_and_expert
 from pointpred.scoring.trials.submovements import PEAK_RATIO
 from pointpred.simulation import Aim, Setup

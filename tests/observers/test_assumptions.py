@@ -21,8 +21,8 @@ from pointpred.observers import (
     assumption_4_4_2,
     certify_tracking,
     interlaced,
-    simulate,
     steady_state_map,
+    trajectory,
 )
 from pointpred.observers.examples import academic, chua_circuits
 from pointpred.observers.triangular.ranges import enclosure
@@ -81,7 +81,7 @@ def test_the_plant_approaches_its_map_within_the_bound(seed: int) -> None:
 
     start = rng.normal(size=4)
     times = np.arange(0.0, 6.0, 0.25)
-    both = simulate(field, start, times, step_s=0.02)
+    both = trajectory(field, start, times, step_s=0.02)
     for t, one in zip(times, both, strict=True):
         bound = found.bound(
             float(t), float(np.linalg.norm(start[:2] - start[2:])), d=float(np.linalg.norm(push))
@@ -182,7 +182,7 @@ def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> No
     starts = [np.array([0.02, 0.0, 0.05, -0.02]), np.array([-0.05, 0.03, -0.04, 0.02])]
     times = np.arange(0.0, 15.0, 0.5)
     runs = [
-        simulate(lambda t, x: rows(*x, push(0.05 * np.cos(t), -0.05 * np.sin(t))), one, times, step_s=0.02)
+        trajectory(lambda t, x: rows(*x, push(0.05 * np.cos(t), -0.05 * np.sin(t))), one, times, step_s=0.02)
         for one in starts
     ]
     assert max(np.abs(run[:, 2]).max() for run in runs) < 0.3

@@ -20,8 +20,8 @@ from pointpred.observers import (
     design_observer,
     interconnection_bound,
     observer_stage,
-    simulate,
     theorem_3_2_1,
+    trajectory,
 )
 
 
@@ -101,7 +101,7 @@ def test_the_error_stays_within_its_bound(seed: int) -> None:
     rng = np.random.default_rng(seed)
     start = np.concatenate([rng.normal(size=q), np.zeros(q)])
     times = np.arange(0.0, 4.0, 0.1)
-    both = simulate(field, start, times, step_s=0.01)
+    both = trajectory(field, start, times, step_s=0.01)
     errors = np.linalg.norm(both[:, :q] - both[:, q:], axis=1)
     noise, drive = 0.05, 0.05 * np.sqrt(q)
     bounds = [design.bound(t, errors[0], v=noise, eps=noise, w=drive) for t in times]
@@ -133,7 +133,7 @@ def test_the_stage_of_a_design_estimates_the_generator() -> None:
         plant.A0, plant.A1, plant.H, plant.f, None, np.full((g.q, 1), 0.3), plant.C0, plant.C1
     )
     stage = observer_stage(design_observer(watched, driven, pi))
-    w = simulate(field, np.ones(g.q), times, step_s=5e-3)
+    w = trajectory(field, np.ones(g.q), times, step_s=5e-3)
     rows = [stage.update(t, [*plant.output(t, one), np.cos(t)]) for t, one in zip(times, w, strict=True)]
     errors = np.abs(np.array(rows)[:, : g.q] - w).max(axis=1)
     assert errors[0] > 0.5

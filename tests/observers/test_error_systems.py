@@ -23,7 +23,7 @@ from pointpred.observers import (
     design_reduced_order,
     error_system,
     l2_gain,
-    simulate,
+    trajectory,
 )
 from pointpred.observers.error_systems.h_infinity import h_infinity
 from pointpred.observers.error_systems.system import sloped_system
@@ -115,7 +115,7 @@ def test_no_signal_is_amplified_more_than_the_proved_gain(seed: int) -> None:
     def push(t: float) -> float:
         return float(np.sin(w * t) * np.exp(-0.1 * t) * 5.0)
 
-    states = simulate(
+    states = trajectory(
         lambda t, x: [x[1], -2.0 * x[0] - x[1] - np.tanh(x[0]) + push(t)], [0.0, 0.0], times, step_s=h
     )
     ratio = np.linalg.norm(states[:, 0]) / np.linalg.norm([push(t) for t in times])
@@ -141,7 +141,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
     start = rng.normal(size=2)
     times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
-    errors = simulate(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
+    errors = trajectory(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
     largest = float(np.linalg.norm(pushes))
     for t, e in zip(times, errors, strict=True):
         assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12

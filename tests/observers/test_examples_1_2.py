@@ -11,9 +11,9 @@ from pointpred.errors import CertificateError
 from pointpred.observers import (
     design_observer,
     residuals,
-    simulate,
     steady_state_map,
     theorem_3_2_1,
+    trajectory,
 )
 from pointpred.observers.examples import (
     Bioreactor,
@@ -70,7 +70,9 @@ def test_example_1_converges_within_the_certified_bound(integrator: str) -> None
         return np.concatenate([g.S0 @ w, dx, dz])
 
     times = np.arange(0.0, 30.0, 1.0)
-    both = simulate(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], times, integrator=integrator, step_s=0.02)
+    both = trajectory(
+        field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], times, integrator=integrator, step_s=0.02
+    )
     errors = np.linalg.norm(both[:, :2] - both[:, 5:], axis=1)
     off = both[:, 2:5] - both[:, :2] @ found.Pi.T
     eps = float(np.abs(plant.C0 @ off.T).max())
@@ -130,7 +132,7 @@ def reactor_error(
     gain: tuple[float, float], *, projected: bool, integrator: str = "rk4"
 ) -> tuple[float, Any]:
     reactor = Bioreactor()
-    states = simulate(
+    states = trajectory(
         lambda t, one: reactor.field(12.7, one, gain, projected=projected),
         [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
         [0.0, 10.0, 20.0, 30.0],

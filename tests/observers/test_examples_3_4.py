@@ -14,11 +14,11 @@ from pointpred.observers import (
     design_observer,
     residuals,
     sector_bounds,
-    simulate,
     steady_state_map,
     theorem_3_2_1,
     theorem_3_2_2,
     theorem_3_2_3,
+    trajectory,
 )
 from pointpred.observers.examples import (
     ROBOT_INPUT_MODIFIED,
@@ -74,7 +74,7 @@ def test_example_3_the_observer_converges_and_the_plant_need_not_follow(integrat
         )
 
     start = np.array([0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0])
-    both = simulate(
+    both = trajectory(
         field, start, np.arange(0.0, 12.1, 0.5), integrator=integrator, step_s=0.01, tolerance=1e-8
     )
     z = np.linalg.norm(both[:, :4] - both[:, 4:8], axis=1)
@@ -103,7 +103,7 @@ def test_example_4_the_circuits_synchronise(integrator: str) -> None:
         return np.concatenate([g.S0 @ w + g.S1 @ f, plant.field(t, x, g.L0 @ w + g.L1 @ f)])
 
     start = [0.2, 0.0, 0.2, 0.65, 0.0, 0.5]
-    both = simulate(field, start, np.arange(0.0, 20.1, 1.0), integrator=integrator, step_s=0.01)
+    both = trajectory(field, start, np.arange(0.0, 20.1, 1.0), integrator=integrator, step_s=0.01)
     errors = np.abs(both[:, :3] - both[:, 3:]).max(axis=1)
     assert errors[-1] < 1e-3 * errors[0]
     assert np.abs(both[:, 0]).max() > 0.9  # it oscillates on

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers.simulate import simulate
+from pointpred.observers.trajectories import trajectory
 from pointpred.observers.triangular.forms import interlaced
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
@@ -131,7 +131,7 @@ def test_the_masses_converge_to_the_corrected_steady_state(integrator: str) -> N
         force = 3 * (x1 - x3) + 3 * (x1 - x3) ** 3 + 0.6 * (x2 - x4)
         return [w2, -w1, x2, -force, x4, force - 0.6 * x3 - 2 * x4 + push(w1, w2)]
 
-    rows = simulate(masses, [0.1, 0, 0, 0, 0, 0], [0.0, 10.0, 30.0], integrator=integrator, step_s=5e-3)
+    rows = trajectory(masses, [0.1, 0, 0, 0, 0, 0], [0.0, 10.0, 30.0], integrator=integrator, step_s=5e-3)
     y1, y2, y3, y4, _ = at(rows[:, :2].T)
     errors = np.abs(rows[:, 2:] - np.array([y1, y2, y1 - y3, y2 - y4]).T).max(axis=1)
     assert errors[0] > 0.3

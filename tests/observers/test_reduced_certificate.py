@@ -14,7 +14,7 @@ from pointpred.observers import (
     design_reduced_order,
     invariant_observer,
     invariant_stage,
-    simulate,
+    trajectory,
 )
 from pointpred.observers.bounds import continuous_bound, convergence_bound, discrete_bound
 from pointpred.observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
@@ -54,7 +54,7 @@ def test_errors_stay_below_the_bound(seed: int) -> None:
     s0, delta = design.observer.at(0.0).S0, SeededSignal(seed, 2, 0.3, period_s=0.05)
     times = np.linspace(0.0, 4.0, 81)
     start = random.standard_normal(2)
-    errors = np.linalg.norm(simulate(lambda t, e: s0 @ e - delta(t), start, times, step_s=0.01), axis=1)
+    errors = np.linalg.norm(trajectory(lambda t, e: s0 @ e - delta(t), start, times, step_s=0.01), axis=1)
     largest = 0.3 * np.sqrt(2.0)
     said = [design.certificate.bound(t, float(errors[0]), delta=largest) for t in times]
     assert (errors <= said).all()
@@ -108,8 +108,8 @@ def test_the_compiled_stage_and_two_integrators_converge_alike(injection: bool) 
     x0 = np.array([0.5, 0.0, 0.2, 0.1])
     times = np.concatenate([[0.0], np.cumsum(np.random.default_rng(1).uniform(0.002, 0.03, 300))])
     start = np.concatenate([x0, [0.0, 0.0]])
-    states = simulate(slope, start, times, step_s=0.01)
-    other = simulate(slope, start, times, integrator="scipy")
+    states = trajectory(slope, start, times, step_s=0.01)
+    other = trajectory(slope, start, times, integrator="scipy")
     assert states == pytest.approx(other, abs=1e-7)
     estimates = np.array([observer.estimate(0.0, s[4:], s[:2]) for s in states])
     errors = np.linalg.norm(estimates - states[:, :4], axis=1)

@@ -10,7 +10,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import GradientRegressor, Persidskii, invariant_observer, simulate
+from pointpred.observers import GradientRegressor, Persidskii, invariant_observer, trajectory
 
 SEEDS = st.integers(0, 2**32 - 1)
 
@@ -79,7 +79,7 @@ def test_the_observer_stays_on_the_invariant_solution(seed: int, through: bool) 
     growth += np.linalg.norm(g.S1, 2) * np.linalg.norm(g.J, 2)
     times = np.array([0.0, 0.3, 0.8]) * min(1.0, 10.0 / max(growth, 1.0))
     step_s = min(0.01, 1.0 / np.linalg.norm(g.S0, 2))  # a longer one diverges where the observer is stiff
-    states = simulate(lambda t, s: joint(plant, observer, t, s), start, times, step_s=step_s)
+    states = trajectory(lambda t, s: joint(plant, observer, t, s), start, times, step_s=step_s)
     for t, state in zip(times, states, strict=True):
         wanted = pi @ state[:4] + upsilon @ plant.output(t, state[:4])
         size = max(1.0, np.abs(state).max(), np.abs(observer.at(0.0).S0).max())
@@ -119,7 +119,7 @@ def test_matrices_that_vary_with_time_keep_it_invariant(seed: int) -> None:
         return np.concatenate([plant.field(t, both[:3], u), inputs])
 
     x = random.standard_normal(3)
-    states = simulate(
+    states = trajectory(
         slope, np.concatenate([x, z(0.0) @ x]), [0.0, 0.25, 0.5], integrator="scipy", tolerance=1e-11
     )
     for t, state in zip([0.0, 0.25, 0.5], states, strict=True):
@@ -148,7 +148,7 @@ def test_discrete_observers_stay_on_it_too(seed: int, varying: bool) -> None:
     x = np.random.default_rng(seed).standard_normal(4)
     at = given_pi if callable(given_pi) else lambda k: pi
     start = np.concatenate([x, at(0) @ x + upsilon @ plant.output(0, x)])
-    states = simulate(lambda k, s: joint(plant, observer, k, s), start, range(6), integrator="discrete")
+    states = trajectory(lambda k, s: joint(plant, observer, k, s), start, range(6), integrator="discrete")
     for k, state in enumerate(states):
         wanted = at(k) @ state[:4] + upsilon @ plant.output(k, state[:4])
         largest = max(np.abs(observer.at(j).S0).max() for j in range(6))
@@ -194,7 +194,7 @@ def test_constants_make_the_gradient_estimator() -> None:
     s0 = observer.at(0.7).S0
     assert s0 == pytest.approx(-gain @ d(0.7).T @ d(0.7))
     x, times = np.array([3.0, 5.0]), np.linspace(0.0, 1.0, 101)
-    states = simulate(lambda t, w: observer.field(t, w, plant.output(t, x)), [0.0, 0.0], times, step_s=0.01)
+    states = trajectory(lambda t, w: observer.field(t, w, plant.output(t, x)), [0.0, 0.0], times, step_s=0.01)
     stage = GradientRegressor(2, gain=gain)
     for t in times:
         found = stage.update(d(t), d(t) @ x, t)

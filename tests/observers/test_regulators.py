@@ -22,7 +22,7 @@ from pointpred.observers import (
     regulator_equations,
     regulator_stage,
     residuals,
-    simulate,
+    trajectory,
 )
 from pointpred.observers.examples import robotic_arm
 
@@ -93,7 +93,7 @@ def test_a_given_l1_is_kept_and_a_cancelled_f_needs_no_slopes() -> None:
         design_state_feedback(steep)
     feedback = design_state_feedback(steep, decay=1.0, L1=[[-1.0]])
     assert feedback.certificate.domain == np.inf
-    end = simulate(
+    end = trajectory(
         lambda t, x: steep.field(t, x, feedback.L0 @ x + feedback.L1 @ steep.f(steep.H @ x)),
         [3.0, 0.0], [0.0, 12.0], step_s=0.01,
     )[-1]  # fmt: skip
@@ -106,7 +106,7 @@ def test_the_pendulum_is_held_upright_from_its_angle_alone() -> None:
         assert np.abs(left).max() < 1e-9, name
     times = np.arange(0.0, 12.0, 0.5)
     start = [2.0, -1.0, 0.0, 0.0]
-    both = simulate(lambda t, one: closed_loop(MASS, design.regulator, t, one), start, times, step_s=0.01)
+    both = trajectory(lambda t, one: closed_loop(MASS, design.regulator, t, one), start, times, step_s=0.01)
     for t, one in zip(times, both, strict=True):
         z = np.linalg.norm(one[:2] - one[2:])
         assert z <= design.observer.bound(float(t), float(np.hypot(2.0, 1.0))) + 1e-12
@@ -118,7 +118,7 @@ def test_the_regulator_runs_as_a_stage() -> None:
     stage, x, h = regulator_stage(MASS, design.regulator, step_s=1e-3), np.array([0.5, 0.0]), 2e-2
     for i in range(500):
         u = stage.update(i * h, MASS.output(i * h, x))
-        x = simulate(lambda t, one: MASS.field(t, one, u), x, [i * h, (i + 1) * h], step_s=h)[-1]  # noqa: B023
+        x = trajectory(lambda t, one: MASS.field(t, one, u), x, [i * h, (i + 1) * h], step_s=h)[-1]  # noqa: B023
     assert np.abs(x).max() < 1e-3
 
 
@@ -141,7 +141,7 @@ def test_the_arm_has_a_regulator_though_assumption_3_2_3_fails() -> None:
     with pytest.raises(ArithmeticError, match=r"3\.2\.3"):
         certify_tracking(plant, design.regulator, design.Pi)
     start = np.array([0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
-    both = simulate(
+    both = trajectory(
         lambda t, one: closed_loop(plant, design.regulator, t, one), start, [0.0, 15.0], step_s=0.002
     )
     assert np.abs(both[-1]).max() < 1e-2
@@ -157,7 +157,7 @@ def test_a_discrete_regulator() -> None:
         g = design.regulator
         return np.concatenate([plant.field(k, x, g.output(w, f=f)), g.field(w, y=plant.output(k, x), f=f)])
 
-    end = simulate(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), integrator="discrete")[-1]
+    end = trajectory(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), integrator="discrete")[-1]
     assert np.abs(end).max() < 1e-4
 
 
@@ -172,7 +172,7 @@ def test_a_reference_is_followed_from_the_angle_alone() -> None:
         assert np.abs(left).max() < 1e-9, name
     start = [1.0, 0.5, 0.0, 0.0, 0.0, 1.0]
     times = np.arange(0.0, 15.0, 0.25)
-    both = simulate(lambda t, one: closed_loop(MASS, design.regulator, t, one), start, times, step_s=0.01)
+    both = trajectory(lambda t, one: closed_loop(MASS, design.regulator, t, one), start, times, step_s=0.01)
     assert np.abs(both[-20:, 0] - np.sin(2.0 * times[-20:])).max() < 1e-3
     assert np.abs(both[:4, 0] - np.sin(2.0 * times[:4])).max() > 0.1
 

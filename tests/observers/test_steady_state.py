@@ -10,7 +10,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers import Generator, Persidskii, residuals, simulate, steady_state_map
+from pointpred.observers import Generator, Persidskii, residuals, steady_state_map, trajectory
 
 
 def matched(
@@ -80,7 +80,7 @@ def test_the_hyperplane_is_invariant_along_trajectories(seed: int, feedback: boo
     quick = min(1.0, 20.0 / np.linalg.norm(plant.A0, 2))  # a quicker plant has a shorter time
     times = quick * np.array([0.0, 0.3, 0.7])
     for integrator in ("rk4", "scipy"):
-        both = simulate(field, start, times, integrator=integrator, step_s=1e-2 * quick)
+        both = trajectory(field, start, times, integrator=integrator, step_s=1e-2 * quick)
         size = max(1.0, float(np.abs(both).max()))
         # What leaves the hyperplane is rounding, and the residual of Pi, enlarged by an unstable plant.
         assert np.abs(both[:, q:] - both[:, :q] @ found.Pi.T).max() < 1e-9 * size * max(

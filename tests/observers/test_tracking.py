@@ -19,9 +19,9 @@ from pointpred.observers import (
     closed_loop,
     regulator_stage,
     sector_bounds,
-    simulate,
     theorem_3_2_2,
     theorem_3_2_3,
+    trajectory,
 )
 
 
@@ -57,7 +57,7 @@ def test_both_functions_of_lyapunov_decay_along_trajectories(seed: int) -> None:
         s = float((plant.H @ z)[0])
         return float(z @ values["P"] @ z + 2.0 * values["Lambda"][0, 0] * np.log(np.cosh(s)))
 
-    both = simulate(
+    both = trajectory(
         lambda t, one: closed_loop(plant, regulator, t, one),
         [2.0, -1.0, -1.0, 3.0],
         np.arange(0.0, 6.0, 0.1),
@@ -131,8 +131,8 @@ def test_the_regulator_as_a_stage_closes_the_loop() -> None:
     x, times = np.array([1.0, 1.0]), np.arange(0.0, 4.0, h)
     for t in times:
         u = stage.update(t, [*plant.output(t, x), *reference(t)])
-        x = simulate(lambda s, one: plant.field(s, one, u, reference(s)), x, [t, t + h], step_s=h)[-1]  # noqa: B023
-    exact = simulate(
+        x = trajectory(lambda s, one: plant.field(s, one, u, reference(s)), x, [t, t + h], step_s=h)[-1]  # noqa: B023
+    exact = trajectory(
         lambda t, one: closed_loop(plant, regulator, t, one, rho=reference(t)),
         [1.0, 1.0, 0.5, -0.5],
         [0.0, 4.0],
@@ -144,13 +144,13 @@ def test_the_regulator_as_a_stage_closes_the_loop() -> None:
 def test_the_plant_follows_its_reference() -> None:
     plant, regulator = pendulum(2)
     times = np.arange(0.0, 12.0, 0.5)
-    both = simulate(
+    both = trajectory(
         lambda t, one: closed_loop(plant, regulator, t, one, rho=[np.sin(t)]),
         [3.0, 0.0, 0.0, 0.0],
         times,
         step_s=0.01,
     )
-    other = simulate(
+    other = trajectory(
         lambda t, one: closed_loop(plant, regulator, t, one, rho=[np.sin(t)]), [3.0, 0.0, 0.0, 0.0], times,
         integrator="scipy",
     )  # fmt: skip

@@ -207,9 +207,26 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         },
     ),
     (
-        o.simulate,
+        o.trajectory,
         {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "integrator": "rk4", "step_s": 0.1},
     ),
+    (
+        o.simulate,
+        {
+            "plant": PLANT,
+            "observer": REDUCED,
+            "times": [0.0, 0.01, 0.02],
+            "start": [1.0, 1.0],
+            "estimate": [0.0, 0.0],
+            "input": [1.0],
+            "disturbance": [0.0, 0.0],
+            "noise": 0.1,
+            "seed": 1,
+        },
+    ),
+    (o.design_full_order, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
+    (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
+    (o.audit, {"design": REDUCED}),
     (o.SeededSignal, {"seed": 1, "size": 1, "amplitude": 1.0, "kind": "uniform", "period_s": 0.1}),
     (o.convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
     (

@@ -128,9 +128,19 @@ def _certified(
     values = {"P": form(found["P"], x)}
     for i, size in enumerate(sizes):
         values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
+    return certified_decay(system, values, decay, domain, **bounds)
+
+
+def certified_decay(
+    system: ErrorSystem, values: dict[str, Any], decay: float, domain: float = np.inf, **bounds: float
+) -> DecayCertificate:
+    """The certificate that matrices from any source are: P and bound_i of each disturbance, audited.
+
+    Raises CertificateError naming the corner at which the inequality fails.
+    """
     margins = decay_inequalities(system, decay, **bounds).check(values)
     p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
-    gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(count))
+    gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))
     bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))
     return DecayCertificate(values["P"], values, margins, bound, system, domain)

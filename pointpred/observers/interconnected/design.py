@@ -141,14 +141,35 @@ def design_observer(
     }
     if "W" in inner:
         values["W"] = form(inner["W"], x, t)
-    values["U"] = values["P"] @ m
-    # Audits the returned gain in the theorem as stated, not the solver's answer.
+    gap = np.inf if solution.gap is None else solution.gap
+    return certified_design(plant, generator, Pi, m, values, gap, **bounds)
+
+
+def certified_design(
+    plant: Plant,
+    generator: Generator,
+    Pi: Any,
+    gain: Any,
+    values: dict[str, Any],
+    gap: float = np.inf,
+    **bounds: float,
+) -> ObserverDesign:
+    """The design of a gain M and of matrices from any source, audited in the theorem as stated.
+
+    Parameters: ``values`` P, Theta, Gamma, Xi, and W where f matters; U = P M is computed. Raises
+    InfeasibleError for an equality of the map that does not hold, CertificateError naming the inequality that
+    fails.
+    """
+    connection = Interconnection(plant, generator, Pi)
+    plant, g = connection.plant, connection.g
+    require_map(plant, generator, connection.pi)
+    m = matrix("gain", gain, g.q, plant.p)
+    values = {**values, "U": values["P"] @ m}
     margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values, printed=False)
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )
-    gap = np.inf if solution.gap is None else solution.gap
-    return ObserverDesign(m, values, margins, bound, plant, connection.g, connection.pi, gap)
+    return ObserverDesign(m, values, margins, bound, plant, g, connection.pi, gap)
 
 
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:

@@ -191,13 +191,44 @@ def certify_convergence(
                 ) from failure
             continue
         break
+    if observer.plant.time == "continuous":
+        values["gamma"] = gamma or rate
+    return _convergence(connections, observer.plant, values, margins, gap)
+
+
+def certified_convergence(
+    observer: InvariantObserver, values: dict[str, Any], gap: float = np.inf
+) -> Convergence:
+    """The certificate that matrices from any source are, audited; constant matrices of the observer only.
+
+    Parameters: ``values`` P, Xi and gamma, and W where f matters, in discrete time P, Xi, Gamma and alpha.
+    Raises CertificateError naming the inequality that fails.
+    """
+    connections = [
+        observer.at(t) for t in moments("the observer" if observer.varying else "", None, "certified")
+    ]
+    matrices = {name: one for name, one in values.items() if name != "gamma"}
     if observer.plant.time == "discrete":
+        margins = theorem_3_3_2(observer).check(matrices)
+    else:
+        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices)
+    return _convergence(connections, observer.plant, dict(values), margins, gap)
+
+
+def _convergence(
+    connections: list[Connection],
+    plant: Persidskii,
+    values: dict[str, Any],
+    margins: dict[str, float],
+    gap: float,
+) -> Convergence:
+    """The bound that audited matrices prove."""
+    if plant.time == "discrete":
         bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
     else:
-        values["gamma"] = gamma or rate
         bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
-    theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
-    domain = observer.plant.domain if any(one.S1.any() for one in connections) else np.inf
+    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
+    domain = plant.domain if any(one.S1.any() for one in connections) else np.inf
     return Convergence(theorem, values, margins, bound, connections[0].J, domain, gap)
 
 

@@ -67,6 +67,10 @@ class InvariantObserver:
         self._check_rates()
         self._latest = 0.0, self._connection(0.0)
 
+    def given(self, name: str) -> Any:
+        """Pi, Upsilon or B as given: an array, a function of t, or ``None`` for a B that was computed."""
+        return self._given[name]
+
     def at(self, t: float) -> Connection:
         """The matrices at t (at the index, in discrete time)."""
         if self.varying and t != self._latest[0]:

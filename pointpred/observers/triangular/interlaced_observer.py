@@ -195,7 +195,7 @@ class InterlacedObserver(CompiledStage):
         answers = computed + maps.computed - maps.outputs
         shape = [q, p, len(maps.rows), settings(q, p), answers, maps.outputs, state, self.gap_s, *speeds]
         flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
-        self.steady, self.certificate = steady, certificate
+        self.steady, self.certificate, self.start = steady, certificate, first
         self._states, self._outputs = q, p
         self.width = q + len(steady.maps) + len(steady.zero_maps) + 1
         self.lay_out(flat, states(q, p) + maps.computed)

@@ -32,6 +32,8 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     """How far the least gamma + 0.01 trace P in balanced units could lie below that of the design, relative;
     infinite if nothing is proved."""
     time: str = "continuous"
+    force: FloatArray | None = None
+    """F of the theorem, n x n."""
 
     @property
     def phi1(self) -> float:
@@ -161,4 +163,4 @@ def audit(
     if not largest < 0.0:
         raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
     gamma = float(np.linalg.eigvalsh(force)[-1])
-    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros, time=time)
+    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros, time=time, force=force)

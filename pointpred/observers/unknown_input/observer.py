@@ -127,6 +127,32 @@ class UnknownInputObserver:
         certificate = msgspec.structs.replace(certificate, gap=gap)
         return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
 
+    @classmethod
+    def certified(
+        cls,
+        system: ParameterVaryingSystem,
+        box: Box,
+        gains: FloatArray,
+        P: FloatArray,
+        force: FloatArray,
+        sigma: float,
+        gap: float = np.inf,
+    ) -> Self:
+        """The observer of gains and matrices from any source, audited at every vertex.
+
+        Parameters: ``gains`` K, (vertices, n, p); ``P`` and ``force``, F of the theorem, (n, n); ``sigma``
+        and ``gap`` as in the certificate. Raises CertificateError if an eigenvalue fails; ParameterError.
+        """
+        instance("system", system, ParameterVaryingSystem).checked(box)
+        system = system.weighted(box)
+        gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
+        ts = TakagiSugeno.of(system.t, box, "T").matrices
+        model = TakagiSugeno(box, gains)
+        ws = np.array([P @ one for one in model.matrices])
+        zeros = zeros_over(system, box)
+        certificate = audit(gammas, ts, system.c, P, ws, force, sigma, zeros, system.time)
+        return cls(system, box, msgspec.structs.replace(certificate, gap=gap), model)
+
     def start(self, estimate: FloatArray, *, noise: Any = None, density: Any = None) -> None:
         """Forget every sample and start at an estimate; the first sample replaces its outputs.
 

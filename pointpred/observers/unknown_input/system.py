@@ -72,6 +72,11 @@ class ParameterVaryingSystem:
         if self.sizes is not None and (self.sizes <= 0.0).any():
             raise ParameterError(f"sizes must lie above 0, received {sizes!r}", field="sizes", value=sizes)
 
+    @property
+    def decoupled(self) -> bool:
+        """Whether T A was given."""
+        return self._decoupled is not None
+
     def units(self, gammas: FloatArray, sigma: float) -> Coordinates:
         """The units in which a design for ``gammas`` is posed: those of ``sizes``, or balanced ones."""
         if self.sizes is None:
@@ -86,7 +91,7 @@ class ParameterVaryingSystem:
         would depend on the units of the outputs.
         """
         points = [box.named(vertex) for vertex in box.vertices]
-        if self._decoupled is not None or len(self.c) == self.f(points[0]).shape[1]:
+        if self.decoupled or len(self.c) == self.f(points[0]).shape[1]:
             return self
         other = copy(self)
         a = np.array([self.a(point) for point in points])

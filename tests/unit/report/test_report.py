@@ -10,11 +10,11 @@ import pytest
 from pointpred import build
 from pointpred import run as pipeline_run
 from pointpred.columns import EventColumns
+from pointpred.drawing.style import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.report import write_report
 from pointpred.report.choice import compared, highlighted
-from pointpred.report.figures.style import Picture, canvas, picture
 from pointpred.scoring import score as run
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise

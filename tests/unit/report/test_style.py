@@ -6,10 +6,11 @@ import re
 import matplotlib.colors
 import pytest
 
+from pointpred.drawing.style import FAINT
 from pointpred.registry import REGISTRY
 from pointpred.report import write_report
 from pointpred.report.figures.errors import cost, curves
-from pointpred.report.figures.style import FAINT, STYLES, line_style
+from pointpred.report.figures.style import STYLES, line_style
 from pointpred.scoring.summary import summarise
 
 

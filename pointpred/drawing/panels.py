@@ -1,13 +1,21 @@
-"""Panels as a picture, in the style of the report's figures."""
+"""Panels of lines as a figure: an SVG picture, or a file of any kind that matplotlib writes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Literal
 
-from pointpred.report.figures.style import GREY, PALETTE, Picture, canvas, picture
-from pointpred.reproduction.figure import Line, Look, Panel
+import msgspec
 
+from pointpred.columns import FloatArray
+from pointpred.drawing.style import GREY, PALETTE, Picture, canvas, picture
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Look = Literal["truth", "first", "second", "third", "fourth", "limit"]
+"""How a line looks: the truth is grey and wide, a limit dashed and thin, the others have a colour each."""
 LOOKS: dict[Look, dict[str, Any]] = {
     "truth": {"color": GREY, "linewidth": 3.0},
     "first": {"color": PALETTE[0], "linewidth": 1.3},
@@ -20,12 +28,34 @@ PANEL_IN = (7.5, 2.3)
 """Width of a figure of one column and height of a panel, inches."""
 
 
+class Line(msgspec.Struct, frozen=True):
+    """A curve: x and y of the same length, NaN where there is nothing."""
+
+    x: FloatArray
+    y: FloatArray
+    label: str = ""
+    look: Look = "first"
+
+
+class Panel(msgspec.Struct, frozen=True):
+    """Axes with their lines; ``limits`` of y, all that is drawn unless given."""
+
+    y: str
+    lines: tuple[Line, ...]
+    x: str = "t [s]"
+    title: str = ""
+    logarithmic: bool = False
+    limits: tuple[float, float] | None = None
+
+
 def drawing(title: str, panels: Sequence[Panel], *, columns: int = 1) -> Callable[[], Picture]:
     """What draws the panels row by row, when it is called."""
     return lambda: _drawn(title, panels, columns)
 
 
-def _drawn(title: str, panels: Sequence[Panel], columns: int) -> Picture:
+@contextmanager
+def drawn(title: str, panels: Sequence[Panel], columns: int = 1) -> Iterator[Figure]:
+    """The panels row by row as a figure; write it within the context, which holds the style."""
     rows = -(-len(panels) // columns)
     width, height = PANEL_IN
     with canvas(rows, columns, width=width * (1.0 if columns == 1 else 1.4), height=height * rows + 0.4) as (
@@ -37,6 +67,11 @@ def _drawn(title: str, panels: Sequence[Panel], columns: int) -> Picture:
         for ax in axes[len(panels) :]:
             ax.set_visible(False)
         figure.suptitle(title, x=0.01, ha="left")
+        yield figure
+
+
+def _drawn(title: str, panels: Sequence[Panel], columns: int) -> Picture:
+    with drawn(title, panels, columns) as figure:
         alt = f"{title}: {'; '.join(panel.y for panel in panels)}"
         return picture(figure, alt, title, wide=columns > 1)
 

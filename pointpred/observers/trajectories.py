@@ -1,4 +1,4 @@
-"""Trajectories of systems and observers by two independent integrators, with seeded noise."""
+"""Trajectories of systems and observers by independent integrators, with seeded noise."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from pointpred.errors import DivergenceError, ParameterError
 from pointpred.observers.matrices import listed, matrix, one_of, positive
 
 Field = Callable[[float, FloatArray], Any]
-INTEGRATORS = ("rk4", "scipy", "discrete")
+INTEGRATORS = ("rk4", "scipy", "stiff", "discrete")
+METHODS = {"scipy": "DOP853", "stiff": "LSODA"}
 CHUNK = 1024
 
 
@@ -64,7 +65,7 @@ def _symmetric(generator: np.random.Generator) -> Callable[[tuple[int, int]], Fl
     return lambda shape: generator.uniform(-1.0, 1.0, shape)
 
 
-def simulate(
+def trajectory(
     field: Field,
     start: Any,
     times: Any,
@@ -76,8 +77,9 @@ def simulate(
     """The state at each of the times, one row a time, from ``start`` at the first of them.
 
     ``rk4`` takes equal steps of at most ``step_s`` between two times; ``scipy`` is DOP853 with relative and
-    absolute ``tolerance`` and steps of at most a hundred ``step_s``; ``discrete`` takes indices as times and
-    applies ``field(k, x)``, the next state, at each.
+    absolute ``tolerance`` and steps of at most a hundred ``step_s``, ``stiff`` the same with LSODA, for rates
+    of different sizes; ``discrete`` takes indices as times and applies ``field(k, x)``, the next state, at
+    each.
 
     Disturbances belong in the field. A ``SeededSignal`` jumps between its periods: a method keeps its order
     only if its steps end at the jumps.
@@ -85,9 +87,9 @@ def simulate(
     Raises ParameterError for times that do not increase, DivergenceError naming the time at which a state
     stops being finite.
 
-    >>> simulate(lambda t, x: -x, [1.0], [0.0, 1.0]).round(6).tolist()
+    >>> trajectory(lambda t, x: -x, [1.0], [0.0, 1.0]).round(6).tolist()
     [[1.0], [0.367879]]
-    >>> simulate(lambda k, x: 0.5 * x, [1.0], range(3), integrator="discrete").ravel().tolist()
+    >>> trajectory(lambda k, x: 0.5 * x, [1.0], range(3), integrator="discrete").ravel().tolist()
     [1.0, 0.5, 0.25]
     """
     one_of("integrator", integrator, INTEGRATORS)
@@ -102,8 +104,8 @@ def simulate(
     if not len(t):
         raise ParameterError("times needs at least one time, received none", field="times")
     x0 = matrix("start", start, 1)[0]
-    if integrator == "scipy":
-        return _adaptive(field, x0, t, 100.0 * step_s, tolerance)
+    if integrator in METHODS:
+        return _adaptive(METHODS[integrator], field, x0, t, 100.0 * step_s, tolerance)
     states = np.empty((len(t), len(x0)))
     states[0] = x0
     with np.errstate(over="ignore", invalid="ignore"):
@@ -131,12 +133,14 @@ def _rk4(field: Field, begin: float, end: float, x: FloatArray, step_s: float) -
     return x
 
 
-def _adaptive(field: Field, x0: FloatArray, t: FloatArray, longest: float, tolerance: float) -> FloatArray:
+def _adaptive(
+    method: Any, field: Field, x0: FloatArray, t: FloatArray, longest: float, tolerance: float
+) -> FloatArray:
     from scipy.integrate import solve_ivp
 
     with np.errstate(over="ignore", invalid="ignore"):
         solution = solve_ivp(
-            field, (t[0], t[-1]), x0, "DOP853", t, rtol=tolerance, atol=tolerance, max_step=longest
+            field, (t[0], t[-1]), x0, method, t, rtol=tolerance, atol=tolerance, max_step=longest
         )
     if solution.status != 0 or not np.isfinite(solution.y).all():
         raise DivergenceError(

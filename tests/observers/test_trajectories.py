@@ -11,22 +11,22 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers import SeededSignal, simulate
+from pointpred.observers import SeededSignal, trajectory
 
 
 @pytest.mark.parametrize("integrator", ["rk4", "scipy"])
 def test_a_linear_system_follows_its_exponential(integrator: str) -> None:
     a = np.array([[0.0, 1.0], [-4.0, -0.4]])
     times = np.array([0.0, 0.13, 0.7, 2.0])
-    states = simulate(lambda t, x: a @ x, [1.0, -1.0], times, integrator=integrator)
+    states = trajectory(lambda t, x: a @ x, [1.0, -1.0], times, integrator=integrator)
     expected = [expm(a * t) @ [1.0, -1.0] for t in times]
     assert np.allclose(states, expected, atol=1e-10)
 
 
 def test_rk4_has_its_order() -> None:
     def error(step_s: float) -> float:
-        found = simulate(lambda t, x: np.cos(x) * np.cos(t), [0.2], [0.0, 2.0], step_s=step_s)
-        fine = simulate(lambda t, x: np.cos(x) * np.cos(t), [0.2], [0.0, 2.0], step_s=1e-3)
+        found = trajectory(lambda t, x: np.cos(x) * np.cos(t), [0.2], [0.0, 2.0], step_s=step_s)
+        fine = trajectory(lambda t, x: np.cos(x) * np.cos(t), [0.2], [0.0, 2.0], step_s=1e-3)
         return abs(float(found[-1, 0] - fine[-1, 0]))
 
     assert 12.0 < error(0.2) / error(0.1) < 24.0
@@ -46,8 +46,8 @@ def test_a_jumping_disturbance_is_integrated_alike_by_both(seed: int, kind: str)
         held = noise(t + 0.05)[0]
         x = held + (x - held) * np.exp(-0.1)
         expected.append(x)
-    assert np.allclose(simulate(field, [1.0], times, step_s=0.01)[:, 0], expected, atol=1e-6)
-    adaptive = simulate(field, [1.0], times, integrator="scipy", step_s=1e-4, tolerance=1e-8)
+    assert np.allclose(trajectory(field, [1.0], times, step_s=0.01)[:, 0], expected, atol=1e-6)
+    adaptive = trajectory(field, [1.0], times, integrator="scipy", step_s=1e-4, tolerance=1e-8)
     assert np.allclose(adaptive[:, 0], expected, atol=1e-6)
 
 
@@ -66,9 +66,9 @@ def test_a_seeded_signal_is_a_function_of_time() -> None:
 
 def test_what_blows_up_is_said_with_its_time() -> None:
     with pytest.raises(DivergenceError, match=r"before t = 1\."):
-        simulate(lambda t, x: x * x, [1.0], np.arange(0.0, 3.0, 0.25))
+        trajectory(lambda t, x: x * x, [1.0], np.arange(0.0, 3.0, 0.25))
     with pytest.raises(DivergenceError, match="leaves every bound"):
-        simulate(lambda t, x: x * x, [1.0], np.arange(0.0, 3.0, 0.25), integrator="scipy")
+        trajectory(lambda t, x: x * x, [1.0], np.arange(0.0, 3.0, 0.25), integrator="scipy")
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_what_blows_up_is_said_with_its_time() -> None:
 def test_what_cannot_be_simulated(given: dict[str, Any], told: str) -> None:
     asked = {"start": [1.0], "times": [0.0, 1.0], **given}
     with pytest.raises(ParameterError, match=told):
-        simulate(lambda t, x: -x, **asked)
+        trajectory(lambda t, x: -x, **asked)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,22 @@
+"""Draw the figure of the guide to an own plant, from the examples of that page."""
+
+from __future__ import annotations
+
+import doctest
+from typing import Any
+
+from pages import DOCS
+
+PAGE = DOCS / "guide" / "observers" / "own-plant.md"
+FIGURE = DOCS / "figures" / "own-plant.svg"
+
+
+def names() -> dict[str, Any]:
+    """The names that the page's examples define; raises where an example does not hold."""
+    test = doctest.DocTestParser().get_doctest(PAGE.read_text(encoding="utf-8"), {}, PAGE.name, str(PAGE), 0)
+    doctest.DebugRunner().run(test, clear_globs=False)
+    return test.globs
+
+
+if __name__ == "__main__":
+    names()["result"].plot(FIGURE)

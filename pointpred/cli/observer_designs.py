@@ -1,0 +1,123 @@
+"""Which observer a plant of a file gets, and the call that designs it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred.observers import (
+    CornerSystem,
+    Generator,
+    InterlacedObserver,
+    Persidskii,
+    SymbolicGenerator,
+    SymbolicSystem,
+    UnknownInputObserver,
+    design_full_order,
+    design_observer,
+    design_reduced_order,
+    design_regulator,
+    interlaced,
+    steady_state_map,
+)
+from pointpred.observers.documents.expressions import parsed
+
+NEEDS: dict[str, type] = {
+    "reduced-order": Persidskii,
+    "full-order": Persidskii,
+    "driven": Persidskii,
+    "regulator": Persidskii,
+    "unknown-input": CornerSystem,
+    "interlaced": SymbolicSystem,
+}
+"""The kinds of observers, and the plant of each."""
+NAMES = {Persidskii: "plant", CornerSystem: "parameter-varying plant", SymbolicSystem: "symbolic plant"}
+
+
+class Wish(msgspec.Struct, frozen=True):
+    """What the options ask for."""
+
+    observer: str | None
+    decay: float
+    injection: bool
+    upper: int
+    first: str | None
+    degree: int
+
+
+def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
+    """The kind of observer and its design; raises ParameterError where plant and options do not fit."""
+    if not wish.decay > 0.0:
+        raise ParameterError(f"--decay must lie above 0, received {wish.decay:g}", field="decay")
+    kind = wish.observer or chosen(plant, generator)
+    if kind not in NEEDS:
+        raise ParameterError(
+            f"--observer must be one of {', '.join(NEEDS)}, received {kind!r}", field="observer"
+        )
+    if not isinstance(plant, NEEDS[kind]):
+        raise ParameterError(
+            f"--observer {kind} needs a file of the kind {NAMES[NEEDS[kind]]!r}, "
+            f"received a {type(plant).__name__}",
+            field="observer",
+        )
+    if kind == "reduced-order":
+        return kind, design_reduced_order(plant, decay=wish.decay, injection=wish.injection)
+    if kind == "full-order":
+        return kind, design_full_order(plant, decay=wish.decay)
+    if kind == "regulator":
+        return kind, design_regulator(plant, decay=wish.decay)
+    if kind == "unknown-input":
+        return kind, UnknownInputObserver.design(plant, plant.box, sigma=2.0 * wish.decay)
+    if kind == "driven":
+        return kind, _driven(plant, _generator(generator, Generator, kind, "generator"), wish)
+    return kind, _interlaced(
+        plant, _generator(generator, SymbolicGenerator, kind, "symbolic generator"), wish
+    )
+
+
+def chosen(plant: Any, generator: Any) -> str:
+    """The kind of observer for a plant where none is named.
+
+    Of the unmeasured states only if the outputs are independent and free of f, and some states are
+    unmeasured.
+    """
+    if isinstance(plant, CornerSystem):
+        return "unknown-input"
+    if isinstance(plant, SymbolicSystem):
+        return "interlaced"
+    if not isinstance(plant, Persidskii):
+        raise ParameterError(
+            f"design needs the file of a plant, received a {type(plant).__name__}", field="plant"
+        )
+    if generator is not None:
+        return "driven"
+    independent = plant.p == np.linalg.matrix_rank(plant.C0)
+    return "reduced-order" if independent and plant.p < plant.n and not plant.C1.any() else "full-order"
+
+
+def _driven(plant: Persidskii, generator: Generator, wish: Wish) -> Any:
+    found = steady_state_map(plant, generator)
+    return design_observer(plant, generator, found.Pi, decay=wish.decay)
+
+
+def _interlaced(plant: SymbolicSystem, generator: SymbolicGenerator, wish: Wish) -> Any:
+    if wish.first is None:
+        raise ParameterError(
+            "an interlaced observer needs --first, the steady state of the first lower row, such as w1",
+            field="first",
+        )
+    steady = interlaced(plant, generator, wish.upper, parsed(wish.first, "--first"), degree=wish.degree)
+    return InterlacedObserver.design(steady, rate=wish.decay)
+
+
+def _generator(given: Any, wanted: type, kind: str, named: str) -> Any:
+    if not isinstance(given, wanted):
+        raise ParameterError(
+            f"--observer {kind} needs --generator, a file of the kind {named!r}, "
+            f"received {'none' if given is None else 'a ' + type(given).__name__}",
+            field="generator",
+        )
+    return given

@@ -1,0 +1,165 @@
+"""Designs, audits and simulated errors as tables in the terminal and as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+from rich.table import Table
+
+from pointpred.console import results
+from pointpred.observers import (
+    InterlacedObserver,
+    ObserverDesign,
+    ReducedOrderDesign,
+    RegulatorDesign,
+    Simulation,
+    UnknownInputObserver,
+)
+from pointpred.observers.documents.designs import margins_of
+
+
+class DesignDocument(msgspec.Struct, frozen=True):
+    """What ``design --json`` and ``audit --json`` write; ``gap`` is null where nothing is proved."""
+
+    version: int
+    observer: str
+    rate: float
+    overshoot: float
+    gains: dict[str, float]
+    gap: float | None
+    margins: dict[str, float]
+
+
+class StateErrors(msgspec.Struct, frozen=True):
+    """The error of one state: at the first and at the last sample, and its RMSE over the second half."""
+
+    name: str
+    first: float
+    last: float
+    rmse: float
+
+
+class SimulationDocument(msgspec.Struct, frozen=True):
+    """What ``simulate --json`` writes."""
+
+    version: int
+    title: str
+    samples: int
+    states: tuple[StateErrors, ...]
+
+
+def summary(design: Any) -> DesignDocument:
+    """The numbers that a certificate proves of the error."""
+    rate, overshoot, gains, gap = _proved(design)
+    return DesignDocument(
+        1,
+        type(design).__name__,
+        rate,
+        overshoot,
+        gains,
+        float(gap) if np.isfinite(gap) else None,
+        margins_of(design),
+    )
+
+
+def print_design(kind: str, design: Any) -> None:
+    """What was designed, and what is proved of it."""
+    screen, one = results(), summary(design)
+    screen.print(f"{kind} observer" if kind != "regulator" else "regulator", style="bold", markup=False)
+    screen.print(_table(design, one))
+    for name, matrix in _gains(design).items():
+        screen.print(f"{name} = {np.array2string(matrix, precision=6, separator=', ')}", markup=False)
+
+
+def print_audit(design: Any, margins: dict[str, float]) -> None:
+    """How far each inequality holds, and what they prove."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column("inequality")
+    table.add_column("holds by", justify="right")
+    for name, margin in margins.items():
+        table.add_row(name, f"{margin:.4g}")
+    screen = results()
+    screen.print(table, markup=False)
+    screen.print(_table(design, summary(design)))
+
+
+def errors_document(result: Simulation) -> SimulationDocument:
+    """The errors of a simulation."""
+    error = np.abs(result.error)
+    rmse = result.rmse(after=float(0.5 * (result.t[0] + result.t[-1])))
+    states = tuple(
+        StateErrors(name, float(error[0, i]), float(error[-1, i]), float(rmse[i]))
+        for i, name in enumerate(result.names)
+    )
+    return SimulationDocument(1, result.title, len(result.t), states)
+
+
+def print_errors(result: Simulation) -> None:
+    """The errors of a simulation, a row a state."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column("state")
+    for heading in ("error at first", "error at last", "RMSE, second half"):
+        table.add_column(heading, justify="right")
+    for one in errors_document(result).states:
+        table.add_row(one.name, f"{one.first:.4g}", f"{one.last:.4g}", f"{one.rmse:.4g}")
+    screen = results()
+    screen.print(f"{result.title}, {len(result.t)} samples", style="bold", markup=False)
+    screen.print(table)
+
+
+def _table(design: Any, one: DesignDocument) -> Table:
+    table = Table(box=None, pad_edge=False)
+    table.add_column("proved of the error")
+    table.add_column("", justify="right")
+    unit = "1/step" if _discrete(design) else "1/s"
+    table.add_row(f"decays at least at [{unit}]".replace("[", "\\["), f"{one.rate:.6g}")
+    table.add_row("overshoot at most", f"{one.overshoot:.4g}")
+    for name, gain in one.gains.items():
+        table.add_row(f"gain of {name} at most", f"{gain:.4g}")
+    table.add_row("gap to the best", "not known" if one.gap is None else f"{one.gap:.2%}")
+    return table
+
+
+def _proved(design: Any) -> tuple[float, float, dict[str, float], float]:
+    """Rate, overshoot, gains by disturbance, and gap."""
+    if isinstance(design, RegulatorDesign):
+        feedback, gap = design.feedback.certificate.bound, design.observer.gap
+        slower = min(feedback, design.observer.bound, key=lambda bound: bound.rate)
+        return slower.rate, slower.overshoot, _named(slower), gap
+    if isinstance(design, UnknownInputObserver):
+        proof = design.certificate
+        return 0.5 * proof.sigma, proof.phi1, {"delta": proof.phi2}, proof.gap
+    if isinstance(design, InterlacedObserver):
+        shown = design.certificate
+        return shown.rate, shown.overshoot, {"noise": shown.noise_gain}, shown.gap
+    if isinstance(design, ReducedOrderDesign):
+        return (*_bound(design.certificate.bound), design.gap)
+    assert isinstance(design, ObserverDesign)
+    return (*_bound(design.bound), design.gap)
+
+
+def _bound(bound: Any) -> tuple[float, float, dict[str, float]]:
+    return bound.rate, bound.overshoot, _named(bound)
+
+
+def _named(bound: Any) -> dict[str, float]:
+    return dict(zip(bound.disturbances, bound.gains, strict=True))
+
+
+def _gains(design: Any) -> dict[str, Any]:
+    """The matrices that a program needs to run the observer by itself."""
+    if isinstance(design, ReducedOrderDesign):
+        return {"Upsilon": design.Upsilon}
+    if isinstance(design, RegulatorDesign):
+        return {"G": design.observer.gain, "L0": design.feedback.L0}
+    if isinstance(design, InterlacedObserver):
+        return {"L": np.asarray(design.certificate.L)}
+    return {"M": design.gain} if isinstance(design, ObserverDesign) else {}
+
+
+def _discrete(design: Any) -> bool:
+    observer = getattr(design, "observer", design)
+    plant = getattr(observer, "plant", getattr(observer, "system", None))
+    return getattr(plant, "time", "continuous") == "discrete"

@@ -1,0 +1,1 @@
+"""Plants and designs as JSON: written, read, and audited again."""

@@ -1,0 +1,80 @@
+"""Matrices, infinite bounds and Python functions as JSON holds them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, Self
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+
+
+class PythonFunction(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Stands for a Python function, which no file holds; ``function`` is its name there."""
+
+    function: str
+
+
+Rows = list[list[float] | float]
+"""A matrix by its rows; a flat list is one row or one column, as everywhere in this library."""
+Entries = Rows | PythonFunction | None
+"""A matrix, a function of t or of the index, or nothing for zero."""
+Functions = Mapping[str, Callable[..., Any]]
+
+
+class Document(
+    msgspec.Struct,
+    frozen=True,
+    tag_field="kind",
+    forbid_unknown_fields=True,
+    omit_defaults=True,
+):
+    """What a file holds of one thing: ``of`` a Python object, and ``made`` into one again."""
+
+    @classmethod
+    def of(cls, thing: Any) -> Self:
+        """The document of a thing; raises ParameterError for what no file can hold."""
+        raise NotImplementedError
+
+    def made(self, functions: Functions) -> Any:
+        """The thing, its checks and audits done; ``functions`` by name where Python functions are missing."""
+        raise NotImplementedError
+
+
+def entries(value: Any) -> Any:
+    """A matrix as lists, ``None`` for an empty one, the name of a function for a function."""
+    if callable(value):
+        return PythonFunction(getattr(value, "__name__", type(value).__name__))
+    table = np.asarray(value, np.float64)
+    return table.tolist() if table.size else None
+
+
+def array(value: Any) -> FloatArray:
+    """The numbers of a field, checked where they are used."""
+    return np.asarray(value, np.float64)
+
+
+def finite(value: float) -> float | None:
+    """A number, ``None`` for an infinite one, which JSON does not have."""
+    return float(value) if np.isfinite(value) else None
+
+
+def unbounded(value: float | None) -> float:
+    """The number that ``finite`` was given, infinite for ``None``."""
+    return np.inf if value is None else value
+
+
+def restored(name: str, value: Any, functions: Functions) -> Any:
+    """A field with its Python function in place; raises ParameterError naming the function to pass."""
+    if not isinstance(value, PythonFunction):
+        return value
+    if name not in functions:
+        raise ParameterError(
+            f"{name} was saved as the Python function {value.function!r}, which no file holds: pass it "
+            f"again, as functions={{{name!r}: {value.function if value.function.isidentifier() else '...'}}}",
+            field=name,
+        )
+    return functions[name]

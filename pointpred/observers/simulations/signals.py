@@ -1,0 +1,114 @@
+"""What drives a simulation: samples, starts, and signals given as constants or as functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.observers.matrices import matrix, vector
+from pointpred.observers.trajectories import Field, trajectory
+
+Signal = Callable[[float], FloatArray]
+SAMPLES, STEP_S = 1001, 1e-2
+"""The samples of a simulation that names none: as many, and in continuous time as far apart in s."""
+TOLERANCE = 1e-9
+
+
+class Setting(msgspec.Struct, frozen=True):
+    """What a simulation was asked for; ``None`` where nothing was."""
+
+    times: Any
+    start: Any
+    estimate: Any
+    input: Any
+    disturbance: Any
+    unknown_input: Any
+    schedule: Any
+    noise: Any
+    seed: int
+
+    def samples(self, discrete: bool) -> FloatArray:
+        """The times of the samples, or the indices; raises ParameterError unless they increase."""
+        if self.times is None:
+            return np.arange(float(SAMPLES)) * (1.0 if discrete else STEP_S)
+        times = matrix("times", self.times, 1)[0]
+        if len(times) < 2 or (np.diff(times) <= 0.0).any():
+            raise ParameterError(
+                f"times needs two samples or more that increase, received {self.times!r:.60}"
+            )
+        if discrete and (np.diff(times) != 1.0).any():
+            raise ParameterError("the samples of a discrete plant are its steps: times must go up by 1")
+        return times
+
+    def begin(self, size: int, what: str = "start", default: float = 1.0) -> FloatArray:
+        """A state to start with: ``start`` or ``estimate``."""
+        value = self.start if what == "start" else self.estimate
+        return np.full(size, default) if value is None else vector(what, value, size).copy()
+
+    def signal(self, name: str, size: int) -> Signal:
+        """A signal as a function of time, zero if it was not given."""
+        given = getattr(self, name)
+        if given is None:
+            zero = np.zeros(size)
+            return lambda t: zero
+        if not callable(given):
+            constant = vector(name, given, size)
+            return lambda t: constant
+        vector(name, given(0.0), size)
+        return lambda t: np.atleast_1d(np.asarray(given(t), np.float64))
+
+    def refuse(self, kind: str, *names: str) -> None:
+        """Raise ParameterError for what a plant of this kind has no place for."""
+        for name in names:
+            if getattr(self, name) is not None:
+                raise ParameterError(f"{kind} has no {name}: leave it out", field=name)
+
+    def measured(self, exact: FloatArray) -> FloatArray:
+        """Outputs (N, p) with the noise."""
+        sizes = matrix("noise", self.noise, 1)[0]
+        if (sizes < 0.0).any() or len(sizes) not in (1, exact.shape[1]):
+            raise ParameterError(
+                f"noise needs a standard deviation not below 0, or {exact.shape[1]} of them, "
+                f"received {self.noise!r}",
+                field="noise",
+                value=self.noise,
+            )
+        drawn = np.random.default_rng(self.seed).standard_normal(exact.shape)
+        return exact + sizes * drawn
+
+    @property
+    def silent(self) -> bool:
+        """Whether neither noise nor disturbance was asked for."""
+        return self.disturbance is None and not np.any(self.noise)
+
+
+def run(field: Field, start: FloatArray, times: FloatArray, discrete: bool) -> FloatArray:
+    """The states at the samples; no change of an input that lasts a sample is stepped over."""
+    if discrete:
+        return trajectory(field, start, times, integrator="discrete")
+    longest = float(np.diff(times).min())
+    return trajectory(field, start, times, integrator="stiff", step_s=longest / 100.0, tolerance=TOLERANCE)
+
+
+def held(values: FloatArray, times: FloatArray) -> Signal:
+    """Values of samples as a signal that keeps each until the next."""
+    return lambda t: values[max(0, int(np.searchsorted(times, t, "right")) - 1)]
+
+
+def sampled(signal: Signal, times: FloatArray) -> FloatArray:
+    """A signal at the samples, (N, size)."""
+    return np.array([signal(float(t)) for t in times])
+
+
+def gap_of(times: FloatArray) -> dict[str, float]:
+    """Settings of a stage with which no interval between these samples counts as a gap."""
+    longest = 2.0 * float(np.diff(times).max())
+    settings = {"gap_s": min(max(longest, 1e-6), 1e6)}
+    if longest > 900.0:  # a stage takes at most 10^5 steps in a gap, which may then be longer than 10 ms
+        settings["step_s"] = min(1.0, longest / 9e4)
+    return settings

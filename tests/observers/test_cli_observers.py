@@ -1,0 +1,172 @@
+"""``pointpred observers``: what is written, printed and refused, as somebody at a terminal meets it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred import observers as o
+from pointpred.cli.observer_examples import EXAMPLES
+from pointpred.observers.documents.files import decoded, encoded
+from tests.conftest import Left
+from tests.observers import kept_designs as kept
+
+pytest.importorskip("cvxpy")
+
+Command = Callable[..., Left]
+
+
+@pytest.fixture
+def motor(command: Command, tmp_path: Path) -> Path:
+    """A design that the command line made."""
+    assert command("observers", "example", "motor", "--out", tmp_path / "motor.json").code == 0
+    left = command("observers", "design", tmp_path / "motor.json", "--decay", "5")
+    assert (left.code, "motor_design.json" in left.err) == (0, True)
+    return tmp_path / "motor_design.json"
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_example_is_a_plant_that_can_be_changed(command: Command, name: str) -> None:
+    left = command("observers", "example", name)
+    assert left.code == 0
+    assert encoded(decoded(left.out)) == left.out.encode()
+
+
+def test_design_audit_and_simulate_from_files(command: Command, motor: Path, tmp_path: Path) -> None:
+    audited = command("observers", "audit", motor, "--json", "-")
+    numbers = json.loads(audited.out)
+    assert audited.code == 0
+    assert numbers["margins"] == o.audit(o.load(motor))
+    assert numbers["rate"] >= 5.0
+    pytest.importorskip("matplotlib")
+    left = command(
+        "observers", "simulate", motor, "--input", "sin(2*t)", "--noise", "0.01", "--start", "0.5,0,0",
+        "--seconds", "4",
+        "--plot", tmp_path / "motor.png", "--out", tmp_path / "motor.csv",
+    )  # fmt: skip
+    assert left.code == 0
+    assert "RMSE" in left.out
+    assert (tmp_path / "motor.png").read_bytes().startswith(b"\x89PNG")
+    design = o.load(motor)
+    result = o.simulate(
+        design.observer.plant, design, times=0.01 * np.arange(401), input=lambda t: np.sin(2.0 * t),
+        noise=0.01, start=[0.5, 0.0, 0.0],
+    )  # fmt: skip
+    with (tmp_path / "motor.csv").open(newline="", encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [float(row["x2_estimate"]) for row in rows] == result.estimate[:, 1].tolist()
+    assert [float(row["u1"]) for row in rows] == result.input[:, 0].tolist()
+
+
+KINDS = [
+    ("motor", "reduced-order", ()),
+    ("motor", "full-order", ("--observer", "full-order")),
+    ("pendulum", "reduced-order", ()),
+    ("pendulum", "regulator", ("--observer", "regulator", "--decay", "0.5")),
+    ("tank", "reduced-order", ("--decay", "0.1")),
+    ("wing", "unknown-input", ("--decay", "0.5")),
+]
+
+
+@pytest.mark.parametrize(("name", "kind", "options"), KINDS, ids=[f"{row[0]} {row[1]}" for row in KINDS])
+def test_every_kind_is_designed_and_simulated(
+    command: Command, tmp_path: Path, name: str, kind: str, options: tuple[str, ...]
+) -> None:
+    plant, design = tmp_path / "plant.json", tmp_path / "design.json"
+    command("observers", "example", name, "--out", plant)
+    left = command("observers", "design", plant, *options, "--out", design)
+    assert left.code == 0, left.err
+    assert kind in left.out
+    length = ("--steps", "50") if name == "tank" else ("--seconds", "2")
+    extra = ("--unknown-input", "1", "--parameter", "k=2+0.5*sin(t)") if name == "wing" else ()
+    run = command("observers", "simulate", design, *length, *extra, "--json", "-")
+    assert run.code == 0, run.err
+    assert all(
+        one["last"] < one["first"] + 1e-9 or one["first"] == 0.0 for one in json.loads(run.out)["states"]
+    )
+
+
+def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
+    for name, thing in (("driven", kept.DRIVEN), ("constant", kept.CONSTANT), ("equations", kept.SYMBOLIC),
+                        ("circle", kept.CIRCLE)):  # fmt: skip
+        o.save(thing, tmp_path / f"{name}.json")
+    left = command("observers", "design", tmp_path / "driven.json", "--generator", tmp_path / "constant.json")
+    assert (left.code, "driven observer" in left.out) == (0, True)
+    words = ("--upper", "1", "--first", "w1", "--degree", "2", "--decay", "0.5")
+    left = command(
+        "observers", "design", tmp_path / "equations.json", "--generator", tmp_path / "circle.json", *words
+    )
+    assert (left.code, "interlaced observer" in left.out) == (0, True)
+    for name in ("driven", "equations"):
+        assert command("observers", "simulate", tmp_path / f"{name}_design.json", "--seconds", "1").code == 0
+
+
+def refused(command: Command, code: int, words: str, *arguments: str | Path) -> None:
+    left = command("observers", *arguments)
+    assert left.code == code
+    assert left.out == ""
+    assert words in left.err
+    assert left.err.count("\n") == 1
+
+
+def test_what_cannot_be_done_is_one_line_and_an_exit_code(
+    command: Command, motor: Path, tmp_path: Path
+) -> None:
+    plant = tmp_path / "motor.json"
+    refused(command, 2, "PLANT must be one of these", "example", "robot")
+    refused(command, 2, "exists: name another file, or --force", "example", "motor", "--out", plant)
+    refused(command, 2, "exists: name another file, or --force", "design", plant)
+    refused(command, 2, "--observer must be one of", "design", plant, "--observer", "kalman", "--force")
+    refused(command, 2, "--decay must lie above 0", "design", plant, "--decay", "0", "--force")
+    refused(
+        command, 2, "'parameter-varying plant'", "design", plant, "--observer", "unknown-input", "--force"
+    )
+    refused(command, 2, "needs --generator", "design", plant, "--observer", "driven", "--force")
+    refused(command, 2, "needs the file of a plant", "design", motor)
+    refused(command, 2, "design one first", "simulate", plant)
+    refused(command, 2, "--input must be a function of t", "simulate", motor, "--input", "sin(x)")
+    refused(command, 2, "--start needs numbers", "simulate", motor, "--start", "1;2")
+    refused(command, 2, "start must be 3 numbers", "simulate", motor, "--start", "1,2")
+    refused(command, 2, "--seconds must be finite", "simulate", motor, "--seconds", "0")
+    refused(command, 2, "--parameter needs NAME=EXPRESSION", "simulate", motor, "--parameter", "k")
+    refused(command, 2, ".svg, .png, .pdf", "simulate", motor, "--plot", tmp_path / "motor.bmp")
+    refused(command, 2, "is no JSON", "audit", __file__)
+    content = json.loads(motor.read_text(encoding="utf-8"))
+    broken = tmp_path / "broken.json"
+    broken.write_text(json.dumps({**content, "Upsilon": [[-9.0], [900.0]]}), encoding="utf-8")
+    refused(command, 1, "broken.json: Theorem 3.3.1", "audit", broken)
+    blind = json.loads(plant.read_text(encoding="utf-8")) | {"C0": [[0.0, 0.0, 1.0]]}
+    plant.write_text(json.dumps(blind), encoding="utf-8")
+    refused(command, 1, "never shows", "design", plant, "--force")
+    assert sorted(one.name for one in tmp_path.iterdir()) == [
+        "broken.json",
+        "motor.json",
+        "motor_design.json",
+    ]
+
+
+def test_the_help_of_each_command_can_be_followed(command: Command) -> None:
+    left = command("observers", "--help")
+    assert left.code == 0
+    for name in ("design", "audit", "simulate", "example"):
+        assert re.search(rf"\b{name}\b", left.out)
+        assert f"pointpred observers {name}" in command("observers", name, "--help").out
+
+
+def test_the_installed_command_does_the_same(motor: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "pointpred", "observers", "audit", str(motor)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "decays at least at [1/s]" in done.stdout
