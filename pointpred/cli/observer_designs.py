@@ -63,19 +63,18 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
             f"received a {type(plant).__name__}",
             field="observer",
         )
+    one: Any = plant  # of that type
     if kind == "reduced-order":
-        return kind, design_reduced_order(plant, decay=wish.decay, injection=wish.injection)
+        return kind, design_reduced_order(one, decay=wish.decay, injection=wish.injection)
     if kind == "full-order":
-        return kind, design_full_order(plant, decay=wish.decay)
+        return kind, design_full_order(one, decay=wish.decay)
     if kind == "regulator":
-        return kind, design_regulator(plant, decay=wish.decay)
+        return kind, design_regulator(one, decay=wish.decay)
     if kind == "unknown-input":
-        return kind, UnknownInputObserver.design(plant, plant.box, sigma=2.0 * wish.decay)
+        return kind, UnknownInputObserver.design(one, one.box, sigma=2.0 * wish.decay)
     if kind == "driven":
-        return kind, _driven(plant, _generator(generator, Generator, kind, "generator"), wish)
-    return kind, _interlaced(
-        plant, _generator(generator, SymbolicGenerator, kind, "symbolic generator"), wish
-    )
+        return kind, _driven(one, _generator(generator, Generator, kind, "generator"), wish)
+    return kind, _interlaced(one, _generator(generator, SymbolicGenerator, kind, "symbolic generator"), wish)
 
 
 def chosen(plant: Any, generator: Any) -> str:

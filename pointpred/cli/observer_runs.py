@@ -48,14 +48,14 @@ def sampling(plant: Any, seconds: float, step_s: float, steps: int) -> FloatArra
     if isinstance(plant, Persidskii | CornerSystem) and plant.time == "discrete":
         if steps < 1:
             raise ParameterError(f"--steps must be at least 1, received {steps}", field="steps")
-        return np.arange(float(steps + 1))
+        return np.arange(steps + 1, dtype=np.float64)
     for name, value in (("--seconds", seconds), ("--step-s", step_s)):
         if not 0.0 < value < np.inf:
             raise ParameterError(f"{name} must be finite and above 0, received {value:g}")
     count = round(seconds / step_s)
     if not 1 <= count <= 1_000_000:
         raise ParameterError(f"--seconds / --step-s must lie in [1, 1000000], received {seconds / step_s:g}")
-    return step_s * np.arange(count + 1)
+    return np.asarray(step_s * np.arange(count + 1), np.float64)
 
 
 def signals(

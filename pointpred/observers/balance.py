@@ -166,6 +166,8 @@ class _Entries:
         matrix, start = np.array(self.rows), np.array(self.logs)
         _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
         moving = turned[sizes > 1e-9 * sizes[0]].T
+        if not moving.size:  # no unit changes an entry, as with one state in discrete time
+            return np.zeros(self.units)
         slopes = matrix @ moving
         at = np.linalg.lstsq(slopes, -start, rcond=None)[0]
         for _ in range(STEPS_MOST):

@@ -42,7 +42,7 @@ Values = dict[str, Rows | float]
 """Matrices of a certificate by their names in the theorem."""
 
 
-class ObserverDocument(Document, tag="observer"):
+class ObserverDocument(Document, tag="observer", frozen=True):
     """An ``ObserverDesign``: plant, generator, map, gain, and the matrices of Theorem 3.2.1."""
 
     plant: PlantDocument
@@ -74,7 +74,7 @@ class ObserverDocument(Document, tag="observer"):
         return certified_design(plant, generator, self.Pi, self.gain, values, unbounded(self.gap))
 
 
-class ReducedOrderDocument(Document, tag="reduced-order observer"):
+class ReducedOrderDocument(Document, tag="reduced-order observer", frozen=True):
     """A ``ReducedOrderDesign``, or an ``InvariantObserver`` where there is no certificate."""
 
     plant: PlantDocument
@@ -97,7 +97,7 @@ class ReducedOrderDocument(Document, tag="reduced-order observer"):
                 f"an observer whose {', '.join(moving)} vary cannot be saved: save the plant, and make the "
                 "observer again with invariant_observer"
             )
-        certified = isinstance(thing, ReducedOrderDesign)
+        certificate = thing.certificate if isinstance(thing, ReducedOrderDesign) else None
         return cls(
             plant=PlantDocument.of(observer.plant),
             Pi=entries(matrix("Pi", given["Pi"], None, observer.plant.n)),
@@ -107,9 +107,9 @@ class ReducedOrderDocument(Document, tag="reduced-order observer"):
             B=None if given["B"] is None else entries(matrix("B", given["B"], observer.q)),
             injection=bool(observer.injection),
             tolerance=observer.tolerance,
-            certificate=_plain(thing.certificate.values) if certified else None,
-            certificate_gap=finite(thing.certificate.gap) if certified else None,
-            gap=finite(thing.gap) if certified else None,
+            certificate=None if certificate is None else _plain(certificate.values),
+            certificate_gap=None if certificate is None else finite(certificate.gap),
+            gap=finite(thing.gap) if isinstance(thing, ReducedOrderDesign) else None,
         )
 
     def made(self, functions: Functions) -> ReducedOrderDesign | InvariantObserver:
@@ -153,7 +153,7 @@ class Equations(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     nullity: int
 
 
-class RegulatorDocument(Document, tag="regulator"):
+class RegulatorDocument(Document, tag="regulator", frozen=True):
     """A ``RegulatorDesign``: its observer with the plant, its feedback, and the regulator with its map."""
 
     observer: ObserverDocument
@@ -224,7 +224,7 @@ class RegulatorDocument(Document, tag="regulator"):
         return RegulatorEquations(array(solved.Pi), array(solved.L0), l1, solved.residuals, solved.nullity)
 
 
-class UnknownInputDocument(Document, tag="unknown-input observer"):
+class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
     """An ``UnknownInputObserver``: plant and box, a gain for each corner, and the matrices of Theorem 1."""
 
     plant: ParameterVaryingDocument
@@ -262,7 +262,7 @@ class UnknownInputDocument(Document, tag="unknown-input observer"):
         )
 
 
-class InterlacedDocument(Document, tag="interlaced observer"):
+class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
     """An ``InterlacedObserver``: the steady state, and the matrices of Theorem 4.4.1."""
 
     steady: SteadyStateDocument

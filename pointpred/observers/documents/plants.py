@@ -33,7 +33,7 @@ NAMED = {one.code: name for name, one in KNOWN.items()}
 MATRICES = ("S0", "S1", "J", "G", "L0", "L1", "E")
 
 
-class PlantDocument(Document, tag="plant"):
+class PlantDocument(Document, tag="plant", frozen=True):
     """A ``Persidskii`` system, or a linear one: its matrices by name, f by the names of its components."""
 
     A0: Rows | PythonFunction
@@ -71,7 +71,7 @@ class PlantDocument(Document, tag="plant"):
         )
 
 
-class GeneratorDocument(Document, tag="generator"):
+class GeneratorDocument(Document, tag="generator", frozen=True):
     """A ``Generator``, or a regulator: its matrices by name, and its f where it has one of its own."""
 
     S0: Rows
@@ -86,10 +86,11 @@ class GeneratorDocument(Document, tag="generator"):
     @classmethod
     def of(cls, thing: Generator | Fitted) -> Self:
         """The document of a generator."""
-        given = {name: getattr(thing, name) for name in MATRICES}
+        given: dict[str, Any] = {name: getattr(thing, name) for name in MATRICES}
+        kept: dict[str, Any] = {name: None if one is None else entries(one) for name, one in given.items()}
         own = getattr(thing, "f", None)
         return cls(
-            **{name: None if one is None else entries(one) for name, one in given.items()},
+            **kept,
             f=None if own is None else _named(own),
         )
 
@@ -108,7 +109,7 @@ class Corner(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defau
     TA: Rows | None = None
 
 
-class ParameterVaryingDocument(Document, tag="parameter-varying plant"):
+class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=True):
     """A ``CornerSystem``: the box of its scheduling variables, and its matrices at every corner."""
 
     box: dict[str, tuple[float, float]]

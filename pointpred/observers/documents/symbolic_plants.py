@@ -13,7 +13,7 @@ from pointpred.observers.triangular.printed import check_steady_state
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 
-class SymbolicPlantDocument(Document, tag="symbolic plant"):
+class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
     """A ``SymbolicSystem``: names of states and of the input, expressions of field and outputs."""
 
     states: tuple[str, ...]
@@ -47,7 +47,7 @@ class SymbolicPlantDocument(Document, tag="symbolic plant"):
         )
 
 
-class SymbolicGeneratorDocument(Document, tag="symbolic generator"):
+class SymbolicGeneratorDocument(Document, tag="symbolic generator", frozen=True):
     """A ``SymbolicGenerator``: names of its states, expressions of its field."""
 
     states: tuple[str, ...]
@@ -70,7 +70,7 @@ class FreeTerms(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     terms: dict[str, str]
 
 
-class SteadyStateDocument(Document, tag="steady state"):
+class SteadyStateDocument(Document, tag="steady state", frozen=True):
     """A ``SymbolicSteadyState``: plant, generator, and the maps, whose equations are checked again."""
 
     plant: SymbolicPlantDocument

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -45,7 +46,7 @@ def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting)
     inputs, unknown = sampled(b, times), sampled(d, times)
     estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
     for i, t in enumerate(times.tolist()):
-        answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], lambda x, t=t: schedule(t, x)))
+        answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
         estimate[i], found[i] = answer.x, answer.d
     none = np.zeros((len(times), 0))
     return Simulation(

@@ -23,8 +23,7 @@ class Regression(msgspec.Struct, frozen=True):
     """y = D theta, the plant of a regressor: constants (or slowly moving numbers) seen through D.
 
     ``parameters`` theta (n) or a function of t; ``regressor`` D (p, n), or (n) for one output, as a function
-    of t. Of a ``NonlinearRegressor`` the output is (1 - D1) D theta + D1 f(D theta), with its ``weight`` D1 a
-    function of t.
+    of t. With a ``weight`` D1, a function of t, the sensor saturates: y = (1 - D1) D theta + D1 f(D theta).
 
     >>> line = Regression([3.0, 5.0], lambda t: [1.0, t])
     >>> line.at(2.0)[0].tolist(), line.at(2.0)[1].tolist()
@@ -34,6 +33,7 @@ class Regression(msgspec.Struct, frozen=True):
     parameters: Any
     regressor: Callable[[float], Any]
     weight: Callable[[float], float] | None = None
+    f: Any = "atan"
 
     def at(self, t: float) -> tuple[FloatArray, FloatArray]:
         """Theta and D at a time."""
@@ -79,7 +79,7 @@ def _estimated(stage: Any, plant: Any, setting: Setting, update: Any, title: str
     theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
     exact = np.array([d @ one for one, d in pairs])
     if model.weight is not None:
-        f: Nonlinearity = nonlinearity(stage.f, exact.shape[1])
+        f: Nonlinearity = nonlinearity(model.f, exact.shape[1])
         weights = np.array([float(model.weight(float(t))) for t in times])[:, None]
         exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
     outputs, running = setting.measured(exact), stage.fresh()

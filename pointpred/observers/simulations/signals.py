@@ -35,8 +35,8 @@ class Setting(msgspec.Struct, frozen=True):
     def samples(self, discrete: bool) -> FloatArray:
         """The times of the samples, or the indices; raises ParameterError unless they increase."""
         if self.times is None:
-            return np.arange(float(SAMPLES)) * (1.0 if discrete else STEP_S)
-        times = matrix("times", self.times, 1)[0]
+            return np.asarray(np.arange(SAMPLES) * (1.0 if discrete else STEP_S), np.float64)
+        times: FloatArray = matrix("times", self.times, 1)[0]
         if len(times) < 2 or (np.diff(times) <= 0.0).any():
             raise ParameterError(
                 f"times needs two samples or more that increase, received {self.times!r:.60}"
@@ -79,7 +79,8 @@ class Setting(msgspec.Struct, frozen=True):
                 value=self.noise,
             )
         drawn = np.random.default_rng(self.seed).standard_normal(exact.shape)
-        return exact + sizes * drawn
+        noisy: FloatArray = exact + sizes * drawn
+        return noisy
 
     @property
     def silent(self) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import singledispatch
 from typing import Any
 
@@ -90,7 +91,7 @@ def _simulated(observer: Any, plant: Any, setting: Setting) -> Simulation:
     )
 
 
-RUNS = {
+RUNS: dict[type, Callable[[Any, Any, Setting], Simulation]] = {
     ReducedOrderDesign: persidskii.reduced_order,
     InvariantObserver: persidskii.invariant,
     ObserverDesign: persidskii.observed,

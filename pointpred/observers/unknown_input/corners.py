@@ -32,7 +32,7 @@ class CornerMatrix:
         self._axes: list[tuple[str, float, float]] = []
         for name, (low, high) in wide:
             place = len(self._axes)
-            first, last = mixed.take(0, place), mixed.take(1, place)
+            first, last = np.take(mixed, 0, place), np.take(mixed, 1, place)
             if np.array_equal(first, last):
                 mixed = first
             else:
