@@ -19,6 +19,16 @@ from pointpred.observers import (
 )
 from pointpred.observers.documents.designs import margins_of
 
+DISTURBANCES = {
+    "v": "v, noise of the outputs,",
+    "eps": "eps, a wrong model of the outputs,",
+    "w": "w, a disturbance of the state's rate,",
+    "d": "d, a disturbance of the state's rate,",
+    "delta": "delta, a disturbance of the observer's equation,",
+    "noise": "noise of the outputs",
+}
+"""What the disturbances of a bound are, by their names in the theorems."""
+
 
 class DesignDocument(msgspec.Struct, frozen=True):
     """What ``design --json`` and ``audit --json`` write; ``gap`` is null where nothing is proved."""
@@ -77,9 +87,11 @@ def print_audit(design: Any, margins: dict[str, float]) -> None:
     """How far each inequality holds, and what they prove."""
     table = Table(box=None, pad_edge=False)
     table.add_column("inequality")
-    table.add_column("holds by", justify="right")
+    table.add_column("holds by, where the largest eigenvalue of P is 1", justify="right")
+    sizes = _sizes(design)
     for name, margin in margins.items():
-        table.add_row(name, f"{margin:.4g}")
+        size = next(one for part, one in sizes.items() if name.startswith(part))
+        table.add_row(name, f"{margin / size:.4g}")
     screen = results()
     screen.print(table, markup=False)
     screen.print(_table(design, summary(design)))
@@ -117,7 +129,7 @@ def _table(design: Any, one: DesignDocument) -> Table:
     table.add_row(f"decays at least at [{unit}]".replace("[", "\\["), f"{one.rate:.6g}")
     table.add_row("overshoot at most", f"{one.overshoot:.4g}")
     for name, gain in one.gains.items():
-        table.add_row(f"gain of {name} at most", f"{gain:.4g}")
+        table.add_row(f"gain of {DISTURBANCES.get(name, name)} at most", f"{gain:.4g}")
     table.add_row("gap to the best", "not known" if one.gap is None else f"{one.gap:.2%}")
     return table
 
@@ -138,6 +150,20 @@ def _proved(design: Any) -> tuple[float, float, dict[str, float], float]:
         return (*_bound(design.certificate.bound), design.gap)
     assert isinstance(design, ObserverDesign)
     return (*_bound(design.bound), design.gap)
+
+
+def _sizes(design: Any) -> dict[str, float]:
+    """The largest eigenvalue of the P that each inequality has, by how its name begins."""
+    if isinstance(design, RegulatorDesign):
+        found = {"observer: ": design.observer.values["P"], "feedback: ": design.feedback.certificate.P}
+    elif isinstance(design, UnknownInputObserver):
+        found = {"": design.certificate.p}
+    elif isinstance(design, InterlacedObserver):
+        found = {"": design.certificate.P}
+    else:
+        proof = design.certificate if isinstance(design, ReducedOrderDesign) else design
+        found = {"": proof.values["P"]}
+    return {name: float(np.linalg.norm(np.atleast_2d(p), 2)) for name, p in found.items()}
 
 
 def _bound(bound: Any) -> tuple[float, float, dict[str, float]]:

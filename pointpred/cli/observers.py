@@ -24,7 +24,6 @@ DesignFile = Annotated[
     Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
 ]
 Json = Annotated[Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")]
-Numbers = Annotated[str | None, typer.Option(metavar="A,B,...", help="Numbers separated by commas.")]
 
 
 @app.command()
@@ -182,8 +181,12 @@ def simulate(
     seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
     step_s: Annotated[float, typer.Option(metavar="S", help="Time between samples, s.")] = 0.01,
     steps: Annotated[int, typer.Option(help="Length of a discrete plant's simulation, in steps.")] = 1000,
-    start: Numbers = None,
-    estimate: Numbers = None,
+    start: Annotated[
+        str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
+    ] = None,
+    estimate: Annotated[
+        str | None, typer.Option(metavar="A,B,...", help="What the observer begins with; not given: zeros.")
+    ] = None,
     input: Annotated[
         list[str] | None,
         typer.Option(metavar="EXPRESSION", help="A known input, a function of t; once for each input."),
@@ -213,15 +216,14 @@ def simulate(
 ) -> None:
     """Simulate a design with its plant: print the errors, draw them, write every signal.
 
-    --start is the plant's state, by default ones; --estimate the observer's, by default zeros. Expressions
-    hold numbers, t, + - * / ** and functions such as sin, exp, tanh. Needs the extra 'observers'; --plot
-    needs 'report'.
+    Expressions hold numbers, t, + - * / ** and functions such as sin, exp, tanh. Needs the extra 'observers';
+    --plot needs 'report'.
 
     Try:
 
       pointpred observers simulate motor_design.json --input "sin(2*t)" --noise 0.01 --plot motor.png
 
-      pointpred observers simulate motor_design.json --start 0.5,0 --seconds 4 --out motor.csv
+      pointpred observers simulate motor_design.json --start 0.5,0,0 --seconds 4 --out motor.csv
     """
     check_targets({"--plot": plot, "--out": out, "--json": json}, [])
     for target in (plot, out):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -45,6 +46,8 @@ from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 
 FORMAT = "pointpred observers"
 VERSION = 1
+ROW = re.compile(rb"\[\n([^\[\]{}\"]*)\]")
+"""An array of numbers over several lines; each is written on one. No text in JSON holds a line break."""
 LARGEST = 1 << 26
 """Most bytes of a file."""
 KINDS: dict[type, type[Document]] = {
@@ -93,7 +96,8 @@ def encoded(thing: Any) -> bytes:
     """
     content: dict[str, Any] = msgspec.to_builtins(_document(thing))
     whole = {"format": FORMAT, "version": VERSION, **content}
-    return msgspec.json.format(msgspec.json.encode(whole), indent=2) + b"\n"
+    text = msgspec.json.format(msgspec.json.encode(whole), indent=2)
+    return ROW.sub(lambda row: b"[" + b" ".join(row[1].split()) + b"]", text) + b"\n"
 
 
 def load(file: Path | str, *, functions: Functions | None = None) -> Any:
