@@ -57,7 +57,28 @@ def spring() -> Any:
     return SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
 
 
-EXAMPLES = {
-    one.__name__: Example((one.__doc__ or "").rstrip("."), one)
-    for one in (motor, pendulum, tank, wing, spring)
-}
+def oscillator() -> Any:
+    """The generator of a sine and a cosine, which drives the spring."""
+    from pointpred.observers import SymbolicGenerator
+    from pointpred.observers.triangular.polynomials import symbolic
+
+    w1, w2 = symbolic().symbols("w1 w2")
+    return SymbolicGenerator((w1, w2), (w2, -w1))
+
+
+def oven() -> Any:
+    """Temperatures of an oven and of what stands in it, above the room's, 1/min; the first is measured."""
+    from pointpred.observers import Persidskii
+
+    return Persidskii([[-0.2, 0.1], [0.1, -0.15]], None, None, "sin", [0.1, 0.0], None, [1.0, 0.0])
+
+
+def heating() -> Any:
+    """The generator of a constant, which heats the oven by a power that nobody measures."""
+    from pointpred.observers import Generator
+
+    return Generator([[0.0]], L0=[1.0])
+
+
+PLANTS = (motor, pendulum, tank, wing, spring, oscillator, oven, heating)
+EXAMPLES = {one.__name__: Example((one.__doc__ or "").rstrip("."), one) for one in PLANTS}

@@ -29,7 +29,10 @@ Json = Annotated[Path | None, typer.Option(metavar="FILE", help="Write the numbe
 @app.command()
 def example(
     plant: Annotated[
-        str, typer.Argument(help="motor, pendulum, tank, wing or spring; a wrong name lists what each is.")
+        str,
+        typer.Argument(
+            help="motor, pendulum, tank, wing, spring, oven, or a generator: oscillator, heating."
+        ),
     ] = "motor",
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="File to write; not given: printed.")
@@ -42,7 +45,8 @@ def example(
     of rows, what is left out is zero.
 
     motor: linear. pendulum: with a sine. tank: sampled, time counts steps. wing: a matrix that varies, and an
-    input that nobody measures. spring: equations as text.
+    input that nobody measures. spring: equations as text, driven by the generator oscillator. oven: driven by
+    the generator heating.
 
     Try:
 

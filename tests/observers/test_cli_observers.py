@@ -17,7 +17,6 @@ from pointpred import observers as o
 from pointpred.cli.observer_examples import EXAMPLES
 from pointpred.observers.documents.files import decoded, encoded
 from tests.conftest import Left
-from tests.observers import kept_designs as kept
 
 pytest.importorskip("cvxpy")
 
@@ -95,18 +94,20 @@ def test_every_kind_is_designed_and_simulated(
 
 
 def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
-    for name, thing in (("driven", kept.DRIVEN), ("constant", kept.CONSTANT), ("equations", kept.SYMBOLIC),
-                        ("circle", kept.CIRCLE)):  # fmt: skip
-        o.save(thing, tmp_path / f"{name}.json")
-    left = command("observers", "design", tmp_path / "driven.json", "--generator", tmp_path / "constant.json")
+    for name in ("oven", "heating", "spring", "oscillator"):
+        command("observers", "example", name, "--out", tmp_path / f"{name}.json")
+    left = command("observers", "design", tmp_path / "oven.json", "--generator", tmp_path / "heating.json")
     assert (left.code, "driven observer" in left.out) == (0, True)
     words = ("--upper", "1", "--first", "w1", "--degree", "2", "--decay", "0.5")
-    left = command(
-        "observers", "design", tmp_path / "equations.json", "--generator", tmp_path / "circle.json", *words
-    )
+    generator = ("--generator", tmp_path / "oscillator.json")
+    left = command("observers", "design", tmp_path / "spring.json", *generator, *words)
     assert (left.code, "interlaced observer" in left.out) == (0, True)
-    for name in ("driven", "equations"):
-        assert command("observers", "simulate", tmp_path / f"{name}_design.json", "--seconds", "1").code == 0
+    for name in ("oven", "spring"):
+        left = command(
+            "observers", "simulate", tmp_path / f"{name}_design.json", "--seconds", "20", "--json", "-"
+        )
+        assert left.code == 0
+        assert all(one["last"] < 0.2 for one in json.loads(left.out)["states"])
 
 
 def refused(command: Command, code: int, words: str, *arguments: str | Path) -> None:

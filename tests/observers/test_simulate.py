@@ -275,13 +275,12 @@ def test_a_plant_that_leaves_every_bound_is_named_with_the_time() -> None:
         o.simulate(hot, design, start=[3.0, 3.0])
 
 
-@pytest.mark.parametrize("ending", [".svg", ".png", ".pdf"])
-def test_a_figure_is_written_in_one_call(ending: str, tmp_path: Path) -> None:
+def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     result = o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES)
-    figure = result.plot(tmp_path / f"cart{ending}")
-    head = (tmp_path / f"cart{ending}").read_bytes()[:8]
-    assert head.startswith({".svg": b"<svg", ".png": b"\x89PNG", ".pdf": b"%PDF"}[ending])
+    for ending, begins in ((".svg", b"<svg"), (".png", b"\x89PNG")):
+        figure = result.plot(tmp_path / f"cart{ending}")
+        assert (tmp_path / f"cart{ending}").read_bytes().startswith(begins)
     assert [ax.get_ylabel() for ax in figure.axes] == ["x1", "x2", "error"]
     drawn = figure.axes[1].lines[1].get_ydata()
     assert np.array_equal(np.asarray(drawn), result.estimate[:, 1])
