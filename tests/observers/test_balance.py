@@ -90,3 +90,8 @@ def test_inward_and_outward_are_inverse() -> None:
     e, units = random.standard_normal(3), columns
     p = np.diag([1.0, 2.0, 3.0])
     assert (e * units) @ form(p, units) @ (e * units) == pytest.approx(e @ p @ e)
+
+
+def test_one_state_in_discrete_time_has_no_unit_to_choose() -> None:
+    one = balanced([[0.5]], time="discrete", rates=(0.3,))
+    assert (one.states.tolist(), one.seconds) == ([1.0], 1.0)

@@ -14,7 +14,9 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers import (
     Generator,
     Persidskii,
+    design_full_order,
     design_observer,
+    design_reduced_order,
     undetectable,
 )
 
@@ -111,3 +113,10 @@ def test_a_bound_knows_its_disturbances() -> None:
     assert bound(0.0, 1.0, v=1.0) > bound(0.0, 1.0)
     with pytest.raises(ParameterError, match="the disturbances are v, eps, w, received noise"):
         bound(0.0, 1.0, noise=1.0)
+
+
+def test_slopes_without_bound_are_named_by_every_design() -> None:
+    cubic = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0])
+    for design in (design_reduced_order, design_full_order):
+        with pytest.raises(ParameterError, match="needs bounded slopes"):
+            design(cubic)

@@ -271,6 +271,11 @@ TAMPERED = [
     ("driven", put("plant", "A0", value=[[-1.0, 0.5], [0.0, -1.0]]), InfeasibleError),
     ("regulator", put("regulator", "G", value=[[1.0], [1.0]]), InfeasibleError),
     ("regulator", put("feedback", "L0", value=[[0.0, 0.0]]), CertificateError),
+    (
+        "regulator",
+        lambda c: c["feedback"]["L0"][0].append(1.000001 * c["feedback"]["L0"][0].pop()),
+        CertificateError,
+    ),
     ("unknown input", put("gains", value=[[[9.0], [-90.0]], [[9.0], [90.0]]]), CertificateError),
     ("unknown input", put("sigma", value=5.0), CertificateError),
     ("interlaced", put("certificate", "U", value=[[-1.0], [0.0]]), CertificateError),

@@ -74,7 +74,7 @@ def design_reduced_order(
         seen=plant.C0,
         driven=plant.A1,
         inner=plant.H,
-        slopes=plant.slopes if plant.A1.any() else None,
+        slopes=plant.slopes if plant.A1.any() and _bounded(plant) else None,
         rates=(decay,),
         time=plant.time,
     )
@@ -107,6 +107,11 @@ def design_reduced_order(
         except (InfeasibleError, UndecidedError, CertificateError):
             continue
     return designed(GAMMAS[-1] * decay)
+
+
+def _bounded(plant: Persidskii) -> bool:
+    """Whether every slope is known and bounded."""
+    return plant.slopes is not None and bool(np.isfinite(plant.slopes).all())
 
 
 def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
