@@ -36,9 +36,9 @@ from pointpred.observers.interconnected.tracking import (
 from pointpred.observers.linear_systems import as_plant
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.printed import check_map, check_observer
+from pointpred.observers.reduced_order.convergence import Convergence
 from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
 from pointpred.observers.reduced_order.reversed_certificate import (
-    Convergence,
     certify_convergence,
     theorem_3_3_1,
     theorem_3_3_2,

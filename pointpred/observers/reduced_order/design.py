@@ -14,7 +14,8 @@ from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
+from pointpred.observers.reduced_order.convergence import Convergence
+from pointpred.observers.reduced_order.reversed_certificate import certify_convergence
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
 

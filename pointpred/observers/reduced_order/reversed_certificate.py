@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import expm1, sqrt
+from math import expm1
 from typing import Any
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound, least_ratio
+from pointpred.observers.bounds import least_ratio
 from pointpred.observers.detectability import vertices
 from pointpred.observers.eigenvalues import require_decay
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
@@ -20,6 +20,7 @@ from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import instance, matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.connections import connections_of
+from pointpred.observers.reduced_order.convergence import Convergence, convergence
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 from pointpred.observers.stationary import cover, decay_start, middle, normal
 
@@ -27,44 +28,6 @@ SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
 KEPT = ("P", "Xi", "W", "Gamma", "alpha")
 """The matrices of the two theorems; others only help to choose among them."""
-
-
-class Convergence(msgspec.Struct, frozen=True):
-    """A certificate that the invariant solution attracts the observer's state.
-
-    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
-    them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
-    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them. ``gap``: how far the
-    least condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below
-    that of this one, relative to it; infinite if nothing is proved.
-    """
-
-    theorem: str
-    values: dict[str, Any]
-    margins: dict[str, float]
-    bound: ErrorBound
-    J: FloatArray
-    domain: float
-    gap: float = np.inf
-
-    def region(self, reach: float) -> tuple[float, float]:
-        """The region of validity, if abs(H x) stays within ``reach`` on the true trajectory.
-
-        Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
-        domain, and the radius of the largest ball of initial errors in it; infinite if the domain is. Raises
-        CertificateError if the trajectory itself leaves the domain.
-        """
-        if np.isinf(self.domain) or not self.J.any():
-            return np.inf, np.inf
-        room = self.domain - reach
-        if room <= 0.0:
-            raise CertificateError(
-                f"the trajectory reaches {reach:g}, the slopes hold within {self.domain:g} only"
-            )
-        p = np.asarray(self.values["P"])
-        spread = float(np.einsum("ij,jk,ik->i", self.J, np.linalg.inv(p), self.J).max())
-        level = room**2 / spread
-        return level, sqrt(level / float(np.linalg.eigvalsh(p).max()))
 
 
 def theorem_3_3_1(
@@ -193,7 +156,7 @@ def certify_convergence(
         break
     if observer.plant.time == "continuous":
         values["gamma"] = gamma or rate
-    return _convergence(connections, observer.plant, values, margins, gap)
+    return convergence(connections, observer.plant, values, margins, gap)
 
 
 def certified_convergence(
@@ -212,24 +175,7 @@ def certified_convergence(
         margins = theorem_3_3_2(observer).check(matrices)
     else:
         margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices)
-    return _convergence(connections, observer.plant, dict(values), margins, gap)
-
-
-def _convergence(
-    connections: list[Connection],
-    plant: Persidskii,
-    values: dict[str, Any],
-    margins: dict[str, float],
-    gap: float,
-) -> Convergence:
-    """The bound that audited matrices prove."""
-    if plant.time == "discrete":
-        bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
-    else:
-        bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
-    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
-    domain = plant.domain if any(one.S1.any() for one in connections) else np.inf
-    return Convergence(theorem, values, margins, bound, connections[0].J, domain, gap)
+    return convergence(connections, observer.plant, dict(values), margins, gap)
 
 
 def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
