@@ -74,7 +74,7 @@ def test_what_blows_up_is_said_with_its_time() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"integrator": "euler"}, "integrator must be one of rk4, scipy, discrete, received 'euler'"),
+        ({"integrator": "euler"}, "integrator must be one of rk4, scipy, stiff, discrete, received 'euler'"),
         ({"step_s": 0.0}, "step_s must be finite and above 0, received 0"),
         ({"times": [0.0, 0.0]}, "times must increase"),
         ({"start": [np.nan]}, "start must be finite"),

@@ -11,7 +11,7 @@ import pytest
 from pages.data import stored
 from pages.reproduce.measure import DRAWN, rows_of
 from pointpred.differentiators.signals import exact, ramp
-from pointpred.observers import simulate
+from pointpred.observers import trajectory
 from pointpred.observers.examples import Bioreactor
 from pointpred.reproduction import camera, interconnected, trials
 from pointpred.reproduction.catalogue import ENTRIES
@@ -111,7 +111,7 @@ def test_a_value_agrees_where_it_rounds_to_the_print() -> None:
 def test_both_states_of_figure_3_4_follow_the_map_until_the_inflow_jumps() -> None:
     """By another integrator, and by the algebra of the print: (Pi w)1 = (k2 w1 + w2 - w3) / k3."""
     reactor = Bioreactor()
-    ends = simulate(
+    ends = trajectory(
         lambda t, s: reactor.field(interconnected.INFLOWS[0], s, (0.0, 0.0), projected=True),
         [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
         [0.0, 19.9],
