@@ -281,6 +281,8 @@ def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
     for ending, begins in ((".svg", b"<svg"), (".png", b"\x89PNG")):
         figure = result.plot(tmp_path / f"cart{ending}")
         assert (tmp_path / f"cart{ending}").read_bytes().startswith(begins)
+    image = pytest.importorskip("matplotlib.image").imread(tmp_path / "cart.png")
+    assert image[0, 0].tolist() == [1.0, 1.0, 1.0, 1.0]  # white paper, also where a viewer is dark
     assert [ax.get_ylabel() for ax in figure.axes] == ["x1", "x2", "error"]
     drawn = figure.axes[1].lines[1].get_ydata()
     assert np.array_equal(np.asarray(drawn), result.estimate[:, 1])
