@@ -127,8 +127,15 @@ def _function(option: str, text: str) -> Callable[[float], float]:
             f"{', '.join(sorted(map(str, foreign)))}",
             field=option,
         )
-    function: Callable[[float], float] = symbolic().lambdify(t, expression, modules="math")
-    return function
+    function = symbolic().lambdify(t, expression, modules="math")
+
+    def value(now: float) -> float:
+        try:
+            return float(function(now))
+        except (ArithmeticError, ValueError, TypeError) as none:
+            raise ParameterError(f"{option}: {text!r} has no value at t = {now:g}", field=option) from none
+
+    return value
 
 
 def _together(functions: list[Callable[[float], float]]) -> Callable[[float], FloatArray]:

@@ -11,7 +11,7 @@ from functools import partial
 from typing import NamedTuple
 
 from pointpred.sources.known_formats import FORMATS
-from tests.fuzz import evdev, files, hid, person, session, settings, transfer, uploads
+from tests.fuzz import designs, evdev, files, hid, person, session, settings, transfer, uploads
 
 
 class Target(NamedTuple):
@@ -46,6 +46,7 @@ TARGETS = {
             ("pointpred.predictors.kinematic.coefficient_file",),
             8192,
         ),
+        Target("designs", designs.check, designs.seeds, ("pointpred.observers.documents",), 8192),
         Target("transfer", transfer.check, transfer.seeds, ("pointpred.transfer",)),
         Target(
             "settings",

@@ -134,6 +134,8 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
     refused(command, 2, "needs the file of a plant", "design", motor)
     refused(command, 2, "design one first", "simulate", plant)
     refused(command, 2, "--input must be a function of t", "simulate", motor, "--input", "sin(x)")
+    refused(command, 2, "--input: '1/t' has no value at t = 0", "simulate", motor, "--input", "1/t")
+    refused(command, 2, "--input: 'log(0)' has no finite real value", "simulate", motor, "--input", "log(0)")
     refused(command, 2, "--start needs numbers", "simulate", motor, "--start", "1;2")
     refused(command, 2, "start must be 3 numbers", "simulate", motor, "--start", "1,2")
     refused(command, 2, "--seconds must be finite", "simulate", motor, "--seconds", "0")

@@ -217,6 +217,7 @@ def test_another_plant_than_the_design_shows_what_a_wrong_model_does() -> None:
     right = o.simulate(kept.CART, design, times=TIMES, input=[1.0])
     wrong = o.simulate(heavier, design, times=TIMES, input=[1.0])
     assert right.rmse(after=2.5)[1] < 1e-2 < wrong.rmse(after=2.5)[1]
+    assert (right.bound.size, wrong.bound.size) == (len(TIMES), 0)  # nothing is proved of another plant
 
 
 def test_noise_is_seeded_and_as_large_as_asked() -> None:

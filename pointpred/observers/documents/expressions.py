@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from math import isfinite
 from typing import Any
 
 from pointpred.errors import ParameterError
@@ -63,17 +64,22 @@ def parsed(text: str, where: str) -> Any:
     if len(text) > LONGEST:
         raise ParameterError(f"{where}: an expression has at most {LONGEST} characters, received {len(text)}")
     try:
-        tree = ast.parse(text.strip(), mode="eval")
-        return _built(tree.body, where)
+        expression = _built(ast.parse(text.strip(), mode="eval").body, where)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as unusable:
         if isinstance(unusable, ParameterError):
             raise
         raise ParameterError(f"{where}: {text!r:.60} is no expression") from unusable
+    sp = symbolic()
+    if expression.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
+        raise ParameterError(f"{where}: {text!r:.60} has no finite real value")
+    return expression
 
 
 def _built(node: ast.expr, where: str) -> Any:
     sp = symbolic()
     if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        if isinstance(node.value, float) and not isfinite(node.value):
+            raise ParameterError(f"{where}: a number is too large")
         return sp.Rational(repr(node.value))
     if isinstance(node, ast.Name):
         return getattr(sp, node.id) if node.id in CONSTANTS else sp.Symbol(node.id)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.files import beside
@@ -126,11 +127,14 @@ def decoded(text: bytes | str, *, functions: Functions | None = None, name: str 
     """The same of JSON text; ``name`` stands for the file in errors."""
     document, given = _read(text, name), instance("functions", functions or {}, dict)
     try:
-        return document.made(given)
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            return document.made(given)
     except PointpredError as failure:
         raise type(failure)(
             f"{name}: {failure}", code=failure.code, field=failure.field, value=failure.value
         ) from failure
+    except (np.linalg.LinAlgError, OverflowError) as failure:
+        raise ParameterError(f"{name}: its numbers are too large or too small to compute with") from failure
 
 
 def audit(design: Any) -> dict[str, float]:

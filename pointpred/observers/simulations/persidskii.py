@@ -28,7 +28,8 @@ def reduced_order(design: ReducedOrderDesign, plant: Any, setting: Setting) -> S
     """A reduced-order observer, with the bound that its certificate proves."""
     observer, one = design.observer, _like(plant, design.observer.plant)
     bound = np.zeros(0)
-    if setting.silent and np.isinf(design.certificate.domain) and not observer.varying:
+    proving = setting.silent and np.isinf(design.certificate.domain) and not observer.varying
+    if proving and _same(one, observer.plant):
         onto = observer.recovery(0.0)[0]
         x, x_hat = setting.begin(one.n), setting.begin(one.n, "estimate", 0.0)
         first = float(np.linalg.norm(observer.at(0.0).Z @ (x_hat - x)))
@@ -71,7 +72,7 @@ def observed(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation
     stage = observer_stage(design, start=first, **_settings(times, discrete))
     answers = _walked(stage, times, outputs, inputs)[:, one.n :]
     bound = np.zeros(0)
-    if setting.silent and np.isinf(known.domain):
+    if setting.silent and np.isinf(known.domain) and _same(one, known):
         error = float(np.linalg.norm(first - state[0]))
         bound = np.array([design.bound(float(t - times[0]), error) for t in times])
     return _simulation(one, times, state, answers, outputs, inputs, "full-order observer", bound=bound)
@@ -183,6 +184,17 @@ def _like(plant: Any, known: Persidskii) -> Persidskii:
     if (one.n, one.m, one.z, one.p, one.time) != (known.n, known.m, known.z, known.p, known.time):
         raise _unlike(one, known)
     return one
+
+
+def _same(plant: Persidskii, known: Persidskii) -> bool:
+    """Whether a plant is the one that a certificate speaks of, whose inputs may stand in B or in Q."""
+    left, right = plant.matrices(0.0), known.matrices(0.0)
+    for one in (left, right):
+        one["inputs"] = np.hstack([one.pop("B"), one.pop("Q")])
+    same_f = plant.f.codes == known.f.codes and (
+        plant.f.codes is not None or plant.f.function is known.f.function
+    )
+    return same_f and all(np.array_equal(left[name], right[name]) for name in left)
 
 
 def _unlike(plant: Persidskii, known: Persidskii) -> ParameterError:

@@ -29,8 +29,9 @@ class Simulation(msgspec.Struct, frozen=True):
     included; ``input`` (N, m) what acts on the plant and is known. ``unknown_input`` and
     ``unknown_input_estimate`` (N, d), ``driving`` and ``driving_estimate`` (N, q) the generator's state:
     empty where there is none. ``bound`` (N) what the certificate proves of the norm of the error; empty where
-    it says nothing: with noise or disturbances, with slopes that hold on a domain only, and for other
-    observers than reduced-order and full-order ones. ``names`` of the states.
+    it says nothing: with noise or disturbances, for another plant than the design's, with slopes that hold on
+    a domain only, and for other observers than reduced-order and full-order ones; the error of sampling comes
+    on top of it. ``names`` of the states.
     """
 
     t: FloatArray

@@ -65,6 +65,7 @@ def simulate(
     Raises ParameterError naming the argument, also where plant and observer do not fit; DivergenceError with
     the time at which the plant leaves every bound.
 
+    >>> import numpy as np
     >>> from pointpred.observers import Persidskii, design_reduced_order
     >>> cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
     >>> design = design_reduced_order(cart, decay=3.0)
