@@ -53,6 +53,18 @@ def matrix(name: str, value: Any, rows: int | None = None, columns: int | None =
     return entries
 
 
+def dimensions(value: Any) -> int:
+    """How many dimensions an array has; 0 for rows of different lengths, which are none.
+
+    >>> dimensions([1.0, 2.0]), dimensions([[1.0], [2.0, 3.0]])
+    (1, 0)
+    """
+    try:
+        return int(np.ndim(value))
+    except ValueError:
+        return 0
+
+
 def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[float]:
     """The times at which a statement is to hold: those passed, or only 0 if nothing varies.
 

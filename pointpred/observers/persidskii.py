@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import TIMES, matrix, one_of
+from pointpred.observers.matrices import TIMES, dimensions, matrix, one_of
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
@@ -132,7 +132,7 @@ def column(name: str, given: Any, rows: int) -> FloatArray:
     """A matrix with this number of rows; a flat list is one column, ``None`` no column."""
     if given is None:
         return np.zeros((rows, 0))
-    flat = np.ndim(given) == 1
+    flat = dimensions(given) == 1
     return matrix(name, given, rows, 1 if flat else None)
 
 

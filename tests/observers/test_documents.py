@@ -211,6 +211,7 @@ WRONG = [
     ("plant", put("A0", 0, 1, value="fast"), "A0[0][1]", "Expected float, got str"),
     ("plant", put("A0", value=[[0.0, 1.0]]), "A0", "A0 has shape (1, 2), needs (1, 1)"),
     ("plant", put("A0", value=[[0.0, 1.0], [2.0]]), "A0", "A0 must be a matrix of numbers"),
+    ("plant", put("B", value=[[1.0], [2.0, 3.0]]), "B", "B must be a matrix of numbers"),
     ("plant", put("B", value=[[1.0, 2.0]]), "B", "B has shape (1, 2), needs (2, any)"),
     ("plant", put("f", value="sine"), "f", "f must be a function or one of identity, sin"),
     ("plant", put("time", value="sometimes"), "time", "Invalid enum value 'sometimes'"),

@@ -21,6 +21,7 @@ from pointpred.observers.documents.entries import (
 )
 from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.linear_systems import as_plant
+from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import KNOWN, Nonlinearity
 from pointpred.observers.persidskii import NAMES, Persidskii
 from pointpred.observers.unknown_input.boxes import Box
@@ -213,7 +214,8 @@ def _time(value: str) -> Time:
 
 def _stacked(name: str, matrices: list[Any]) -> Any:
     """The matrices of all corners; raises ParameterError where one has another shape."""
-    shapes = [np.shape(one) for one in matrices]
+    tables = [matrix(name, one) for one in matrices]
+    shapes = [one.shape for one in tables]
     if len(set(shapes)) > 1:
         raise ParameterError(f"{name} needs the same shape at every corner, received {shapes}", field=name)
-    return matrices
+    return tables

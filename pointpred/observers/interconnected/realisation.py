@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.observers.eigenvalues import perron_root
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import dimensions, matrix
 
 NAMES = ("N", "L", "J", "K", "R0", "R1", "R", "R2")
 
@@ -99,5 +99,5 @@ class Realisation:
 def _columns(given: Any, rows: int, name: str) -> int:
     if given is None:
         return 0
-    entries = matrix(name, given, rows, 1 if np.ndim(given) == 1 else None)
+    entries = matrix(name, given, rows, 1 if dimensions(given) == 1 else None)
     return int(entries.shape[1])

@@ -172,9 +172,9 @@ def certified_convergence(
     ]
     matrices = {name: one for name, one in values.items() if name != "gamma"}
     if observer.plant.time == "discrete":
-        margins = theorem_3_3_2(observer).check(matrices)
+        margins = theorem_3_3_2(observer).check(matrices, printed=False)
     else:
-        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices)
+        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices, printed=False)
     return convergence(connections, observer.plant, dict(values), margins, gap)
 
 

@@ -14,7 +14,7 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import instance, matrix, share
+from pointpred.observers.matrices import dimensions, instance, matrix, share
 
 TOLERANCE = 1e-9
 Given = Any
@@ -140,7 +140,7 @@ class InvariantObserver:
         now = self.plant.matrices(t)
         pi = matrix("Pi", _at(self._given["Pi"], t), self.q, self.plant.n)
         given = _at(self._given["Upsilon"], t)
-        upsilon = np.zeros((self.q, self.plant.p)) if np.size(given) == 0 else given
+        upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
         return now, pi, upsilon, pi + upsilon @ now["C0"]
 
@@ -191,7 +191,7 @@ class InvariantObserver:
 
     def _check_rates(self) -> None:
         moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
-        if "C0" in self.plant.varying and np.size(self._given["Upsilon"]) != 0:
+        if "C0" in self.plant.varying and not _empty(self._given["Upsilon"]):
             moving.add("C0")
         foreign = set(self._rates) - {"Pi", "Upsilon", "C0"}
         if foreign:
@@ -243,6 +243,11 @@ def invariant_observer(
     [[1.0]]
     """
     return InvariantObserver(plant, Pi, Upsilon, B=B, injection=injection, rates=rates, tolerance=tolerance)
+
+
+def _empty(given: Given) -> bool:
+    """Whether a matrix was left out; rows of different lengths are refused where it is used."""
+    return dimensions(given) > 0 and np.size(given) == 0
 
 
 def _at(given: Given, t: float) -> Any:

@@ -15,6 +15,7 @@ from pointpred.observers.interconnected.regulator import RegulatorDesign
 from pointpred.observers.interconnected.steady_state import steady_state_map
 from pointpred.observers.interconnected.tracking import closed_loop
 from pointpred.observers.linear_systems import as_plant
+from pointpred.observers.matrices import dimensions
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_stage
@@ -84,7 +85,8 @@ def _driven(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation:
     discrete = one.time == "discrete"
     times = setting.samples(discrete)
     generator = _generator(design.generator, one.H @ design.Pi)
-    start = setting.begin(one.n) if np.size(setting.start) == one.n else setting.begin(one.n + q)
+    alone = dimensions(setting.start) == 1 and len(setting.start) == one.n
+    start = setting.begin(one.n) if alone else setting.begin(one.n + q)
     if len(start) == one.n:  # the generator that fits the plant's state best
         start = np.concatenate([start, np.linalg.lstsq(design.Pi, start, rcond=None)[0]])
     rho, d = setting.signal("input", one.z), setting.signal("disturbance", one.n)

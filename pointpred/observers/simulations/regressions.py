@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance, matrix, vector
+from pointpred.observers.matrices import instance, matrix
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
 from pointpred.observers.regressors.gradient import GradientRegressor
 from pointpred.observers.regressors.nonlinear_regression import NonlinearRegressor
@@ -38,7 +38,7 @@ class Regression(msgspec.Struct, frozen=True):
     def at(self, t: float) -> tuple[FloatArray, FloatArray]:
         """Theta and D at a time."""
         given = self.parameters(t) if callable(self.parameters) else self.parameters
-        theta = vector("parameters", given, np.size(given))
+        theta = matrix("parameters", given, 1)[0]
         return theta, matrix("regressor", self.regressor(t), None, len(theta))
 
 

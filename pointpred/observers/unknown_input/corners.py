@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance, matrix
+from pointpred.observers.matrices import dimensions, instance, matrix
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
@@ -108,11 +108,7 @@ class CornerSystem(ParameterVaryingSystem):
 
 def _held(box: Box, name: str, given: Any) -> CornerMatrix:
     count = len(box.vertices)
-    try:
-        dimensions = np.ndim(given)
-    except ValueError:  # rows of different lengths
-        dimensions = 0
-    if dimensions != 3:
+    if dimensions(given) != 3:
         values = np.repeat(matrix(name, given)[None], count, axis=0)
     elif len(given) != count:
         raise ParameterError(

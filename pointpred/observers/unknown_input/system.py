@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced
-from pointpred.observers.matrices import TIMES, instance, matrix, one_of
+from pointpred.observers.matrices import TIMES, dimensions, instance, matrix, one_of
 from pointpred.observers.rounding import without_rounding
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.invariant_zeros import decoupling
@@ -185,7 +185,8 @@ class ParameterVaryingSystem:
 
 
 def _shaped(name: str, value: Any, shape: tuple[int | None, int | None]) -> FloatArray:
-    entries = matrix(name, value) if np.ndim(value) == 2 else np.zeros(np.shape(value))
+    uneven = dimensions(value) == 0 and isinstance(value, list | tuple)  # rows of different lengths
+    entries = matrix(name, value) if uneven or dimensions(value) == 2 else np.zeros(np.shape(value))
     if entries.ndim != 2 or any(
         one not in (None, has) for one, has in zip(shape, entries.shape, strict=True)
     ):
