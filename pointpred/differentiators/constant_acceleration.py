@@ -9,6 +9,12 @@ from __future__ import annotations
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 
+START_SPEED_M_S = 0.3
+START_ACCELERATION_M_S2 = 5.0
+"""Standard deviations of what the hand may be doing at a restart."""
+AXIS, PLANE = 3, 12
+"""Floats of an axis; of two axes with their covariance behind them."""
+
 
 @law
 def predict(memory: FloatArray, x: int, dt: float) -> None:
@@ -54,3 +60,28 @@ def narrow(memory: FloatArray, p: int, noise: float) -> None:
     memory[p + 4] -= p01 * p02 / total
     memory[p + 5] = max(memory[p + 5] - p02 * p02 / total, 0.0)
     memory[p], memory[p + 1], memory[p + 2] = p00 * noise / total, p01 * noise / total, p02 * noise / total
+
+
+@law
+def restart(memory: FloatArray, x: int, noise: float) -> None:
+    """Both axes at the origin of the path, at a speed that nobody knows."""
+    memory[x : x + PLANE] = 0.0
+    p = x + 2 * AXIS
+    memory[p] = noise
+    memory[p + 3] = START_SPEED_M_S**2
+    memory[p + 5] = START_ACCELERATION_M_S2**2
+
+
+@law
+def follow(
+    memory: FloatArray, x: int, jerk_density: float, noise: float, dt: float, place: tuple[float, float]
+) -> None:
+    """Both axes and their covariance after ``dt`` s, and after their positions were measured."""
+    u, v = place
+    p = x + 2 * AXIS
+    predict(memory, x, dt)
+    predict(memory, x + AXIS, dt)
+    spread(memory, p, jerk_density, dt)
+    correct(memory, x, p, noise, u)
+    correct(memory, x + AXIS, p, noise, v)
+    narrow(memory, p, noise)

@@ -14,6 +14,8 @@ With I and J the first and second integral of f, and d not negative,
 
 from __future__ import annotations
 
+from math import inf, sqrt
+
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -101,8 +103,13 @@ def predict(memory: FloatArray, at: int, density: float, drift: float, dt: float
 
 
 @law
-def correct(memory: FloatArray, at: int, h: FloatArray, error: float, noise: float) -> None:
-    """State and covariance after a measurement with row ``h``, its ``error`` and the variance ``noise``."""
+def correct(
+    memory: FloatArray, at: int, h: FloatArray, error: float, noise: float, sigmas_most: float
+) -> float:
+    """State and covariance after a measurement with row ``h``, its ``error`` and the variance ``noise``.
+
+    Returns how many standard deviations the error is; beyond ``sigmas_most`` nothing is changed.
+    """
     p = at + COVARIANCE
     spread = np.zeros(SIZE)
     total = noise
@@ -110,6 +117,9 @@ def correct(memory: FloatArray, at: int, h: FloatArray, error: float, noise: flo
         for j in range(SIZE):
             spread[i] += memory[p + i * SIZE + j] * h[j]
         total += h[i] * spread[i]
+    sigmas = abs(error) / sqrt(total)
+    if sigmas > sigmas_most:
+        return sigmas
     for i in range(SIZE):
         share = spread[i] / total
         memory[at + STATE + i] += share * error
@@ -119,15 +129,17 @@ def correct(memory: FloatArray, at: int, h: FloatArray, error: float, noise: flo
         memory[p + i * (SIZE + 1)] = max(memory[p + i * (SIZE + 1)], 0.0)
     late = memory[at + STATE + DELAY]
     memory[at + STATE + DELAY] = min(max(late, -DELAY_MOST_S), DELAY_MOST_S)
+    return sigmas
 
 
 @law
 def measure(
     memory: FloatArray, at: int, axis: int, now: float, ahead: float, place: float, noise: float
-) -> None:
+) -> float:
     """The position of an axis was measured as ``place`` m, with ``noise`` m^2.
 
-    ``now`` s is the time of the state, which is ``ahead`` s of the stamp of the position.
+    ``now`` s is the time of the state, which is ``ahead`` s of the stamp of the position. Returns how many
+    standard deviations the position is off.
     """
     x, d = at + STATE + axis, memory[at + STATE + DELAY] + ahead
     h = np.zeros(SIZE)
@@ -147,17 +159,35 @@ def measure(
     for i in range(AXIS):
         error -= h[axis + i] * memory[x + i]
     h[DELAY] = -slope
-    correct(memory, at, h, error, noise)
+    return correct(memory, at, h, error, noise, inf)
 
 
 @law
-def rest(memory: FloatArray, at: int, axis: int, noise: float) -> None:
-    """The device rests: the acceleration of the axis is 0, with ``noise`` (m/s^2)^2."""
+def rest(memory: FloatArray, at: int, axis: int, noise: float, sigmas_most: float) -> None:
+    """The device rests: the acceleration of the axis is 0, with ``noise`` (m/s^2)^2.
+
+    Without effect where that is more than ``sigmas_most`` standard deviations off: it is carried, then.
+    """
     h = np.zeros(SIZE)
     h[axis + OFFSET] = 1.0
     for i in range(3):
         h[axis + WEIGHT + i] = memory[at + FORCE + i]
-    correct(memory, at, h, -acceleration(memory, at, axis, at + FORCE), noise)
+    correct(memory, at, h, -acceleration(memory, at, axis, at + FORCE), noise, sigmas_most)
+
+
+@law
+def acceleration_variance(memory: FloatArray, at: int, axis: int, force: float) -> float:
+    """What is not known of offset and weights: the larger variance of an axis' acceleration, (m/s^2)^2.
+
+    Under a ``force`` m/s^2 along one of the first two axes of the sensor, either way; the third is upright.
+    """
+    row = at + COVARIANCE + (axis + OFFSET) * SIZE + axis
+    most = 0.0
+    for i in range(2):
+        own = memory[at + COVARIANCE + (axis + WEIGHT + i) * (SIZE + 1)]
+        both = 2.0 * force * abs(memory[row + WEIGHT + i])
+        most = max(most, memory[row + OFFSET] + both + force * force * own)
+    return float(most)
 
 
 @law

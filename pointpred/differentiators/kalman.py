@@ -10,9 +10,6 @@ from pointpred.parameter import parameter
 from pointpred.rows import REFUSED, EventRow, TenFloats
 from pointpred.stage import offsets
 
-START_SPEED_M_S = 0.3
-START_ACCELERATION_M_S2 = 5.0
-"""Standard deviations of what the hand may be doing at a restart."""
 SETTLED_RADIANS = 4.0
 
 # The parameters: those of sampling, the density in m^2/s^5, the noise in m^2. The state: that of sampling;
@@ -42,17 +39,10 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     if verdict == sampling.REFUSED:
         return REFUSED
     if verdict == sampling.RESTARTED:
-        memory[X : COVARIANCE + 6] = 0.0
-        memory[COVARIANCE] = memory[NOISE]
-        memory[COVARIANCE + 3] = START_SPEED_M_S**2
-        memory[COVARIANCE + 5] = START_ACCELERATION_M_S2**2
+        constant_acceleration.restart(memory, X, memory[NOISE])
     elif verdict == sampling.MOVED:
-        constant_acceleration.predict(memory, X, dt)
-        constant_acceleration.predict(memory, X + 3, dt)
-        constant_acceleration.spread(memory, COVARIANCE, memory[JERK_DENSITY], dt)
-        constant_acceleration.correct(memory, X, COVARIANCE, memory[NOISE], memory[AT + sampling.U])
-        constant_acceleration.correct(memory, X + 3, COVARIANCE, memory[NOISE], memory[AT + sampling.V])
-        constant_acceleration.narrow(memory, COVARIANCE, memory[NOISE])
+        place = memory[AT + sampling.U], memory[AT + sampling.V]
+        constant_acceleration.follow(memory, X, memory[JERK_DENSITY], memory[NOISE], dt, place)
     velocity = memory[X + 1], memory[X + 4]
     acceleration = memory[X + 2], memory[X + 5]
     settled = sampling.settled(memory, AT, 4.0, settle_s(memory))

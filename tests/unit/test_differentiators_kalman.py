@@ -9,6 +9,7 @@ from scipy import linalg
 from pointpred import EventColumns
 from pointpred.differentiators import KalmanDifferentiator
 from pointpred.differentiators import kalman as law
+from pointpred.differentiators.constant_acceleration import START_ACCELERATION_M_S2, START_SPEED_M_S
 from pointpred.differentiators.signals import exact, parabola
 
 PX_PER_M = 96.0 / 0.0254
@@ -28,7 +29,7 @@ def textbook(t: np.ndarray, u: np.ndarray, density: float, noise_m: float) -> tu
     """States and last covariance; Joseph's form, full matrices."""
     h = np.array([[1.0, 0.0, 0.0]])
     state = np.array([u[0], 0.0, 0.0])
-    p = np.diag([noise_m**2, law.START_SPEED_M_S**2, law.START_ACCELERATION_M_S2**2])
+    p = np.diag([noise_m**2, START_SPEED_M_S**2, START_ACCELERATION_M_S2**2])
     states = [state]
     for before, now, measured in zip(t[:-1], t[1:], u[1:], strict=True):
         f, q = transition(now - before, density)

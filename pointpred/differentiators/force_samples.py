@@ -1,0 +1,44 @@
+"""Samples of an accelerometer: what makes one, and why one is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.errors import EventError, EventOrderError
+from pointpred.events import LATEST_S
+from pointpred.rows import Row
+
+FORCE_MOST_M_S2 = 1e4
+"""Bound on the magnitude of a sample along an axis: a thousand times gravity."""
+
+
+@law
+def sample_at(table: FloatArray, i: int) -> tuple[float, float, float, float]:
+    """A row of a table of samples as a tuple."""
+    r = table[i]
+    return r[0], r[1], r[2], r[3]
+
+
+@law
+def is_sample(sample: Row) -> bool:
+    """Whether the values make a sample: all within their bounds."""
+    t, fx, fy, fz = sample
+    most = FORCE_MOST_M_S2
+    return bool(abs(t) <= LATEST_S and abs(fx) <= most and abs(fy) <= most and abs(fz) <= most)
+
+
+def refusal_of_sample(sample: Sequence[float], last_t: float) -> EventError:
+    """Why a sample was refused; ``last_t`` s is the time of the one before it."""
+    t, *force = sample
+    if not abs(t) <= LATEST_S:
+        return EventError(
+            f"t of a sample must lie in [-{LATEST_S:g}, {LATEST_S:g}], received {t!r}", field="t"
+        )
+    for name, value in zip(("ax", "ay", "az"), force, strict=True):
+        if not abs(value) <= FORCE_MOST_M_S2:
+            bounds = f"[-{FORCE_MOST_M_S2:g}, {FORCE_MOST_M_S2:g}] m/s^2"
+            return EventError(f"{name} of a sample must lie in {bounds}, received {value!r}", field=name)
+    message = f"t of a sample must not run backwards: received {t!r} s after {last_t!r} s"
+    return EventOrderError(message, field="t", value=t)
