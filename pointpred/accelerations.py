@@ -13,7 +13,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pointpred.errors import EventError
+from pointpred.errors import EventError, EventOrderError
 
 FIELDS = ("t", "ax", "ay", "az")
 """A sample: time in s, specific force in m/s^2 along the axes of the sensor, gravity included."""
@@ -49,11 +49,22 @@ class Accelerations:
     def by_time(cls, table: ArrayLike, t: ArrayLike) -> Self:
         """Each sample before the first event that is not earlier; both in the order of their times in s.
 
+        Raises EventOrderError where the time of a sample runs backwards against the one before.
+
         >>> Accelerations.by_time([[0.1, 0, 0, 9.8], [0.2, 0, 0, 9.8], [0.9, 0, 0, 9.8]], [0.0, 0.2]).before
         array([0, 2])
         """
         rows = np.asarray(table, dtype=np.float64)
         times = rows[:, 0] if rows.ndim == 2 and rows.shape[1] else np.empty(0)
+        back = np.flatnonzero(np.diff(times) < 0.0)
+        if len(back):
+            at = int(back[0]) + 1
+            raise EventOrderError(
+                f"sample {at}: t must not run backwards: received {times[at]:.17g} s after {times[at - 1]:.17g} s; "
+                "sort the samples, or leave it out",
+                field="t",
+                value=float(times[at]),
+            )
         return cls(rows, np.searchsorted(times, np.asarray(t, np.float64), side="right"))
 
     @classmethod

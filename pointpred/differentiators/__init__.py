@@ -4,6 +4,7 @@ from pointpred.differentiators.difference import BackwardDifferentiator
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.differentiators.fading import FadingMemoryDifferentiator
 from pointpred.differentiators.homogeneous import HomogeneousDifferentiator
+from pointpred.differentiators.inertial import InertialDifferentiator
 from pointpred.differentiators.kalman import KalmanDifferentiator
 from pointpred.differentiators.reduced_order import ReducedOrderDifferentiator
 
@@ -13,6 +14,7 @@ DIFFERENTIATORS: dict[str, type[Differentiator]] = {
     "fading-memory": FadingMemoryDifferentiator,
     "reduced-order": ReducedOrderDifferentiator,
     "difference": BackwardDifferentiator,
+    "inertial": InertialDifferentiator,
 }
 """Names users type, and what they mean."""
 
@@ -22,6 +24,7 @@ __all__ = [
     "Differentiator",
     "FadingMemoryDifferentiator",
     "HomogeneousDifferentiator",
+    "InertialDifferentiator",
     "KalmanDifferentiator",
     "ReducedOrderDifferentiator",
 ]

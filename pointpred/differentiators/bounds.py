@@ -45,10 +45,10 @@ def rounded_up(value: float, digits: int = 2) -> float:
 def measure(differentiator: Differentiator, signal: Signal) -> Errors:
     """Run a differentiator without memory over a signal; its resolution must be the signal's.
 
-    Raises ParameterError when it does not settle before the signal ends.
+    Errors count from ``signal.since_s`` on; what comes before is only to learn from. Raises ParameterError when it does not settle before the signal ends.
     """
     motions = differentiator.fresh().run(signal.events)
-    settled = motions.settled == 1.0
+    settled = (motions.settled == 1.0) & (motions.t >= signal.since_s)
     if not settled.any():
         raise ParameterError(f"{type(differentiator).__name__} does not settle within {motions.t[-1]:g} s")
     velocity = (motions.vx - signal.velocity)[settled]
@@ -64,7 +64,7 @@ def measure(differentiator: Differentiator, signal: Signal) -> Errors:
         float(np.sqrt(np.mean(acceleration**2))),
         float(np.abs(acceleration).max()),
         delay,
-        float(motions.t[settled][0] - motions.t[0]),
+        float(motions.t[settled][0] - max(motions.t[0], signal.since_s)),
     )
 
 
@@ -127,3 +127,9 @@ BOUNDS: dict[str, dict[str, Errors]] = {
     },
 }
 """For each differentiator with its defaults and each signal: about 1.3 times what was measured."""
+
+BOUNDS["inertial"] = BOUNDS["kalman"]
+"""Without samples of an accelerometer it is the same, bit for bit."""
+
+SENSED_BOUNDS: dict[str, dict[str, Errors]] = {}
+"""The same over ``SENSED_SIGNALS``, which have samples of an accelerometer beside them."""

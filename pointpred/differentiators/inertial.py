@@ -150,10 +150,10 @@ def advance(memory: FloatArray, t: float) -> None:
 def set_force(memory: FloatArray, force: tuple[float, float, float], share: float) -> None:
     """The force that acts now: ``share`` of the new one, the rest of the old one."""
     fx, fy, fz = force
-    at = FILTER + FORCE
-    memory[at] += share * (fx - memory[at])
-    memory[at + 1] += share * (fy - memory[at + 1])
-    memory[at + 2] += share * (fz - memory[at + 2])
+    at, kept = FILTER + FORCE, 1.0 - share
+    memory[at] = kept * memory[at] + share * fx
+    memory[at + 1] = kept * memory[at + 1] + share * fy
+    memory[at + 2] = kept * memory[at + 2] + share * fz
 
 
 @law

@@ -62,7 +62,10 @@ MAY_IMPORT = {
     "reproduction": PIPELINE
     | {"drawing", "observers", "camera", "simulation", "scoring", "report", "sources"},
     "hid": {"errors"},
-    "sources": {"errors", "extras", "files", "events", "rows", "columns", "recording", "hid"},
+    "sources": {
+        *("errors", "extras", "files", "events", "rows", "accelerations", "columns", "recording"),
+        "hid",
+    },
     "devices": MATHS | {"hid", "sources"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "sources"},

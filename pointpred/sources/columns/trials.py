@@ -19,6 +19,7 @@ from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.assembly import assemble
 from pointpred.sources.trials.conditions import TARGET, conditions_of, one_value
 from pointpred.sources.trials.keys import codes_of, keys_of
+from pointpred.sources.trials.samples import samples_of_trials
 from pointpred.sources.trials.segmentation import cut
 
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
@@ -30,7 +31,7 @@ class Rows(msgspec.Struct):
     """The samples of a table as numbers: ``values`` by field, in px but for the clock.
 
     ``row_of``: the file's row of each; ``faults``: the fault of a row; ``per_second``: units of the clock in
-    a second.
+    a second; ``accelerations``: samples of an accelerometer on the same clock.
     """
 
     count: int
@@ -38,6 +39,7 @@ class Rows(msgspec.Struct):
     values: dict[str, FloatArray] = {}
     faults: dict[int, str] = {}
     per_second: float = 1.0
+    accelerations: FloatArray | None = None
 
     def blame(self, field: str, name: str, wrong: dict[int, str], expected: str) -> None:
         """Add the cells of a column that cannot be read."""
@@ -116,6 +118,9 @@ def recording_of_rows(
     ]
     if varying:
         groups.notes.append(f"columns left aside, for they vary within a trial: {', '.join(varying)}")
+    samples = None
+    if rows.accelerations is not None:
+        samples = samples_of_trials(rows.accelerations, rows.values["t"], members, group, sizes)
     faulty = np.array(sorted(rows.faults), dtype=np.int64)
     faulty = faulty[groups.group[faulty] >= 0]
     return assemble(
@@ -132,6 +137,7 @@ def recording_of_rows(
         provenance=provenance,
         row_of=rows.row_of[members],
         notes=(*notes, *groups.notes),
+        samples=samples,
     )
 
 
