@@ -65,6 +65,13 @@ def score(
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
+    differentiator: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="The differentiator before every predictor, such as 'inertial' for a recording with an accelerometer.",
+        ),
+    ] = None,
     coefficients: Coefficients = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
@@ -92,6 +99,9 @@ def score(
     names = predictor_names(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     parameters = with_coefficients(names, coefficients)
+    if differentiator is not None:
+        chosen = {"differentiator": differentiator}
+        parameters = {name: {**parameters.get(name, {}), **chosen} for name in names}
     reasons: Reasons = {}
     if targets:
         _check_alone({"--processes": processes, "--cluster": cluster, "--checkpoints": checkpoints})
