@@ -53,6 +53,7 @@ SENSORS: dict[str, Sensor] = {
     "turning 10 rad/m": changed(yaw_rad_m=10.0),
     "clock 5 ms behind": changed(offset_s=0.005),
     "clock 5 ms ahead": changed(offset_s=-0.005),
+    "samples come 10 ms late": changed(late_s=0.01),
     "200 samples a second": changed(rate_hz=200.0),
 }
 

@@ -19,6 +19,7 @@ SMOOTH_S = 0.005
 BOUNDS = (
     Parameter("rate_hz", "Hz", 50.0, 20_000.0, "samples a second"),
     Parameter("offset_s", "s", -0.02, 0.02, "how far its clock is behind that of the events"),
+    Parameter("late_s", "s", 0.0, 0.05, "how long after its time a sample comes"),
     Parameter("noise", "m/s^2", 0.0, 100.0, "standard deviation of a sample"),
     Parameter("vibration", "1/s", 0.0, 100.0, "more of it for each m/s of the hand's speed"),
     Parameter("scale", "", 0.5, 2.0, "of its output"),
@@ -36,6 +37,7 @@ class Accelerometer(msgspec.Struct, frozen=True):
 
     rate_hz: float = 1600.0
     offset_s: float = 0.0
+    late_s: float = 0.0
     noise: float = 0.0
     vibration: float = 0.0
     bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -77,9 +79,9 @@ def felt(
 ) -> Accelerations:
     """What the sensor measures during a movement, beside events at ``t`` s from its start.
 
-    A sample stands before the first event that is not earlier in truth, whatever its stamp. Assumes a
-    sensor above the one of the counts. The same generator gives the same samples. Raises ParameterError, and
-    MissingExtraError without scipy.
+    A sample stands before the first event that is not earlier than the sample comes, whatever its stamp.
+    Assumes a sensor above the one of the counts. The same generator gives the same samples. Raises
+    ParameterError, and MissingExtraError without scipy.
     """
     require("train", "a simulated accelerometer")
     from scipy.ndimage import gaussian_filter1d
@@ -102,5 +104,5 @@ def felt(
     force = (
         inside @ sensor.matrix.T + sensor.bias + size[:, None] * generator.standard_normal((len(times), 3))
     )
-    before = np.searchsorted(times, t, side="right")
+    before = np.searchsorted(times + sensor.late_s, t, side="right")
     return Accelerations(np.column_stack([times - sensor.offset_s, force]), before)

@@ -69,6 +69,17 @@ def test_samples_stand_in_the_order_of_truth_and_are_stamped_by_their_own_clock(
         samples(movement, Accelerometer(rate_hz=10.0))
 
 
+def test_samples_that_come_late_stand_before_later_events(movement: Movement) -> None:
+    t = movement.table[:, 0]
+    plain, late = (
+        felt(movement, Accelerometer(late_s=late_s), np.random.default_rng(5), t) for late_s in (0.0, 0.01)
+    )
+    count = len(late.table)
+    assert late.table.tobytes() == plain.table[:count].tobytes()
+    for i in (300, 500):
+        assert late.table[late.before[i] - 1, 0] <= t[i] - 0.01 < late.table[late.before[i], 0]
+
+
 def test_a_recording_has_the_same_events_with_and_without_a_sensor() -> None:
     chosen: dict[str, Any] = {
         "persons": people(2),
