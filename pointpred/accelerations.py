@@ -60,8 +60,8 @@ class Accelerations:
         if len(back):
             at = int(back[0]) + 1
             raise EventOrderError(
-                f"sample {at}: t must not run backwards: received {times[at]:.17g} s after {times[at - 1]:.17g} s; "
-                "sort the samples, or leave it out",
+                f"sample {at}: t must not run backwards: received {times[at]:.17g} s after "
+                f"{times[at - 1]:.17g} s; sort the samples, or leave it out",
                 field="t",
                 value=float(times[at]),
             )

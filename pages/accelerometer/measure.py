@@ -1,7 +1,7 @@
 """What an accelerometer on the mouse gains on simulated people: ``python -m pages.accelerometer.measure``.
 
-``python -m pages.accelerometer.measure tune`` repeats the choice of the differentiator's averaging time, on other
-people.
+``python -m pages.accelerometer.measure tune`` repeats the choice of the differentiator's averaging time, on
+other people.
 """
 
 from __future__ import annotations

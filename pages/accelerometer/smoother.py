@@ -32,7 +32,9 @@ class Smoother(HomogeneousDifferentiator):
             t = events.t[first:stop]
             grid = np.arange(t[0], t[-1] + STEP_S, STEP_S)
             for counts, speed, push in ((events.dx, VX, AX), (events.dy, VY, AY)):
-                place = np.cumsum(np.nan_to_num(counts[first:stop])) * METRES_PER_INCH / float(self.cpi or 0.0)
+                place = (
+                    np.cumsum(np.nan_to_num(counts[first:stop])) * METRES_PER_INCH / float(self.cpi or 0.0)
+                )
                 path = np.interp(grid, t, place)
                 for column, order in ((speed, 1), (push, 2)):
                     smooth = gaussian_filter1d(path, SMOOTH_S / STEP_S, order=order, mode="nearest")

@@ -69,7 +69,7 @@ def score(
         str | None,
         typer.Option(
             metavar="NAME",
-            help="The differentiator before every predictor, such as 'inertial' for a recording with an accelerometer.",
+            help="The differentiator before every predictor; 'inertial' uses an accelerometer's samples.",
         ),
     ] = None,
     coefficients: Coefficients = None,

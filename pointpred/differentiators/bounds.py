@@ -45,7 +45,8 @@ def rounded_up(value: float, digits: int = 2) -> float:
 def measure(differentiator: Differentiator, signal: Signal) -> Errors:
     """Run a differentiator without memory over a signal; its resolution must be the signal's.
 
-    Errors count from ``signal.since_s`` on; what comes before is only to learn from. Raises ParameterError when it does not settle before the signal ends.
+    Errors count from ``signal.since_s`` on; what comes before is only to learn from. Raises ParameterError
+    when it does not settle before the signal ends.
     """
     motions = differentiator.fresh().run(signal.events)
     settled = (motions.settled == 1.0) & (motions.t >= signal.since_s)

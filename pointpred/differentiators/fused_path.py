@@ -14,7 +14,7 @@ With I and J the first and second integral of f, and d not negative,
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import sqrt
 
 import numpy as np
 
@@ -103,12 +103,10 @@ def predict(memory: FloatArray, at: int, density: float, drift: float, dt: float
 
 
 @law
-def correct(
-    memory: FloatArray, at: int, h: FloatArray, error: float, noise: float, sigmas_most: float
-) -> float:
+def correct(memory: FloatArray, at: int, h: FloatArray, error: float, noise: float) -> float:
     """State and covariance after a measurement with row ``h``, its ``error`` and the variance ``noise``.
 
-    Returns how many standard deviations the error is; beyond ``sigmas_most`` nothing is changed.
+    Returns how many standard deviations the error is.
     """
     p = at + COVARIANCE
     spread = np.zeros(SIZE)
@@ -117,9 +115,6 @@ def correct(
         for j in range(SIZE):
             spread[i] += memory[p + i * SIZE + j] * h[j]
         total += h[i] * spread[i]
-    sigmas = abs(error) / sqrt(total)
-    if sigmas > sigmas_most:
-        return sigmas
     for i in range(SIZE):
         share = spread[i] / total
         memory[at + STATE + i] += share * error
@@ -129,7 +124,7 @@ def correct(
         memory[p + i * (SIZE + 1)] = max(memory[p + i * (SIZE + 1)], 0.0)
     late = memory[at + STATE + DELAY]
     memory[at + STATE + DELAY] = min(max(late, -DELAY_MOST_S), DELAY_MOST_S)
-    return sigmas
+    return float(abs(error) / sqrt(total))
 
 
 @law
@@ -159,20 +154,35 @@ def measure(
     for i in range(AXIS):
         error -= h[axis + i] * memory[x + i]
     h[DELAY] = -slope
-    return correct(memory, at, h, error, noise, inf)
+    return correct(memory, at, h, error, noise)
 
 
 @law
-def rest(memory: FloatArray, at: int, axis: int, noise: float, sigmas_most: float) -> None:
-    """The device rests: the acceleration of the axis is 0, with ``noise`` (m/s^2)^2.
-
-    Without effect where that is more than ``sigmas_most`` standard deviations off: it is carried, then.
-    """
+def row_of_acceleration(memory: FloatArray, at: int, axis: int) -> FloatArray:
+    """The acceleration of an axis under the force that acts now, as a row on the state."""
     h = np.zeros(SIZE)
     h[axis + OFFSET] = 1.0
     for i in range(3):
         h[axis + WEIGHT + i] = memory[at + FORCE + i]
-    correct(memory, at, h, -acceleration(memory, at, axis, at + FORCE), noise, sigmas_most)
+    return h
+
+
+@law
+def sigmas_from_rest(memory: FloatArray, at: int, axis: int, noise: float) -> float:
+    """How many standard deviations the acceleration of an axis is from 0, with ``noise`` (m/s^2)^2."""
+    h = row_of_acceleration(memory, at, axis)
+    total = noise
+    for i in range(axis + OFFSET, axis + AXIS):
+        for j in range(axis + OFFSET, axis + AXIS):
+            total += h[i] * memory[at + COVARIANCE + i * SIZE + j] * h[j]
+    return float(abs(acceleration(memory, at, axis, at + FORCE)) / sqrt(total))
+
+
+@law
+def rest(memory: FloatArray, at: int, axis: int, noise: float) -> None:
+    """The device rests: the acceleration of the axis is 0, with ``noise`` (m/s^2)^2."""
+    h = row_of_acceleration(memory, at, axis)
+    correct(memory, at, h, -acceleration(memory, at, axis, at + FORCE), noise)
 
 
 @law

@@ -45,7 +45,7 @@ REACH_S = 0.04
 """A sample says nothing of an event that is farther from it."""
 LAG_FADES = 1e-3
 """By so many s a second the lag falls, so that one sample that was late does not last."""
-FORCE_M_S2, KNOWN_M_S2, KNOWN_DELAY_S = 3.0, 1.0, 0.003
+FORCE_M_S2, KNOWN_M_S2, KNOWN_DELAY_S = 3.0, 0.7, 0.003
 """The sensor is known once the acceleration under such a force, and the delay, are known this well."""
 STRANGE_SIGMAS = 5.0
 """A position that is farther off contradicts the samples: what is known of the sensor is forgotten."""
@@ -157,6 +157,16 @@ def set_force(memory: FloatArray, force: tuple[float, float, float], share: floa
 
 
 @law
+def rest(memory: FloatArray, since: float) -> None:
+    """A sample of a device that sends no events, ``since`` s after the one before: it rests, or is carried."""
+    off = fused_path.sigmas_from_rest(memory, FILTER, 0, REST_M_S2**2)
+    if max(off, fused_path.sigmas_from_rest(memory, FILTER, SECOND, REST_M_S2**2)) <= REST_SIGMAS:
+        variance = REST_M_S2**2 * max(REST_S / since, 1.0)
+        fused_path.rest(memory, FILTER, 0, variance)
+        fused_path.rest(memory, FILTER, SECOND, variance)
+
+
+@law
 def sense(memory: FloatArray, sample: Row) -> bool:
     """One sample of the accelerometer; whether it was accepted."""
     t, fx, fy, fz = sample
@@ -188,9 +198,7 @@ def sense(memory: FloatArray, sample: Row) -> bool:
         advance(memory, t)
     set_force(memory, force, 1.0)
     if still and 0.0 < since <= REACH_S:
-        variance = REST_M_S2**2 * max(REST_S / since, 1.0)
-        fused_path.rest(memory, FILTER, 0, variance, REST_SIGMAS)
-        fused_path.rest(memory, FILTER, SECOND, variance, REST_SIGMAS)
+        rest(memory, since)
     memory[SAMPLED] = t
     return True
 

@@ -128,7 +128,11 @@ def there_and_back(t: FloatArray) -> Derivatives:
     since = np.where(alone, t - LEARNED_S, t - number * period)
     position, velocity, acceleration = minimum_jerk(since)
     back = np.where(alone, 0.0, number % 2.0)
-    return 0.1 * back + (1.0 - 2.0 * back) * position, (1.0 - 2.0 * back) * velocity, (1.0 - 2.0 * back) * acceleration
+    return (
+        0.1 * back + (1.0 - 2.0 * back) * position,
+        (1.0 - 2.0 * back) * velocity,
+        (1.0 - 2.0 * back) * acceleration,
+    )
 
 
 def sensed(rate_hz: float) -> Signal:

@@ -39,8 +39,8 @@ class PlayedTrial(msgspec.Struct, frozen=True):
 class PlayedEvent(PointerEvent, frozen=True, kw_only=True):
     """An event as a session shows it, on times that grow from trial to trial, and as it was ``recorded``.
 
-    ``begin``: the first event of a ``trial``, or of another ``person``. ``samples``: those of an accelerometer
-    (s, m/s^2) that came before it, on the recorded times.
+    ``begin``: the first event of a ``trial``, or of another ``person``. ``samples``: those of an
+    accelerometer (s, m/s^2) that came before it, on the recorded times.
     """
 
     recorded: PointerEvent
@@ -199,9 +199,7 @@ def _schedule(trials: Sequence[PlayedTrial]) -> Iterator[tuple[float, str, Repor
         user = trial.user
 
 
-def _report(
-    event: PointerEvent, shown_s: float, begin: Begin, samples: tuple[Sample, ...]
-) -> PlayedReport:
+def _report(event: PointerEvent, shown_s: float, begin: Begin, samples: tuple[Sample, ...]) -> PlayedReport:
     place = shown_s, event.x, event.y, event.dx, event.dy, event.buttons
     shown = PlayedEvent(*place, recorded=event, begin=begin, samples=samples)
     return PlayedReport(shown_s, event.dx or 0.0, event.dy or 0.0, event.buttons, event=shown)

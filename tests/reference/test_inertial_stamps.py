@@ -18,19 +18,19 @@ LONG = Bench(8.0, 0.3, 0.0, 0.05)
 @pytest.mark.parametrize("every", [1, 8], ids=["1 kHz", "125 Hz"])
 @pytest.mark.parametrize("behind_s", [-0.006, 0.006, 0.012])
 def test_a_clock_behind_or_ahead_of_the_events_is_a_delay_that_is_found(behind_s: float, every: int) -> None:
-    """The velocity is as good as with the right clock; behind by 12 ms, within a half more."""
+    """The velocity is off by a fifth of what the filter without samples is, however coarse the events."""
     differentiator = InertialDifferentiator()
     off = LONG.off(differentiator.run(LONG.stamped(behind_s, every)), 5.0)
-    right = LONG.off(InertialDifferentiator().run(LONG.stamped(0.0, every)), 5.0)
+    plain = LONG.off(KalmanDifferentiator().run(LONG.events[::every]), 5.0)
     sensor = differentiator.sensor
     assert sensor is not None
     assert sensor.known
     assert sensor.delay_s == pytest.approx(behind_s, abs=0.001)
-    assert off < (1.2 if abs(behind_s) < 0.01 else 1.5) * right
+    assert off < 0.2 * plain
 
 
 def test_samples_that_come_late_with_the_right_stamps_cost_little() -> None:
-    """All arrive 10 ms after the events of their time."""
+    """All arrive 10 ms after the events of their time; so long the last acceleration holds."""
     before = np.searchsorted(LONG.sample_t + 0.010, LONG.t, side="right")
     late = EventColumns(LONG.events.table, None, Accelerations(LONG.samples, before))
     differentiator = InertialDifferentiator()
@@ -38,7 +38,7 @@ def test_samples_that_come_late_with_the_right_stamps_cost_little() -> None:
     sensor = differentiator.sensor
     assert sensor is not None
     assert sensor.delay_s == pytest.approx(0.0, abs=0.001)
-    assert off < 0.5 * LONG.off(KalmanDifferentiator().run(LONG.events), 5.0)
+    assert off < 0.7 * LONG.off(KalmanDifferentiator().run(LONG.events), 5.0)
 
 
 def test_a_sample_that_comes_twice_counts_once() -> None:
@@ -86,7 +86,7 @@ def test_a_hole_of_20_ms_costs_little_and_a_longer_one_leaves_the_kalman_filter(
 
 
 def test_the_longer_the_hole_the_less_is_known() -> None:
-    """The error of the force grows as the jerk's: the velocity's variance is the integral of q + jerk age^2."""
+    """The error of the force grows as the jerk's: q + jerk age^2 is the density of its noise."""
     spreads = []
     for hole_s in (0.001, 0.01, 0.02):
         bench = Bench(0.5, 0.3, 0.0, 0.05)
@@ -115,7 +115,9 @@ def test_one_stamp_far_ahead_is_no_sample_of_the_events() -> None:
     samples = bench.samples.copy()
     samples[bench.sample_t >= 1.0, 0] += 1.0
     before = bench.beside.accelerations.before
-    motions = InertialDifferentiator().run(EventColumns(bench.events.table, None, Accelerations(samples, before)))
+    motions = InertialDifferentiator().run(
+        EventColumns(bench.events.table, None, Accelerations(samples, before))
+    )
     plain = KalmanDifferentiator().run(bench.events)
     after = bench.t > 1.001
     assert motions.table[after].tobytes() == plain.table[after].tobytes()

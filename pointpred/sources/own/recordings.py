@@ -100,9 +100,10 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
     """Write a recording as a samples file and a trials file; the same recording gives the same bytes.
 
     ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added if missing).
-    Provenance, skips and notes go into the header; the samples of an accelerometer do not. Floating point numbers are exact. Returns both paths; if
-    one cannot be written, neither file is left or replaced. Raises RecordingError for another extension, two
-    trials with the same user and name, or a condition that is text in one trial and a number in another.
+    Provenance, skips and notes go into the header; the samples of an accelerometer are not written. Floating
+    point numbers are exact. Returns both paths; if one cannot be written, neither file is left or replaced.
+    Raises RecordingError for another extension, two trials with the same user and name, or a condition that
+    is text in one trial and a number in another.
     """
     with write_together() as part:
         return write_parts(recording, path, part)

@@ -91,11 +91,17 @@ def _accelerations(
     path: Path, file: BinaryIO, streams: list[Stream]
 ) -> tuple[FloatArray | None, Stream | None, list[str]]:
     """Samples (s, m/s^2) of the only accelerometer among the streams, which it is, and notes."""
-    places = {one: xdf_accelerometer.channels_of(one.name, one.kind, one.labels, one.channels) for one in streams}
+    places = {
+        one: xdf_accelerometer.channels_of(one.name, one.kind, one.labels, one.channels) for one in streams
+    }
     fits = [one for one in streams if one.format != "string" and places[one] is not None]
     if len(fits) > 1:
         titles = "; ".join(one.title for one in fits)
-        return None, None, [f"{len(fits)} streams may be the accelerometer on the mouse, none is used: {titles}"]
+        return (
+            None,
+            None,
+            [f"{len(fits)} streams may be the accelerometer on the mouse, none is used: {titles}"],
+        )
     if not fits:
         return None, None, []
     stream = fits[0]

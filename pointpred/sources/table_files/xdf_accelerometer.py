@@ -63,7 +63,10 @@ def scale_of(units: Sequence[str], force: FloatArray) -> tuple[float | None, str
     for unit, scale in SCALES.items():
         if abs(middle * scale / STANDARD_GRAVITY_M_S2 - 1.0) <= GRAVITY_OFF:
             return scale, f"unit {unit}, since gravity is {middle:.3g} in it"
-    return None, f"it states no unit, and its median of {middle:.3g} is gravity in none of {', '.join(SCALES)}"
+    return (
+        None,
+        f"it states no unit, and its median of {middle:.3g} is gravity in none of {', '.join(SCALES)}",
+    )
 
 
 def usable(table: FloatArray) -> tuple[FloatArray, str]:
