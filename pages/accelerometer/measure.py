@@ -16,8 +16,7 @@ from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
-from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.differentiators.bounds import SENSED_BOUNDS, measure
+from pointpred.differentiators.bounds import SENSED_BOUNDS, measure_sensed
 from pointpred.differentiators.signals import SENSED_SIGNALS
 from pointpred.recording import Recording
 from pointpred.scoring.replay import replay
@@ -146,8 +145,7 @@ def bounds() -> Table:
     rows = []
     for title, signal in SENSED_SIGNALS.items():
         for name, row in SENSED_BOUNDS.items():
-            made = signal()
-            got, most = measure(DIFFERENTIATORS[name](cpi=made.cpi), made), row[title]
+            got, most = measure_sensed(name, signal()), row[title]
             pairs = [
                 (got.velocity_rms, most.velocity_rms),
                 (got.velocity_largest, most.velocity_largest),

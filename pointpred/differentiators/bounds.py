@@ -132,5 +132,38 @@ BOUNDS: dict[str, dict[str, Errors]] = {
 BOUNDS["inertial"] = BOUNDS["kalman"]
 """Without samples of an accelerometer it is the same, bit for bit."""
 
-SENSED_BOUNDS: dict[str, dict[str, Errors]] = {}
+CLOSE = {"smoothing_s": 0.003}
+"""An acceleration that is close to the true one, for ``inertial``; its default suits predictors."""
+SENSED_WAYS: dict[str, tuple[str, dict[str, float]]] = {
+    "homogeneous": ("homogeneous", {}),
+    "kalman": ("kalman", {}),
+    "inertial": ("inertial", {}),
+    "inertial, 3 ms": ("inertial", CLOSE),
+}
+"""Differentiators and their parameters that are measured on ``SENSED_SIGNALS``."""
+SENSED_BOUNDS: dict[str, dict[str, Errors]] = {
+    "homogeneous": {
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0021, 0.008, 0.19, 0.66, 0.00038),
+        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0025, 0.0086, 0.29, 0.83, 0.0016),
+    },
+    "kalman": {
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0012, 0.0036, 0.14, 0.36, 0.00017),
+        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0018, 0.0047, 0.17, 0.42, 0.0003),
+    },
+    "inertial": {
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.15, 0.4, 0.00011),
+        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.16, 0.39, 0.00011),
+    },
+    "inertial, 3 ms": {
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.04, 0.11, 0.00011),
+        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.035, 0.093, 0.00011),
+    },
+}
 """The same over ``SENSED_SIGNALS``, which have samples of an accelerometer beside them."""
+
+
+def measure_sensed(way: str, signal: Signal) -> Errors:
+    """The errors of one of ``SENSED_WAYS`` over a signal; see ``measure``."""
+    name, parameters = SENSED_WAYS[way]
+    kind: Callable[..., Differentiator] = DIFFERENTIATORS[name]
+    return measure(kind(cpi=signal.cpi, **parameters), signal)

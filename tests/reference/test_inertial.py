@@ -29,7 +29,7 @@ def test_without_samples_it_is_the_kalman_filter() -> None:
 @pytest.mark.parametrize(("turn", "delay_s"), [(0.15, 0.0), (-0.4, 0.006), (1.2, 0.012), (0.1, -0.004)])
 def test_known_gravity_bias_angle_scale_and_delay_are_recovered(turn: float, delay_s: float) -> None:
     bench = Bench(8.0, turn, delay_s, 0.05)
-    differentiator = InertialDifferentiator()
+    differentiator = InertialDifferentiator(smoothing_s=0.003)
     motions = differentiator.run(bench.beside)
     sensor = differentiator.sensor
     assert sensor is not None

@@ -1,5 +1,9 @@
 // Written by `make page` from constant_acceleration.py: change that and run it again.
 import { larger } from "../arithmetic.js";
+export const START_SPEED_M_S = 0.3;
+export const START_ACCELERATION_M_S2 = 5;
+export const AXIS = 3;
+export const PLANE = 12;
 export function predict(memory, x, dt) {
   memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2]);
   memory[x + 1] += dt * memory[x + 2];
@@ -42,4 +46,22 @@ export function narrow(memory, p, noise) {
   memory[p] = p00 * noise / total;
   memory[p + 1] = p01 * noise / total;
   memory[p + 2] = p02 * noise / total;
+}
+export function restart(memory, x, noise) {
+  memory.fill(0, x, x + PLANE);
+  const p = x + 2 * AXIS;
+  memory[p] = noise;
+  memory[p + 3] = START_SPEED_M_S * START_SPEED_M_S;
+  memory[p + 5] = START_ACCELERATION_M_S2 * START_ACCELERATION_M_S2;
+}
+export function follow(memory, x, jerk_density, noise, dt, place) {
+  const u = place[0];
+  const v = place[1];
+  const p = x + 2 * AXIS;
+  predict(memory, x, dt);
+  predict(memory, x + AXIS, dt);
+  spread(memory, p, jerk_density, dt);
+  correct(memory, x, p, noise, u);
+  correct(memory, x + AXIS, p, noise, v);
+  narrow(memory, p, noise);
 }

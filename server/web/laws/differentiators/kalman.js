@@ -3,14 +3,11 @@ import { larger } from "../arithmetic.js";
 import * as $constant_acceleration from "./constant_acceleration.js";
 import * as $sampling from "./sampling.js";
 import * as $rows from "../rows.js";
-export const START_SPEED_M_S = 0.3;
-export const START_ACCELERATION_M_S2 = 5;
 export const SETTLED_RADIANS = 4;
 export const JERK_DENSITY = 4;
 export const NOISE = 5;
 export const AT = 6;
 export const X = 18;
-export const COVARIANCE = 24;
 export function fill(values, memory) {
   $sampling.fill(values, memory);
   memory[NOISE] = values[NOISE] * values[NOISE];
@@ -29,17 +26,10 @@ export function step(memory, event) {
     return $rows.REFUSED;
   }
   if (verdict === $sampling.RESTARTED) {
-    memory.fill(0, X, COVARIANCE + 6);
-    memory[COVARIANCE] = memory[NOISE];
-    memory[COVARIANCE + 3] = START_SPEED_M_S * START_SPEED_M_S;
-    memory[COVARIANCE + 5] = START_ACCELERATION_M_S2 * START_ACCELERATION_M_S2;
+    $constant_acceleration.restart(memory, X, memory[NOISE]);
   } else if (verdict === $sampling.MOVED) {
-    $constant_acceleration.predict(memory, X, dt);
-    $constant_acceleration.predict(memory, X + 3, dt);
-    $constant_acceleration.spread(memory, COVARIANCE, memory[JERK_DENSITY], dt);
-    $constant_acceleration.correct(memory, X, COVARIANCE, memory[NOISE], memory[AT + $sampling.U]);
-    $constant_acceleration.correct(memory, X + 3, COVARIANCE, memory[NOISE], memory[AT + $sampling.V]);
-    $constant_acceleration.narrow(memory, COVARIANCE, memory[NOISE]);
+    const place = [memory[AT + $sampling.U], memory[AT + $sampling.V]];
+    $constant_acceleration.follow(memory, X, memory[JERK_DENSITY], memory[NOISE], dt, place);
   }
   const velocity = [memory[X + 1], memory[X + 4]];
   const acceleration = [memory[X + 2], memory[X + 5]];
