@@ -155,7 +155,7 @@ SENSED_BOUNDS: dict[str, dict[str, Errors]] = {
         "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.16, 0.39, 0.00011),
     },
     "inertial, 3 ms": {
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.04, 0.11, 0.00011),
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.031, 0.11, 0.00011),
         "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.035, 0.093, 0.00011),
     },
 }

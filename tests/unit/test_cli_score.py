@@ -52,6 +52,19 @@ def test_json_is_the_published_document(command, good: Path) -> None:
     assert hold["us_per_event"] > 0.0
 
 
+def test_a_differentiator_is_chosen_for_every_predictor(command, good: Path) -> None:
+    errors = []
+    for more in ((), ("--differentiator", "kalman"), ("--differentiator", "inertial")):
+        left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)
+        assert left.code == 0
+        by_name = {one["name"]: one for one in json.loads(left.out)["sets"][0]["predictors"]}
+        errors.append(by_name["minimum-jerk"]["time_averaged"]["px"])
+    assert errors[0] != errors[1] == errors[2]  # without samples one is the other
+    left = command("score", good, "--differentiator", "accelerometer")
+    assert left.code != 0
+    assert "inertial" in left.err
+
+
 def test_table_has_hold_whoever_was_asked_for_and_counts_what_it_skips(command, good: Path) -> None:
     left = command("score", good, "--predictors", "hold")
     assert left.code == 0

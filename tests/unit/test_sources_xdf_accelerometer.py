@@ -15,6 +15,7 @@ from pointpred.columns import EventColumns
 from pointpred.recording import Recording
 from pointpred.scoring import score
 from pointpred.sources import Reading, convert, read_any
+from pointpred.sources.trials.samples import samples_of_trials
 from tests.unit.writing_containers import chunk, clock_offset, stream_header, stream_samples
 
 STANDARD_GRAVITY = 9.80665
@@ -79,6 +80,15 @@ def test_each_trial_has_the_samples_since_the_row_before_it(tmp_path: Path) -> N
         assert beside.before.tolist() == later.tolist()
     assert any("accelerometer on the mouse: stream Sensor 2" in note for note in recording.notes)
     assert not any("left aside: Sensor" in note for note in recording.notes)
+
+
+def test_a_trial_has_at_most_ten_seconds_of_samples_before_it() -> None:
+    samples = np.column_stack([np.arange(0.0, 60.0, 0.5), np.ones((120, 3))])
+    clock = np.array([50.0, 50.1, 50.2, 58.0, 58.1])
+    parts = samples_of_trials(samples, clock, np.array([0, 1, 3, 4]), np.array([0, 0, 1, 1]), 3)
+    assert parts[0][[0, -1], 0].tolist() == [-9.5, 0.0]
+    assert parts[1][[0, -1], 0].tolist() == [-7.5, 0.0]  # since the row at 50.2 s, which is in no trial
+    assert parts[2].shape == (0, 4)
 
 
 def test_clock_offsets_of_both_streams_are_removed(tmp_path: Path) -> None:

@@ -128,8 +128,10 @@ export function hand(memory) {
   const ay = $fused_path.acceleration(memory, FILTER, $fused_path.SECOND, MEAN);
   x = FILTER + $fused_path.STATE;
   const missing = larger(memory[AT + $sampling.T] - memory[x + $fused_path.DELAY] - memory[NOW], 0);
-  const vx = memory[x + $fused_path.VELOCITY] + missing * ax;
-  const vy = memory[x + $fused_path.SECOND + $fused_path.VELOCITY] + missing * ay;
+  const now_x = $fused_path.acceleration(memory, FILTER, 0, FILTER + $fused_path.FORCE);
+  const now_y = $fused_path.acceleration(memory, FILTER, $fused_path.SECOND, FILTER + $fused_path.FORCE);
+  const vx = memory[x + $fused_path.VELOCITY] + missing * now_x;
+  const vy = memory[x + $fused_path.SECOND + $fused_path.VELOCITY] + missing * now_y;
   return [[vx, vy], [ax, ay]];
 }
 export function step(memory, event) {
@@ -159,6 +161,6 @@ export const InertialDifferentiator = {
     { name: "noise_m", unit: "m", low: 1e-08, high: 0.1, default: 0.0001 },
     { name: "force_density", unit: "m^2/s^3", low: 1e-12, high: 1000, default: 0.0001 },
     { name: "drift_density", unit: "m^2/s^5", low: 1e-12, high: 1000, default: 0.001 },
-    { name: "smoothing_s", unit: "s", low: 0.0001, high: 1, default: 0.003 },
+    { name: "smoothing_s", unit: "s", low: 0.0001, high: 1, default: 0.02 },
   ],
 };
