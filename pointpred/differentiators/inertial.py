@@ -45,6 +45,8 @@ REACH_S = 0.04
 """A sample says nothing of an event that is farther from it."""
 LAG_FADES = 1e-3
 """By so many s a second the lag falls, so that one sample that was late does not last."""
+LATE_S = 0.004
+"""Samples that come later than this after the counts of their time say less than the counts."""
 FORCE_M_S2, KNOWN_M_S2, KNOWN_DELAY_S = 3.0, 0.7, 0.003
 """The sensor is known once the acceleration under such a force, and the delay, are known this well."""
 STRANGE_SIGMAS = 5.0
@@ -205,8 +207,11 @@ def sense(memory: FloatArray, sample: Row) -> bool:
 
 @law
 def is_known(memory: FloatArray) -> bool:
-    """Whether enough is known of the sensor to answer with its samples."""
+    """Whether enough is known of the sensor to answer with its samples, and whether they come in time."""
     if memory[FUSED] == 0.0:
+        return False
+    # A clock that runs ahead has no lag, and a delay below 0.
+    if memory[LAG] > 0.0 and memory[LAG] - memory[FILTER + STATE + DELAY] > LATE_S:
         return False
     if memory[FILTER + COVARIANCE + DELAY * (SIZE + 1)] > KNOWN_DELAY_S**2:
         return False
@@ -300,8 +305,9 @@ class InertialDifferentiator(Differentiator):
     axis is about upright, and a device that rests where it sends no event for ``gap_s``. The weights of its
     three axes, gravity and bias as they act on the two axes of the device, and the delay of the positions
     behind the samples are estimated. Turning of the device is not in the model: it acts as noise.
-    Until these are known, again after a position that contradicts them, and without samples the answer is
-    that of ``KalmanDifferentiator``, bit for bit.
+    Until these are known, again after a position that contradicts them, without samples, and where samples
+    come more than 4 ms after the counts of their time, the answer is that of ``KalmanDifferentiator``, bit
+    for bit.
 
     Samples are used in the order in which they come. One whose time runs backwards against the one before is
     refused; one of the same time replaces it; where they are missing, the last one holds, with an error that

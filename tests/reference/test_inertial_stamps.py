@@ -29,16 +29,22 @@ def test_a_clock_behind_or_ahead_of_the_events_is_a_delay_that_is_found(behind_s
     assert off < 0.2 * plain
 
 
-def test_samples_that_come_late_with_the_right_stamps_cost_little() -> None:
-    """All arrive 10 ms after the events of their time; so long the last acceleration holds."""
-    before = np.searchsorted(LONG.sample_t + 0.010, LONG.t, side="right")
+@pytest.mark.parametrize("late_s", [0.003, 0.010])
+def test_samples_that_come_late_with_the_right_stamps(late_s: float) -> None:
+    """So long the last acceleration holds; what comes more than 4 ms late is learned from, but not used."""
+    before = np.searchsorted(LONG.sample_t + late_s, LONG.t, side="right")
     late = EventColumns(LONG.events.table, None, Accelerations(LONG.samples, before))
     differentiator = InertialDifferentiator()
-    off = LONG.off(differentiator.run(late), 5.0)
+    motions = differentiator.run(late)
+    plain = KalmanDifferentiator().run(LONG.events)
     sensor = differentiator.sensor
     assert sensor is not None
     assert sensor.delay_s == pytest.approx(0.0, abs=0.001)
-    assert off < 0.7 * LONG.off(KalmanDifferentiator().run(LONG.events), 5.0)
+    assert sensor.known == (late_s < 0.004)
+    if sensor.known:
+        assert LONG.off(motions, 5.0) < 0.2 * LONG.off(plain, 5.0)
+    else:
+        assert motions.table[LONG.t > 5.0].tobytes() == plain.table[LONG.t > 5.0].tobytes()
 
 
 def test_a_sample_that_comes_twice_counts_once() -> None:

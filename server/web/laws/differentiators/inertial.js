@@ -7,6 +7,7 @@ import * as $sampling from "./sampling.js";
 import * as $rows from "../rows.js";
 export const DELAY_DRIFT = 1e-06;
 export const REACH_S = 0.04;
+export const LATE_S = 0.004;
 export const FORCE_M_S2 = 3;
 export const KNOWN_M_S2 = 0.7;
 export const KNOWN_DELAY_S = 0.003;
@@ -74,6 +75,9 @@ export function advance(memory, t) {
 }
 export function is_known(memory) {
   if (memory[FUSED] === 0) {
+    return false;
+  }
+  if (memory[LAG] > 0 && memory[LAG] - memory[FILTER + $fused_path.STATE + $fused_path.DELAY] > LATE_S) {
     return false;
   }
   if (memory[FILTER + $fused_path.COVARIANCE + $fused_path.DELAY * ($fused_path.SIZE + 1)] > KNOWN_DELAY_S * KNOWN_DELAY_S) {
