@@ -42,9 +42,12 @@ def accelerometer(
     times: Any = SAMPLE_T,
     offset: float | None = None,
 ) -> list[bytes]:
-    """A stream whose x is the number of the sample / 100 and whose z is gravity; further channels are 7."""
+    """A stream whose x is the number of the sample / 100 and whose z is gravity; a gyroscope's are 7."""
     rows = [
-        tuple({"x": at / 100.0, "y": 0.0, "z": gravity}.get(label[-1].lower(), 7.0) for label in labels)
+        tuple(
+            7.0 if label.startswith("gyr") else {"x": at / 100.0, "y": 0.0, "z": gravity}[label[-1].lower()]
+            for label in labels
+        )
         for at in range(len(times))
     ]
     offsets = [clock_offset(number, t, offset) for t in (0.0, 5.0) if offset is not None]
