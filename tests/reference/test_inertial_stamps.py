@@ -55,11 +55,12 @@ def test_a_sample_that_comes_twice_counts_once() -> None:
     wanted = once.run(bench.beside).table
     again = InertialDifferentiator()
     assert again.run(EventColumns(bench.events.table, None, twice)).table.tobytes() == wanted.tobytes()
+    moving = once.remembered()
     for t in np.arange(1.2, 1.6, 0.001).tolist():  # at rest, where each sample is a measurement
-        once.sense(t, 0.1, 0.2, 9.8)
+        once.sense(t, *bench.zero.tolist())
         for _ in range(2):
-            again.sense(t, 0.1, 0.2, 9.8)
-    assert again.remembered() == once.remembered()
+            again.sense(t, *bench.zero.tolist())
+    assert again.remembered() == once.remembered() != moving
 
 
 def test_of_two_samples_of_one_time_the_later_one_acts() -> None:
