@@ -160,7 +160,7 @@ def set_force(memory: FloatArray, force: tuple[float, float, float], share: floa
 
 @law
 def rest(memory: FloatArray, since: float) -> None:
-    """A sample, ``since`` s after the one before, of a device that sends no events: it rests or is carried."""
+    """A sample, ``since`` s after the last, of a device that sends no events: it rests or is carried."""
     off = fused_path.sigmas_from_rest(memory, FILTER, 0, REST_M_S2**2)
     if max(off, fused_path.sigmas_from_rest(memory, FILTER, SECOND, REST_M_S2**2)) <= REST_SIGMAS:
         variance = REST_M_S2**2 * max(REST_S / since, 1.0)
@@ -317,8 +317,8 @@ class InertialDifferentiator(Differentiator):
     Parameters: ``jerk_density`` as for that, used without samples; ``noise_m`` the standard deviation of a
     position, which must also cover what quantisation leaves from one event to the next: the default suits
     counts; ``force_density`` m^2/s^3 of white noise in the acceleration, what the model leaves out included;
-    ``drift_density`` m^2/s^5 of the offset; ``smoothing_s`` the time over which the acceleration is averaged, and by
-    which it is late: the default suits `switched`, and 0.003 is closer to the true one.
+    ``drift_density`` m^2/s^5 of the offset; ``smoothing_s`` the time over which the acceleration is averaged,
+    and by which it is late: the default suits `switched`, and 0.003 is closer to the true one.
     Memory: 7 kB. ``sense`` consumes a sample, ``update`` an event and returns a Motion. What it learns
     of the device stays over ``reset``. Raises ParameterError, and EventError and EventOrderError from
     ``update`` and ``sense``.

@@ -69,7 +69,8 @@ def test_the_counts_and_the_samples_of_a_sensed_signal_are_of_one_path(signal: s
     """Counts added up are the integral of the velocity; samples turned back are the acceleration."""
     sampled = SENSED_SIGNALS[signal]()
     t, way = sampled.events.t, np.cumsum(sampled.events.dx) * 0.0254 / 2000.0
-    wanted = np.concatenate([[0.0], np.cumsum(np.diff(t) * 0.5 * (sampled.velocity[1:] + sampled.velocity[:-1]))])
+    middle = 0.5 * (sampled.velocity[1:] + sampled.velocity[:-1])
+    wanted = np.concatenate([[0.0], np.cumsum(np.diff(t) * middle)])
     np.testing.assert_allclose(way, wanted, atol=4e-4)
     samples = sampled.events.accelerations.table
     rest = samples[samples[:, 0] < 0.15]
