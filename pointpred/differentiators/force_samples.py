@@ -1,8 +1,9 @@
-"""Samples of an accelerometer: what makes one, and why one is refused."""
+"""Samples of an accelerometer: what makes one, why one is refused, how its sensor stands on the device."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
@@ -12,6 +13,20 @@ from pointpred.rows import Row
 
 FORCE_MOST_M_S2 = 1e4
 """Bound on the magnitude of a sample along an axis: a thousand times gravity."""
+
+
+class Sensor(NamedTuple):
+    """How an accelerometer stands on its device: the acceleration is ``weights`` f + ``offset``, m/s^2.
+
+    ``weights`` has shape (2, 3): alignment and scale, inverted; ``offset`` is gravity and bias as they act on
+    the two axes, with their sign changed; positions are stamped ``delay_s`` s late. ``known``: well enough
+    for motions by its samples.
+    """
+
+    weights: FloatArray
+    offset: FloatArray
+    delay_s: float
+    known: bool
 
 
 @law

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import exp
-from typing import NamedTuple
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from pointpred.compiled import law, layout
 from pointpred.differentiators import constant_acceleration, fused_path, kalman, sampling
 from pointpred.differentiators.constant_acceleration import START_ACCELERATION_M_S2, START_SPEED_M_S
 from pointpred.differentiators.differentiator import Differentiator
-from pointpred.differentiators.force_samples import is_sample, refusal_of_sample, sample_at
+from pointpred.differentiators.force_samples import Sensor, is_sample, refusal_of_sample, sample_at
 from pointpred.differentiators.fused_path import (
     AXIS,
     COVARIANCE,
@@ -284,20 +283,6 @@ loop = loop_of(step, event_at, conclude)
 loop_sensing = loop_beside(step, event_at, sense, sample_at, conclude)
 
 
-class Sensor(NamedTuple):
-    """How an accelerometer stands on its device: the acceleration is ``weights`` f + ``offset``, m/s^2.
-
-    ``weights`` has shape (2, 3): alignment and scale, inverted; ``offset`` is gravity and bias as they act on
-    the two axes, with their sign changed; positions are stamped ``delay_s`` s late. ``known``: well enough
-    for motions by its samples.
-    """
-
-    weights: FloatArray
-    offset: FloatArray
-    delay_s: float
-    known: bool
-
-
 class InertialDifferentiator(Differentiator):
     """Fuses positions with the samples of an accelerometer that is fixed to the device, in one filter.
 
@@ -318,12 +303,18 @@ class InertialDifferentiator(Differentiator):
     position, which must also cover what quantisation leaves from one event to the next: the default suits
     counts; ``force_density`` m^2/s^3 of white noise in the acceleration, what the model leaves out included;
     ``drift_density`` m^2/s^5 of the offset; ``smoothing_s`` the time over which the acceleration is averaged,
-    and by which it is late: the default suits `switched`, and 0.003 is closer to the true one.
+    and by which it is late: the default suits `switched`, and 0.003 is closer to the true one;
+    ``cpi``, ``dpi``, ``gap_s``, ``pause_s`` as for all differentiators.
     Memory: 7 kB. ``sense`` consumes a sample, ``update`` an event and returns a Motion. What it learns
     of the device stays over ``reset``. Raises ParameterError, and EventError and EventOrderError from
     ``update`` and ``sense``.
 
     Reference: docs/guide/accelerometer.md; proposed in Khalin 2022, section 5.1.
+
+    >>> differentiator = InertialDifferentiator()
+    >>> differentiator.sense(0.0, 0.1, 0.0, 9.81)  # s, then m/s^2 along the axes of the sensor
+    >>> differentiator.sensor.known, differentiator.sensor.delay_s
+    (False, 0.0)
     """
 
     jerk_density: float = parameter("m^2/s^5", 1e-3, 1e9, "spectral density of the jerk", default=30.0)
