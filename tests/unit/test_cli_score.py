@@ -52,7 +52,12 @@ def test_json_is_the_published_document(command, good: Path) -> None:
     assert hold["us_per_event"] > 0.0
 
 
-def test_a_differentiator_is_chosen_for_every_predictor(command, good: Path) -> None:
+def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path) -> None:
+    s = [min(i / 60, 1.0) for i in range(80)]
+    x = [400.0 * (10 * one**3 - 15 * one**4 + 6 * one**5) for one in s]
+    reach = EventColumns.of(t=[0.01 * i for i in range(80)], x=x, y=[0.0] * 80)
+    recording = Recording.of("reach", [reach], [Trial("ann", "1")])
+    good = own.write(recording, tmp_path / "reach_samples.csv")[0]
     errors = []
     for more in ((), ("--differentiator", "kalman"), ("--differentiator", "inertial")):
         left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)
