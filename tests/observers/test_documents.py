@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from pointpred import observers as o
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.observers.documents.designs import margins_of
 from pointpred.observers.documents.files import VERSION, decoded, encoded
 from pointpred.observers.persidskii import NAMES
 from tests.observers import kept_designs as kept
@@ -90,7 +91,7 @@ def test_a_design_comes_back_with_every_number_and_proof(name: str, tmp_path: Pa
     for place, one in left.items():
         assert one.tobytes() == right[place].tobytes(), place
     assert encoded(again) == encoded(design)
-    assert o.audit(again) == o.audit(design)
+    assert o.audit(again) == o.audit(design) == margins_of(design)
     assert min(o.audit(design).values()) > -1e-9
 
 
