@@ -11,6 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.observers.balance import Coordinates, balanced, form, inward
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted
+from pointpred.observers.interconnected.growing_mode import GrowingMode, disc, growing_mode, quadrant
 from pointpred.observers.interconnected.sector import SectorBounds
 from pointpred.observers.persidskii import Persidskii
 
@@ -57,6 +58,21 @@ class Regulated(msgspec.Struct, frozen=True):
         problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
         problem.above("Xi", lambda v: v.Xi, strict=False)
         return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ weights(v, "Omega", k) @ j)
+
+    def growing(self) -> tuple[str, GrowingMode | None]:
+        """A motion that excludes every choice, if one is found, and the matrix that has it.
+
+        With v = (x, f, 0, 0) and f = D J x, v*Phi v is the sum of 2 Re x*P x', x*Xi x, and of the components
+        of 2 Re f* J x' and 2 Re f* J x with the weights of Lambda and Omega: above 0 where none is below 0.
+        """
+
+        def admitted(mode: GrowingMode) -> bool:
+            speed = self.s @ mode.state + self.tilde @ mode.value
+            return _weighed(mode.value, self.j @ speed) and _weighed(mode.value, self.j @ mode.state)
+
+        unit = _size(self.s) / max(_size(self.tilde) * _size(self.j), 1e-300)
+        slopes = [quadrant(unit)] * len(self.j)
+        return "S + S~ D J", growing_mode(self.s, self.tilde, self.j, slopes, admitted)
 
     def units(self) -> Coordinates:
         """The units in which the regulator is balanced; f and its arguments keep theirs."""
@@ -140,6 +156,25 @@ class Followed(msgspec.Struct, frozen=True):
         problem.above("R4", lambda v: v.Upsilon - v.gamma1 * bound.Sigma4, strict=False)
         return problem.above("R1 + H'(R2 + R3) H", lambda v: r1(v) + h.T @ (r2(v) + r3(v)) @ h)
 
+    def growing(self) -> tuple[str, GrowingMode | None]:
+        """A motion that excludes every choice, if one is found, and the matrix that has it.
+
+        With v = (x, 0, f, 0) and f = D H x, v*Phi v is the sum of 2 Re x*P x', x*R1 x and 2 Re x*H'R3 f, and
+        of gamma1 (x*Sigma1 x + 2 Re x*H'Sigma3 f) and gamma2 (x*Psi1 x - f*f).
+        """
+        bound = self.sector
+
+        def admitted(mode: GrowingMode) -> bool:
+            x, f, argument = mode.state, mode.value, self.h @ mode.state
+            first = float((x.conj() @ bound.Sigma1 @ x + 2.0 * argument.conj() @ bound.Sigma3 @ f).real)
+            second = float((x.conj() @ bound.Psi1 @ x - f.conj() @ f).real)
+            return first >= 0.0 and second >= 0.0 and _weighed(f, argument)
+
+        inverse = np.linalg.pinv(bound.Psi1)
+        steepest = [1.0 / np.sqrt(max(float(row @ inverse @ row), 1e-300)) for row in self.h]
+        slopes = [disc(one) for one in steepest]
+        return "A~0 + A~1 D H", growing_mode(self.a0, self.a1, self.h, slopes, admitted)
+
     def units(self) -> Coordinates:
         """The units in which the error is balanced; f keeps its own: gamma1 weighs its components alike."""
         return balanced(self.a0, driven=self.a1, inner=self.h, plain=True)
@@ -167,6 +202,15 @@ class Followed(msgspec.Struct, frozen=True):
         rates = {name: values[name] / t for name in names if name in values}
         lift = {name: values[name] for name in ("Lambda",) if name in values}
         return {**forms, "Xi": form(values["Xi"], x, t), **lift, **rates}
+
+
+def _weighed(one: Any, other: Any) -> bool:
+    """Whether no component of Re one* other lies below 0."""
+    return bool(((one.conj() * other).real >= 0.0).all())
+
+
+def _size(matrix: FloatArray) -> float:
+    return float(np.linalg.norm(matrix))
 
 
 def weights(v: Any, name: str, k: int) -> FloatArray:

@@ -106,9 +106,14 @@ def certify_tracking(
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
+    both: dict[str, Regulated | Followed] = {
+        "3.2.3": Regulated.of(plant, g, pi),
+        "3.2.6": Followed.of(plant, g, pi, bound),
+    }
+    _require_no_growth(both)
     solutions: list[Solution] = []
     failed: list[Exception] = []
-    for one in (Regulated.of(plant, g, pi), Followed.of(plant, g, pi, bound)):
+    for one in both.values():
         try:
             solutions.append(_certified(one, solver, bounds))
         except (InfeasibleError, UndecidedError, CertificateError) as failure:
@@ -121,6 +126,18 @@ def certify_tracking(
     margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
     margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
     return TrackingCertificate(first, second, margins, plant.domain)
+
+
+def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
+    """Raise InfeasibleError naming a motion that grows at slopes which an assumption must allow."""
+    reasons = []
+    for name, one in both.items():
+        units = one.units()
+        matrix_name, mode = one.inward(units).growing()
+        if mode is not None:
+            reasons.append(f"Assumption {name}: {mode.text(matrix_name, units.seconds)}, must lie left of 0")
+    if reasons:
+        raise InfeasibleError("; ".join(reasons))
 
 
 def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float]) -> Solution:

