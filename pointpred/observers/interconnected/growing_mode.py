@@ -73,7 +73,7 @@ def growing_mode(
 
 def disc(radius: float) -> Candidates:
     """Slopes that keep the sign of f, Re(d) >= 0, up to this size: the real ones, then all."""
-    sizes: FloatArray = 0.999999 * radius * np.arange(11) / 10.0
+    sizes = np.asarray(0.999999 * radius * np.arange(11) / 10.0, np.float64)
     return sizes, np.concatenate([_turned(sizes, TURNS), _turned(sizes[1:], -TURNS[1:])])
 
 
@@ -129,7 +129,15 @@ def _grows(a: FloatArray, b: FloatArray, mode: GrowingMode) -> bool:
     """Whether the motion solves its equation so well that it grows whatever P it is measured by.
 
     Re x*P x' = Re(s) x*P x + Re x*P r with the residual r = a x + b f - s x, and abs(x*P r) is at most
-    sqrt(condition number of P) abs(r) / abs(x) times x*P x.
+    sqrt(condition number of P) abs(r) / abs(x) times x*P x. The rounding of r counts as well.
     """
-    residual = a @ mode.state + b @ mode.value - mode.eigenvalue * mode.state
-    return mode.eigenvalue.real * float(np.linalg.norm(mode.state)) > CLOSE * float(np.linalg.norm(residual))
+    x, f = mode.state, mode.value
+    residual = np.abs(a @ x + b @ f - mode.eigenvalue * x) + rounding((a, x), (b, f))
+    return mode.eigenvalue.real * float(np.linalg.norm(x)) > CLOSE * float(np.linalg.norm(residual))
+
+
+def rounding(*products: tuple[FloatArray, ComplexArray]) -> FloatArray:
+    """The largest error of a sum of matrices times vectors, by component."""
+    terms = sum(np.abs(matrix) @ np.abs(vector) for matrix, vector in products)
+    length = sum(len(vector) for _, vector in products) + 2
+    return np.asarray(length * np.finfo(np.float64).eps * terms, np.float64)

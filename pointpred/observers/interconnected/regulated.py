@@ -11,7 +11,14 @@ from pointpred.columns import FloatArray
 from pointpred.observers.balance import Coordinates, balanced, form, inward
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted
-from pointpred.observers.interconnected.growing_mode import GrowingMode, disc, growing_mode, quadrant
+from pointpred.observers.interconnected.growing_mode import (
+    ComplexArray,
+    GrowingMode,
+    disc,
+    growing_mode,
+    quadrant,
+    rounding,
+)
 from pointpred.observers.interconnected.sector import SectorBounds
 from pointpred.observers.persidskii import Persidskii
 
@@ -67,8 +74,10 @@ class Regulated(msgspec.Struct, frozen=True):
         """
 
         def admitted(mode: GrowingMode) -> bool:
-            speed = self.s @ mode.state + self.tilde @ mode.value
-            return _weighed(mode.value, self.j @ speed) and _weighed(mode.value, self.j @ mode.state)
+            x, f = mode.state, mode.value
+            speed = self.s @ x + self.tilde @ f
+            error = np.abs(self.j) @ rounding((self.s, x), (self.tilde, f)) + rounding((self.j, speed))
+            return _agree(f, self.j @ speed, error) and _agree(f, self.j @ x, rounding((self.j, x)))
 
         unit = _size(self.s) / max(_size(self.tilde) * _size(self.j), 1e-300)
         slopes = [quadrant(unit)] * len(self.j)
@@ -168,7 +177,7 @@ class Followed(msgspec.Struct, frozen=True):
             x, f, argument = mode.state, mode.value, self.h @ mode.state
             first = float((x.conj() @ bound.Sigma1 @ x + 2.0 * argument.conj() @ bound.Sigma3 @ f).real)
             second = float((x.conj() @ bound.Psi1 @ x - f.conj() @ f).real)
-            return first >= 0.0 and second >= 0.0 and _weighed(f, argument)
+            return first >= 0.0 and second >= 0.0 and _agree(f, argument, rounding((self.h, x)))
 
         inverse = np.linalg.pinv(bound.Psi1)
         steepest = [1.0 / np.sqrt(max(float(row @ inverse @ row), 1e-300)) for row in self.h]
@@ -204,9 +213,9 @@ class Followed(msgspec.Struct, frozen=True):
         return {**forms, "Xi": form(values["Xi"], x, t), **lift, **rates}
 
 
-def _weighed(one: Any, other: Any) -> bool:
-    """Whether no component of Re one* other lies below 0."""
-    return bool(((one.conj() * other).real >= 0.0).all())
+def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:
+    """Whether no component of Re f* other lies below 0, for every ``other`` within this error."""
+    return bool(((f.conj() * other).real >= np.abs(f) * error).all())
 
 
 def _size(matrix: FloatArray) -> float:
