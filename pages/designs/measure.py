@@ -1,4 +1,7 @@
-"""Count what becomes of random problems at every door: ``python -m pages.designs.measure [doors|facts]``."""
+"""Count what becomes of random problems: ``python -m pages.designs.measure [doors | facts | CALL ...]``.
+
+``doors`` are all calls of the table; a call, such as "certify_tracking", measures its row only.
+"""
 
 from __future__ import annotations
 
@@ -11,13 +14,14 @@ import numpy as np
 
 from benchmarks.machine import machine
 from pages.arguments import parse
-from pages.data import Table, keep
+from pages.data import Table, keep, stored
 from pages.designs.facts import facts
 from pages.designs.plants import DOORS, KINDS, Problem
 from pointpred.errors import InfeasibleError, PointpredError
 
 COUNT = 20
 """Problems of each kind at each door."""
+OUTCOMES = ("designed", "refused", "undecided")
 CLOSE = 1e-2
 """A gap that counts as a minimum."""
 
@@ -51,39 +55,37 @@ def cell(door: str, kind: str) -> tuple[Counter[str], list[bool]]:
     return counts, close
 
 
-def doors() -> dict[str, Table]:
-    """A row a door: designed / refused / undecided of each kind, in problems."""
-    rows, shares, gaps = [], Counter[str](), []
-    places = [(door, kind) for door in DOORS for kind in KINDS]
+def doors(measured: list[str]) -> dict[str, Table]:
+    """A row a door: designed / refused / undecided of each kind, in problems; rows not measured stay."""
+    old = stored("designs").tables.get("doors")
+    rows = {str(row[0]): [str(one) for one in row] for row in (old.rows if old else [])}
+    places = [(door, kind) for door in measured for kind in KINDS]
     with ProcessPoolExecutor() as pool:
         results = dict(zip(places, pool.map(cell, *zip(*places, strict=True)), strict=True))
-    for door in DOORS:
-        cells, close = [], []
-        for kind in KINDS:
-            counts, small = results[door, kind]
-            shares += counts
-            close += small
-            cells.append(f"{counts['designed']} / {counts['refused']} / {counts['undecided']}")
-        gaps += close
-        rows.append([door, *cells, f"{np.mean(close):.0%}" if close else "-"])
-        print(" | ".join(rows[-1]), flush=True)
-    whole = sum(shares.values())
-    numbers = {
-        "problems": whole,
-        "count": COUNT,
-        **{name: shares[name] / whole for name in ("designed", "refused", "undecided")},
-        "close": float(np.mean(gaps)),
-    }
-    keep("designs", {}, numbers=numbers, machine=machine())
-    columns = ["call", *KINDS, "gap <= 1 %"]
-    return {"doors": Table.of(columns, rows)}
+    for door in measured:
+        cells = [" / ".join(str(results[door, kind][0][name]) for name in OUTCOMES) for kind in KINDS]
+        close = [one for kind in KINDS for one in results[door, kind][1]]
+        rows[door] = [door, *cells, f"{np.mean(close):.0%}" if close else "-"]
+        print(" | ".join(rows[door]), flush=True)
+    listed = [rows[door] for door in DOORS if door in rows]
+    counts = np.array([[one.split(" / ") for one in row[1:-1]] for row in listed], int).sum(axis=(0, 1))
+    shares = dict(zip(OUTCOMES, (counts / counts.sum()).tolist(), strict=True))
+    keep("designs", {}, numbers={"problems": int(counts.sum()), "count": COUNT, **shares}, machine=machine())
+    return {"doors": Table.of(["call", *KINDS, "gap <= 1 %"], listed)}
+
+
+CALLS = {door.replace("`", ""): door for door in DOORS}
+"""The doors by the names that the command takes."""
 
 
 def main(parts: list[str]) -> None:
-    for name, measured in (("doors", doors), ("facts", facts)):
-        if not parts or name in parts:
-            keep("designs", measured())
+    if not parts or "doors" in parts:
+        keep("designs", doors(list(DOORS)))
+    elif calls := [CALLS[one] for one in parts if one in CALLS]:
+        keep("designs", doors(calls))
+    if not parts or "facts" in parts:
+        keep("designs", facts())
 
 
 if __name__ == "__main__":
-    main(parse(__doc__, metavar="part", choices=("doors", "facts")))
+    main(parse(__doc__, metavar="part", choices=("doors", "facts", *CALLS)))

@@ -294,9 +294,12 @@ class MatrixInequalities(Inequalities):
         return Affine(strict, floors, caps, x0, basis, self.unknowns.lows(), objective, positive)
 
     def _passes(self, numbers: FloatArray) -> bool:
-        """Whether numbers pass the audit."""
+        """Whether numbers pass the audit; those whose rounding makes a block unsymmetric do not."""
         values = vars(self.unknowns.matrices(numbers))
-        margins = self.margins(values)
+        try:
+            margins = self.margins(values)
+        except ParameterError:
+            return False
         return all(self._holds(name, margin, values, printed=False) for name, margin in margins.items())
 
     def _solution(self, numbers: FloatArray, minimise: Block | None, gap: float | None) -> Solution:

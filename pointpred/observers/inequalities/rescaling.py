@@ -87,9 +87,9 @@ def _congruence(block: Block, numbers: FloatArray) -> FloatArray:
 
 
 def _root(matrix: FloatArray) -> FloatArray:
-    """The root of a symmetric matrix with its eigenvalues made positive."""
+    """The root of a symmetric matrix with its eigenvalues made positive; that of a zero matrix is I."""
     values, vectors = np.linalg.eigh(matrix)
-    sizes = np.maximum(np.abs(values), max(SMALLEST * float(np.abs(values).max()), 1e-300))
+    sizes = np.maximum(np.abs(values), SMALLEST * float(np.abs(values).max()) or 1.0)
     root: FloatArray = (vectors * np.sqrt(sizes)) @ vectors.T
     return root
 
