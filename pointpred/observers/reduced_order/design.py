@@ -8,7 +8,13 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import (
+    CertificateError,
+    InfeasibleError,
+    ParameterError,
+    PointpredError,
+    UndecidedError,
+)
 from pointpred.observers.balance import Coordinates, balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -83,26 +89,6 @@ def design_reduced_order(
     )
     inner = _inward(plant, units)
     pi = _unmeasured(inner) / units.states if Pi is None else Pi
-    try:
-        return _designed(plant, inner, units, pi, decay, injection, solver, bounds)
-    except (UndecidedError, CertificateError):
-        turned = _turned(inner, decay) if Pi is None else None
-        if turned is None:
-            raise
-    return _designed(plant, inner, units, turned / units.states, decay, injection, solver, bounds)
-
-
-def _designed(
-    plant: Persidskii,
-    inner: Persidskii,
-    units: Coordinates,
-    pi: Any,
-    decay: float,
-    injection: bool,
-    solver: str,
-    bounds: dict[str, float],
-) -> ReducedOrderDesign:
-    """The design for the states ``pi`` of the plant; ``inner`` is the plant in balanced ``units``."""
     parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
     sloped = bool(parts.driven.any() or parts.shown.any())
     corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
@@ -110,26 +96,32 @@ def _designed(
         a = parts.drift + parts.driven @ corner @ parts.inner
         c = parts.seen + parts.shown @ corner @ parts.inner
         require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
-    base, free = allowed(parts, sloped and not injection)
 
-    def attempt(gamma: float) -> ReducedOrderDesign:
-        chosen, gap, near = base, 0.0, None
-        if free.shape[1]:
-            rate = 2.0 * decay + gamma
-            chosen, gap, near = _chosen(plant, parts, sloped, (base, free), (decay, rate), solver, bounds)
+    def designed(basis: Any, gamma: float) -> ReducedOrderDesign:
+        parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
+        choices, gap, near = allowed(parts, sloped and not injection), 0.0, None
+        chosen = choices[0]
+        if choices[1].shape[1]:
+            rates = decay, 2.0 * decay + gamma
+            chosen, gap, near = _chosen(plant, parts, sloped, choices, rates, solver, bounds)
         upsilon = chosen / units.outputs
-        observer = invariant_observer(plant, pi, upsilon, injection=injection)
+        observer = invariant_observer(plant, basis, upsilon, injection=injection)
         certificate = certify_convergence(
             observer, decay=decay, gamma=gamma, times=None, near=near, solver=solver, **bounds
         )
         return ReducedOrderDesign(observer, upsilon, certificate, gap)
 
-    for share in GAMMAS[:-1]:
-        try:
-            return attempt(share * decay)
-        except (InfeasibleError, UndecidedError, CertificateError):
-            continue
-    return attempt(GAMMAS[-1] * decay)
+    turned = _turned(inner, decay) if Pi is None else None
+    for share in GAMMAS:
+        for basis in [pi] if turned is None else [pi, turned / units.states]:
+            try:
+                return designed(basis, share * decay)
+            except InfeasibleError as failure:
+                reason: PointpredError = failure
+                break
+            except (UndecidedError, CertificateError) as failure:
+                reason = failure
+    raise reason
 
 
 def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
