@@ -110,6 +110,15 @@ def test_slopes_beyond_the_sector_do_not_count() -> None:
     assert Regulated(-one, -2.0 * one, one).growing()[1] is None
 
 
+def test_an_f_that_does_not_act_or_has_no_slope_leaves_the_linear_part() -> None:
+    one, none = np.ones((1, 1)), np.zeros((1, 1))
+    flat = SectorBounds(*[none] * 6)
+    for rate, grows in ((-1.0, False), (1.0, True)):
+        a = rate * one
+        for system in (Regulated(a, none, one), Regulated(a, one, none), Followed(a, one, one, flat)):
+            assert (system.growing()[1] is not None) == grows
+
+
 def test_growth_within_rounding_proves_nothing() -> None:
     """An eigenvalue of 1e-12 beside entries of 1: the rounding of x' could as well make it negative."""
     for rate, grows in ((1e-12, False), (1e-4, True)):

@@ -22,6 +22,7 @@ from pointpred.observers.inequalities import matrix_inequalities
 from pointpred.observers.inequalities.affine import Affine, scaled
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.proof import largest_margin, reach
+from pointpred.observers.inequalities.rescaling import rescaled
 from pointpred.observers.inequalities.solver import CAP, Answer, run
 
 
@@ -268,3 +269,19 @@ def test_an_answer_may_not_violate_what_a_printed_matrix_may(monkeypatch: pytest
     monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
     with pytest.raises(UndecidedError):
         problem.solve()
+
+
+def test_an_answer_too_large_for_a_symmetric_block_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    """a + b - b is a for the numbers with which the block is probed, and 0 for a = 1 and b = 1e20."""
+    problem = MatrixInequalities("large").number("a").number("b").positive("P", 1)
+    problem.below("block", lambda v: np.array([[-2.0, v.a + v.b - v.b], [v.a, -2.0]]))
+    answer = Answer("optimal", np.array([1.0, 1e20, 1.0]), 0.0, None)
+    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    with pytest.raises(UndecidedError):
+        problem.solve()
+
+
+def test_a_slack_of_zero_keeps_its_scale() -> None:
+    problem = MatrixInequalities("edge").positive("P", 2).below("P - 2", lambda v: v.P - 2.0 * np.eye(2))
+    edge = rescaled(problem._numbers(None, 100.0), np.array([2.0, 0.0, 2.0]))
+    assert max(float(np.abs(part).max()) for part in edge.problem.strict[0]) < 10.0

@@ -79,8 +79,8 @@ class Regulated(msgspec.Struct, frozen=True):
             error = np.abs(self.j) @ rounding((self.s, x), (self.tilde, f)) + rounding((self.j, speed))
             return _agree(f, self.j @ speed, error) and _agree(f, self.j @ x, rounding((self.j, x)))
 
-        unit = _size(self.s) / max(_size(self.tilde) * _size(self.j), 1e-300)
-        slopes = [quadrant(unit)] * len(self.j)
+        effect = _size(self.tilde) * _size(self.j)
+        slopes = [quadrant(_size(self.s) / effect if effect > 0.0 else 1.0)] * len(self.j)
         return "S + S~ D J", growing_mode(self.s, self.tilde, self.j, slopes, admitted)
 
     def units(self) -> Coordinates:
@@ -179,9 +179,7 @@ class Followed(msgspec.Struct, frozen=True):
             second = float((x.conj() @ bound.Psi1 @ x - f.conj() @ f).real)
             return first >= 0.0 and second >= 0.0 and _agree(f, argument, rounding((self.h, x)))
 
-        inverse = np.linalg.pinv(bound.Psi1)
-        steepest = [1.0 / np.sqrt(max(float(row @ inverse @ row), 1e-300)) for row in self.h]
-        slopes = [disc(one) for one in steepest]
+        slopes = [disc(_steepest(bound.Psi1, row)) for row in self.h]
         return "A~0 + A~1 D H", growing_mode(self.a0, self.a1, self.h, slopes, admitted)
 
     def units(self) -> Coordinates:
@@ -216,6 +214,13 @@ class Followed(msgspec.Struct, frozen=True):
 def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:
     """Whether no component of Re f* other lies below 0, for every ``other`` within this error."""
     return bool(((f.conj() * other).real >= np.abs(f) * error).all())
+
+
+def _steepest(psi: FloatArray, row: FloatArray) -> float:
+    """The largest d with d^2 row' row <= psi."""
+    onto = np.linalg.pinv(psi) @ row
+    within = np.allclose(psi @ onto, row, rtol=0.0, atol=1e-9 * float(np.abs(row).max(initial=0.0)))
+    return 1.0 / float(np.sqrt(row @ onto)) if within and row @ onto > 0.0 else 0.0
 
 
 def _size(matrix: FloatArray) -> float:
