@@ -6,6 +6,7 @@ import doctest
 from typing import Any
 
 from pages import DOCS
+from pages.arguments import parse
 
 PAGE = DOCS / "guide" / "observers" / "own-plant.md"
 FIGURE = DOCS / "figures" / "own-plant.svg"
@@ -19,4 +20,5 @@ def names() -> dict[str, Any]:
 
 
 if __name__ == "__main__":
+    parse(__doc__)
     names()["result"].plot(FIGURE)

@@ -80,7 +80,7 @@ def way(x: float, y: float, seconds: float) -> EventColumns:
     return EventColumns.of(t, x * done, y * done)
 
 
-@settings(max_examples=300)
+@settings(max_examples=100)
 @given(KNOWN, MOVES)
 @example(consistent([slot.high for slot in SLOTS for _ in range(slot.count)]), [(500.0, 0.0, 0.5)] * 3)
 def test_an_accepted_person_never_breaks_the_law(

@@ -322,6 +322,7 @@ COMMAND = (
 )
 
 
+@pytest.mark.slow
 def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(short: Recording, tmp_path: Path) -> None:
     samples, _ = write(short, tmp_path / "short.parquet")
     script = tmp_path / "run.py"
