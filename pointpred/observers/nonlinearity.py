@@ -33,6 +33,7 @@ KNOWN = {
     "cube": Known(CUBE, 0.0, inf),
 }
 """What compiled stages can evaluate; ``cube`` has a bounded slope only where its argument is bounded."""
+NAMED = {one.code: name for name, one in KNOWN.items()}
 
 
 @law
@@ -58,6 +59,8 @@ class Nonlinearity(msgspec.Struct, frozen=True):
     codes: tuple[int, ...] | None
     slopes: tuple[tuple[float, float], ...] | None
     """Bounds of each component's slope, ``None`` where f is not elementwise or they were not passed."""
+    checked: float = 0.0
+    """The largest domain within which the slopes were compared with f."""
 
     def __call__(self, s: Any) -> FloatArray:
         """The value at s."""
@@ -77,7 +80,9 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
 cube, received 'sine'
     """
     if isinstance(f, Nonlinearity):
-        return f if slopes is None else msgspec.structs.replace(f, slopes=intervals(slopes, count))
+        return (
+            f if slopes is None else msgspec.structs.replace(f, slopes=intervals(slopes, count), checked=0.0)
+        )
     bounds = None if slopes is None else intervals(slopes, count)
     if callable(f):
         return Nonlinearity(f, None, bounds)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -11,6 +12,7 @@ from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import TIMES, dimensions, matrix, one_of
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
+from pointpred.observers.slopes import require_slopes
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
 
@@ -20,14 +22,16 @@ class Persidskii:
 
     In discrete time x' is the next x.
 
-    Assumes only the ``slopes`` of f, which are not checked against the function.
+    Assumes only the ``slopes`` of f: those of a name are compared with its true ones, those of a function
+    with its differences at sample points, which is no proof.
 
     Parameters: ``A0`` (n, n), ``A1`` (n, k), ``H`` (r, n), ``B`` (n, m), ``Q`` (n, z), ``C0`` (p, n), ``C1``
     (p, k); each an array or a function of t in s (of the index where ``time`` is ``"discrete"``), ``None``
     for zero; ``f`` a name, a name for each component (then r = k), or a function from R^r to R^k; ``slopes``
     the interval of each component's slope, ``None`` for the global ones of a named f; ``domain`` the bound of
     abs(Hx) within which the slopes hold, infinite if they hold everywhere.
-    Raises ParameterError (a ValueError) naming a matrix of the wrong shape, with NaN, inf or complex entries.
+    Raises ParameterError (a ValueError) naming a matrix of the wrong shape, with NaN, inf or complex entries,
+    and slopes that f does not keep within ``domain``, with the true ones.
 
     Reference: Khalin 2022, (3.1), (3.16), (3.18); Efimov and Aleksandrov 2019.
 
@@ -73,6 +77,9 @@ class Persidskii:
             raise ParameterError(
                 f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}", field="H"
             )
+        if self.k and self.f.checked < self.domain:
+            require_slopes(self.f, self.k, self.r, self.domain)
+            self.f = msgspec.structs.replace(self.f, checked=self.domain)
 
     A0: FloatArray
     A1: FloatArray

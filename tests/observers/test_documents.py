@@ -46,7 +46,8 @@ def plants(draw: Callable[..., Any]) -> o.Persidskii:
         entries(n, z),
         entries(p, n) if p else None,
         entries(p, k) if p else None,
-        slopes=[(min(pair), max(pair)) for pair in pairs] if pairs and k else None,
+        # Wide enough for every name.
+        slopes=[(min(-1.0, *pair), np.inf) for pair in pairs] if pairs and k else None,
         time=draw(st.sampled_from(("continuous", "discrete"))),
         domain=draw(st.just(np.inf) | st.floats(1e-300, 1e300)),
     )

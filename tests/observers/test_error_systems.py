@@ -165,12 +165,15 @@ def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
     """The observer of (3.5) and its generator are run."""
     plant = Persidskii(
         [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],
-        C0=[[1.0, 0.0]], slopes=(0.3, 1.0),
+        C0=[[1.0, 0.0]], slopes=(0.3, 1.0), domain=3.0,
     )  # fmt: skip
     generator = Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
     pi_map = np.eye(2)
     design = design_observer(
-        Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0), generator, pi_map, decay=0.5
+        Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0, domain=3.0),
+        generator,
+        pi_map,
+        decay=0.5,
     )
     system = error_system(design)
     g, m = design.generator, design.gain

@@ -270,7 +270,7 @@ def test_a_wrong_argument_is_named(change: dict[str, Any], words: str) -> None:
 
 def test_a_plant_that_leaves_every_bound_is_named_with_the_time() -> None:
     hot = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "cube", None, None, [1.0, 0.0],
-                       slopes=(0.0, 3.0))  # fmt: skip
+                       slopes=(0.0, 3.0), domain=1.0)  # fmt: skip
     design = o.design_reduced_order(hot, decay=1.0, injection=True)
     with pytest.raises(DivergenceError, match="leaves every bound"):
         o.simulate(hot, design, start=[3.0, 3.0])

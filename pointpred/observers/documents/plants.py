@@ -22,7 +22,7 @@ from pointpred.observers.documents.entries import (
 from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.linear_systems import as_plant
 from pointpred.observers.matrices import matrix
-from pointpred.observers.nonlinearity import KNOWN, Nonlinearity
+from pointpred.observers.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred.observers.persidskii import NAMES, Persidskii
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.corners import CornerSystem
@@ -30,7 +30,6 @@ from pointpred.observers.unknown_input.corners import CornerSystem
 Time = Literal["continuous", "discrete"]
 Pairs = list[tuple[float | None, float | None]]
 """Intervals; null is minus infinity below and infinity above."""
-NAMED = {one.code: name for name, one in KNOWN.items()}
 MATRICES = ("S0", "S1", "J", "G", "L0", "L1", "E")
 
 
