@@ -15,7 +15,7 @@ from pointpred.observers.documents.entries import (
     array,
     entries,
     finite,
-    unbounded,
+    gap_of,
 )
 from pointpred.observers.documents.plants import (
     GeneratorDocument,
@@ -71,7 +71,7 @@ class ObserverDocument(Document, tag="observer", frozen=True):
         q, p = generator.q, plant.p
         shapes = {"P": (q, q), "Theta": (q, q), "Gamma": (p, p), "Xi": (q, q), "W": (q, q)}
         values = _matrices(self.certificate, shapes, optional=("W",))
-        return certified_design(plant, generator, self.Pi, self.gain, values, unbounded(self.gap))
+        return certified_design(plant, generator, self.Pi, self.gain, values, gap_of(self.gap))
 
 
 class ReducedOrderDocument(Document, tag="reduced-order observer", frozen=True):
@@ -127,11 +127,11 @@ class ReducedOrderDocument(Document, tag="reduced-order observer", frozen=True):
         q, discrete = observer.q, observer.plant.time == "discrete"
         shapes = dict.fromkeys(("P", "Xi", "Gamma" if discrete else "W"), (q, q))
         values = _matrices(self.certificate, shapes, ("alpha" if discrete else "gamma",), optional=("W",))
-        convergence = certified_convergence(observer, values, unbounded(self.certificate_gap))
+        convergence = certified_convergence(observer, values, gap_of(self.certificate_gap, "certificate_gap"))
         upsilon = (
             np.zeros((q, observer.plant.p)) if self.Upsilon is None else matrix("Upsilon", self.Upsilon, q)
         )
-        return ReducedOrderDesign(observer, upsilon, convergence, unbounded(self.gap))
+        return ReducedOrderDesign(observer, upsilon, convergence, gap_of(self.gap))
 
 
 class Feedback(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -258,7 +258,7 @@ class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
         values = _matrices(self.certificate, {"P": (n, n), "F": (n, n)})
         gains = np.array([matrix("gains", one, n, p) for one in self.gains])
         return UnknownInputObserver.certified(
-            system, system.box, gains, values["P"], values["F"], self.sigma, unbounded(self.gap)
+            system, system.box, gains, values["P"], values["F"], self.sigma, gap_of(self.gap)
         )
 
 
@@ -290,7 +290,7 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
         q, p = len(a), len(c)
         values = _matrices(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
         proof = interlaced_certificate(
-            values, theorem_4_4_1(a, c).check(values, printed=False), unbounded(self.gap)
+            values, theorem_4_4_1(a, c).check(values, printed=False), gap_of(self.gap)
         )
         return InterlacedObserver(steady, proof, start=self.start, gap_s=self.gap_s)
 

@@ -67,6 +67,21 @@ def unbounded(value: float | None) -> float:
     return np.inf if value is None else value
 
 
+def gap_of(value: float | None, name: str = "gap") -> float:
+    """The stored gap of a design, infinite for ``None``; raises ParameterError for one below 0.
+
+    >>> gap_of(0.25), gap_of(None)
+    (0.25, inf)
+    """
+    if value is not None and not value >= 0.0:
+        raise ParameterError(
+            f"{name} must be a number not below 0, or null where nothing is proved, received {value!r}",
+            field=name,
+            value=value,
+        )
+    return unbounded(value)
+
+
 def restored(name: str, value: Any, functions: Functions) -> Any:
     """A field with its Python function in place; raises ParameterError naming the function to pass."""
     if not isinstance(value, PythonFunction):
