@@ -20,6 +20,8 @@ ENTIRE = 1e12
 """A proof up to this condition number of P, in balanced units, counts as one for every choice."""
 CORRECTIONS = 7
 """Steps with which the multipliers are moved towards the slopes that they should have."""
+EPS = float(np.finfo(np.float64).eps)
+"""Rounding of a coefficient, relative to itself: no multiplier can show what is smaller."""
 RANKS = (1e-6, 0.0, 1e-3)
 """Eigenvalues of a multiplier below this share of its largest count as rounding, in turn."""
 
@@ -58,17 +60,19 @@ def largest_margin(problem: Affine, given: Multipliers | None, kappa: float, *, 
 def reach(problem: Affine, given: Multipliers | None) -> float:
     """Up to which condition number of P, and size of any other number, nothing satisfies the inequalities.
 
-    0 if nothing is proved. Leaves out the multipliers of kappa, so that the proof does not depend on it.
+    0 if nothing is proved. Infinite only where no number has a coefficient: those are known up to rounding.
+    Leaves out the multipliers of kappa, so that the proof does not depend on it.
     """
     if given is None or _sum(problem, given, capped=False)[0] >= 0.0:
         return 0.0
     best = 0.0
     for one in _corrected(problem, given, np.zeros(len(problem.x0))):
         level, slopes, weight = _sum(problem, one, capped=False)
+        fixed, growing = _rounding(problem, one)
         # The sum is affine in the reach, from its value at 0 numbers beyond the floors.
-        first, second = (level + _largest(problem, slopes, size) for size in (1.0, 2.0))
+        at_one, at_two = (_largest(problem, slopes, size) for size in (1.0, 2.0))
+        first, growth = level + fixed + at_one + growing, max(0.0, at_two - at_one) + growing
         if weight > 0.0 and first < 0.0:
-            growth = second - first
             best = max(best, np.inf if growth <= 0.0 else 1.0 - first / growth)
         if best >= ENTIRE:
             break
@@ -143,6 +147,17 @@ def _sum(problem: Affine, given: Multipliers, *, capped: bool) -> tuple[float, F
         level -= float((z * moved).sum())
         slopes = slopes - np.tensordot(block, z, 2)
     return level, slopes, sum(float(np.trace(one)) for one in given.strict)
+
+
+def _rounding(problem: Affine, given: Multipliers) -> tuple[float, float]:
+    """How far the rounding of the coefficients may move the sum, and by how much more per size of numbers."""
+    fixed = growing = 0.0
+    pairs = [*zip(given.strict, problem.strict, strict=True), *zip(given.floors, problem.floors, strict=True)]
+    for z, (constant, block) in pairs:
+        sizes = np.tensordot(np.abs(block), np.abs(z), 2)
+        fixed += float((np.abs(z) * np.abs(constant)).sum() + np.abs(problem.x0) @ sizes)
+        growing += float(sizes.sum())
+    return EPS * fixed, EPS * growing
 
 
 def _largest(problem: Affine, slopes: FloatArray, kappa: float) -> float:
