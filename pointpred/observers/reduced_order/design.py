@@ -105,10 +105,19 @@ def design_reduced_order(
             rates = decay, 2.0 * decay + gamma
             chosen, gap, near = _chosen(plant, parts, sloped, choices, rates, solver, bounds)
         upsilon = chosen / units.outputs
-        observer = invariant_observer(plant, basis, upsilon, injection=injection)
-        certificate = certify_convergence(
-            observer, decay=decay, gamma=gamma, times=None, near=near, solver=solver, **bounds
-        )
+        try:
+            observer = invariant_observer(plant, basis, upsilon, injection=injection)
+            certificate = certify_convergence(
+                observer, decay=decay, gamma=gamma, times=None, near=near, solver=solver, **bounds
+            )
+        except InfeasibleError as failure:
+            if not choices[1].shape[1]:
+                raise
+            # The equalities and the inequality hold for this Upsilon, as its choice has shown.
+            raise UndecidedError(
+                f"decay = {decay:g} is too large for the arithmetic: Upsilon has entries of "
+                f"{np.abs(upsilon).max():.1g}, and in its rounding {failure}; require less decay"
+            ) from failure
         return ReducedOrderDesign(observer, upsilon, certificate, gap)
 
     turned = _turned(inner, decay) if Pi is None else None
