@@ -102,7 +102,7 @@ def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.M
         return Answer(answer.status, None, answer.claimed, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", mute)
-    with pytest.raises(UndecidedError):
+    with pytest.raises(UndecidedError, match=r"the solver proves nothing \(its status"):
         lyapunov(np.eye(2)).solve()
 
 

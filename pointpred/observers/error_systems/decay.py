@@ -14,6 +14,7 @@ from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound, eigenvalues
 from pointpred.observers.error_systems.system import ErrorSystem
+from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import instance, positive
 
@@ -128,7 +129,8 @@ def _certified(
     values = {"P": form(found["P"], x)}
     for i, size in enumerate(sizes):
         values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
-    return certified_decay(system, values, decay, domain, **bounds)
+    with answer_of_a_search():
+        return certified_decay(system, values, decay, domain, **bounds)
 
 
 def certified_decay(
@@ -138,7 +140,7 @@ def certified_decay(
 
     Raises CertificateError naming the corner at which the inequality fails.
     """
-    margins = decay_inequalities(system, decay, **bounds).check(values)
+    margins = decay_inequalities(system, decay, **bounds).check(values, printed=False)
     p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
     gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))

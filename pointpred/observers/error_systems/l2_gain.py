@@ -13,6 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.error_systems.h_infinity import h_infinity
 from pointpred.observers.error_systems.system import ErrorSystem
+from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import instance
 
@@ -107,5 +108,6 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
     upper = (1.0 + ROOM) * lower * sqrt(found["square"])
     # In the user's units V' is V's change in 1/s, delta is divided by ``size`` and z by size / lower.
     p = form(found["P"], x) * (lower / size) ** 2 * t
-    margins = gain_inequalities(system, upper, **bounds).check({"P": p})
+    with answer_of_a_search():
+        margins = gain_inequalities(system, upper, **bounds).check({"P": p}, printed=False)
     return L2Gain(lower, upper, frequency, system.names[worst], p, margins)

@@ -5,14 +5,15 @@ The functions of a problem are evaluated at the matrices. Needs no solver.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, Self
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
-from pointpred.errors import CertificateError, ParameterError
+from pointpred.errors import CertificateError, ParameterError, UndecidedError
 from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
 
@@ -20,6 +21,21 @@ KAPPA = 1e12
 """Largest condition number of a matrix that is declared positive."""
 WEAK = 1e-12
 """An inequality that need not be strict may fail by this share of its terms."""
+
+
+@contextmanager
+def answer_of_a_search() -> Iterator[None]:
+    """Raise UndecidedError, with what to do, where matrices that a design computed fail their own audit.
+
+    They passed in balanced units, so that rounding decides; a CertificateError is for matrices of others.
+    """
+    try:
+        yield
+    except (CertificateError, np.linalg.LinAlgError) as failure:
+        raise UndecidedError(
+            f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
+            "proves nothing: require less decay, or measure more states"
+        ) from failure
 
 
 class Inequalities:
@@ -118,14 +134,16 @@ class Inequalities:
         """The margins of matrices from any source, such as a publication; raises CertificateError.
 
         ``rounding`` is the largest error of a printed entry: the message says whether it could explain it.
-        Where they are ``printed``, an inequality that need not be strict may fail by 1e-12 of its terms.
+        Where they are ``printed``, an inequality that need not be strict may fail by 1e-12 of its terms;
+        else every inequality must hold by more than rounding, so that every margin is above 0.
         """
         margins = self.margins(values)
+        edge = WEAK if printed else None
         failed = [
-            name for name, margin in margins.items() if not self._holds(name, margin, values, printed=printed)
+            name for name, margin in margins.items() if not self._holds(name, margin, values, edge=edge)
         ]
         if failed:
-            reasons = "; ".join(self._failure(name, margins[name]) for name in failed)
+            reasons = "; ".join(self._failure(name, margins[name], values) for name in failed)
             raise CertificateError(
                 f"{self.name}: {reasons}{self._excuse(margins, rounding)}",
                 field=failed[0],
@@ -138,19 +156,40 @@ class Inequalities:
         sizes = self.unknowns.sizes(name, block, numbers)
         return least(-self.unknowns.value(name, block, numbers), sizes)
 
-    def _holds(self, name: str, margin: float, values: Mapping[str, Any], *, printed: bool) -> bool:
-        """Whether an inequality holds; one that need not be strict may fail by WEAK where it is ``printed``.
+    def _holds(
+        self, name: str, margin: float, values: Mapping[str, Any], *, edge: float | None = None
+    ) -> bool:
+        """Whether an inequality holds by more than rounding.
 
-        An answer of a solver has no such room: gains of 1e12 would turn it into a violation.
+        One that need not be strict may also lie within ``edge`` of equality, a share of its terms: 0 for a
+        search, which may begin there, WEAK for a print. An answer of a solver has no such room: gains of 1e12
+        would turn it into a violation.
         """
+        relative = self._share(name, values)
+        if relative is None:
+            return margin >= 0.0
+        if edge is not None and name in self._weak and abs(relative) <= edge:
+            return True
+        return relative > ROUNDING
+
+    def _share(self, name: str, values: Mapping[str, Any]) -> float | None:
+        """The least eigenvalue of an inequality of matrices in the units of its terms; ``None`` of others."""
         numbers = self.unknowns.numbers(dict(values))
         if name in self.blocks:
-            relative = self._least(name, self.blocks[name], numbers)[1]
-            weak = name in self._weak
-            return relative > ROUNDING or (weak and (relative >= -WEAK if printed else relative == 0.0))
-        return margin > 0.0 if name.endswith(" > 0") else margin >= 0.0
+            return self._least(name, self.blocks[name], numbers)[1]
+        declared = name.removesuffix(" > 0")
+        if name == declared or declared not in self._normal:
+            return None
+        return least(getattr(self.unknowns.matrices(numbers), declared))[1]
 
-    def _failure(self, name: str, margin: float) -> str:
+    def _failure(self, name: str, margin: float, values: Mapping[str, Any]) -> str:
+        share = self._share(name, values)
+        if share is not None and margin > 0.0:
+            value = margin if name in self._above or name not in self.blocks else -margin
+            return (
+                f"{name} has the eigenvalue {value:.6g}, which is {share:.1g} of its terms: that may be "
+                f"rounding, more than {ROUNDING:g} is needed"
+            )
         if name in self._above:
             return f"{name} has the eigenvalue {margin:.6g}, must lie above 0"
         if name in self.blocks:

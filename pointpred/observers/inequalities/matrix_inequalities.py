@@ -266,9 +266,8 @@ class MatrixInequalities(Inequalities):
             return CertificateError(
                 f"{need}, the solver claims {answer.claimed:.3g}, its matrices fail: {self._worst(answer)}"
             )
-        return UndecidedError(
-            f"{need}, the solver proves only that none exceeds {bound:.3g} (its status: {answer.status})"
-        )
+        proved = f"only that none exceeds {bound:.3g}" if np.isfinite(bound) else "nothing"
+        return UndecidedError(f"{need}, the solver proves {proved} (its status: {answer.status})")
 
     def _worst(self, answer: Answer) -> str:
         if answer.numbers is None:
@@ -300,7 +299,7 @@ class MatrixInequalities(Inequalities):
             margins = self.margins(values)
         except ParameterError:
             return False
-        return all(self._holds(name, margin, values, printed=False) for name, margin in margins.items())
+        return all(self._holds(name, margin, values, edge=0.0) for name, margin in margins.items())
 
     def _solution(self, numbers: FloatArray, minimise: Block | None, gap: float | None) -> Solution:
         named = self.unknowns.matrices(numbers)

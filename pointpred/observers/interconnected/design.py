@@ -12,6 +12,7 @@ from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
+from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.interconnected.interconnection import Interconnection, theorem_3_2_1
@@ -142,7 +143,8 @@ def design_observer(
     if "W" in inner:
         values["W"] = form(inner["W"], x, t)
     gap = np.inf if solution.gap is None else solution.gap
-    return certified_design(plant, generator, Pi, m, values, gap, **bounds)
+    with answer_of_a_search():
+        return certified_design(plant, generator, Pi, m, values, gap, **bounds)
 
 
 def certified_design(

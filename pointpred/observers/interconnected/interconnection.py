@@ -126,8 +126,9 @@ class Interconnection:
             )
         if self.plant.time == "continuous":
             return problem.below("the LMI", completed(self.continuous), strict=False)
-        corners: dict[str, FloatArray | None] = {**self.corners} or {"none": None}
-        for name, one in corners.items():
+        if not self.corners:
+            return problem.below("the LMI", completed(self.discrete, None))
+        for name, one in self.corners.items():
             problem.below(f"the LMI, D = diag({name})", completed(self.discrete, one))
         return problem
 

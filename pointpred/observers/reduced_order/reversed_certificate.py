@@ -15,6 +15,7 @@ from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import least_ratio
 from pointpred.observers.detectability import vertices
 from pointpred.observers.eigenvalues import require_decay
+from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import instance, matrix, moments, positive
@@ -276,13 +277,14 @@ def _solved(
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
-    # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
-    share = decay_share(decay, plant.time)
-    missing = share - least_ratio(values["P"], values["Xi"])
-    if missing > 0.0:
-        values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
     theorem = _theorem(connections, plant.time, plant.slopes, gamma, bounds)
-    margins = theorem.check(values, printed=False)
+    with answer_of_a_search():
+        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
+        share = decay_share(decay, plant.time)
+        missing = share - least_ratio(values["P"], values["Xi"])
+        if missing > 0.0:
+            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
+        margins = theorem.check(values, printed=False)
     return values, margins, np.inf if solution.gap is None else solution.gap
 
 

@@ -15,6 +15,7 @@ from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, form, inward, outward
 from pointpred.observers.bounds import eigenvalues
 from pointpred.observers.detectability import require_detectable
+from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.definite import solved
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import matrix
@@ -115,7 +116,8 @@ def certify(
     values = {"P": form(inner["P"], x), "Q": form(inner["Q"], x, t), "Gamma": form(inner["Gamma"], y, t)}
     values["U"] = outward(inner["U"], 1.0 / x, y, t)
     gap = np.inf if solution.gap is None else solution.gap
-    return certificate(values, theorem_4_4_1(system, output).check(values, printed=False), gap)
+    with answer_of_a_search():
+        return certificate(values, theorem_4_4_1(system, output).check(values, printed=False), gap)
 
 
 def _start(a: FloatArray, c: FloatArray, rate: float) -> dict[str, Any] | None:
