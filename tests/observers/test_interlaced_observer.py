@@ -124,6 +124,23 @@ def test_over_gaps_and_without_outputs_the_generator_runs_alone(observer: Interl
     assert stage.update(5.0, 1e5).w == (1.0, 0.5)
 
 
+def test_samples_far_apart_are_followed_without_a_gap_of_ones_own(observer: InterlacedObserver) -> None:
+    stage = InterlacedObserver(eight(), observer.certificate)
+    for k in range(12):
+        estimate = stage.update(np.cos(2.0 * k), 2.0 * k)
+    generator = InterlacedObserver(eight(), observer.certificate, gap_s=0.5)
+    for k in range(12):
+        alone = generator.update(np.cos(2.0 * k), 2.0 * k)
+    assert np.abs(estimate.w).max() > 0.1
+    assert alone.w == (0.0, 0.0)
+    before = stage.remembered()
+    with pytest.raises(EventError, match=r"the observer follows at most .* sample more often, or give gap_s"):
+        stage.update(1.0, 1e5)
+    with pytest.raises(EventError, match="sample more often, or give gap_s"):
+        stage.walk(np.zeros(1, np.bool_), np.array([[1e5, 1.0]]))
+    assert stage.remembered() == before
+
+
 def test_what_cannot_be_taken_in_changes_nothing(observer: InterlacedObserver) -> None:
     stage = observer.fresh()
     stage.update(1.0, 1.0)
@@ -144,7 +161,7 @@ def test_an_observer_needs_linear_outputs_and_numbers(observer: InterlacedObserv
         output_matrix(eight(()))
     with pytest.raises(ParameterError, match=r"output 1 must be C w with numbers C, received w1\*\*3 \+ w2"):
         output_matrix(eight((X4,)))
-    with pytest.raises(ParameterError, match=r"gap_s must lie in \[1e-06, 1e\+06\] s, received 0"):
+    with pytest.raises(ParameterError, match=r"gap_s must lie in \[1e-12, 1e\+12\] s, received 0"):
         InterlacedObserver(eight(), observer.certificate, gap_s=0.0)
     with pytest.raises(ParameterError, match="start has shape"):
         InterlacedObserver(eight(), observer.certificate, start=[1.0])

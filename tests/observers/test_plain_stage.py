@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from pointpred.errors import DivergenceError, ParameterError
+from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred.observers import (
     Generator,
     MissingInputs,
@@ -271,10 +271,22 @@ def test_a_fast_reduced_order_observer_runs_with_defaults() -> None:
     assert state == pytest.approx([0.735, 0.3], abs=1e-9)
 
 
-def test_the_gap_of_a_very_fast_stage_is_named() -> None:
-    with pytest.raises(ParameterError, match="give a shorter gap_s") as refused:
-        PersidskiiObserver([[-1e6]], None, None, None, "sin")
+def test_a_gap_that_a_very_fast_stage_cannot_bridge_is_named() -> None:
+    with pytest.raises(ParameterError, match=r"at most 0\.1 s.* give a shorter gap_s") as refused:
+        PersidskiiObserver([[-1e6]], None, None, None, "sin", gap_s=1.0)
     assert refused.value.field == "gap_s"
     stage = PersidskiiObserver([[-1e6]], None, None, None, "sin", start=[1.0], gap_s=0.05)
     stage.update(0.0)
     assert stage.update(1e-6) == pytest.approx(np.exp(-1.0), abs=0.01)
+
+
+def test_a_plain_stage_refuses_more_steps_than_it_takes() -> None:
+    stage = PersidskiiObserver([[-1.0]], [[1.0]], [[1.0]], [[1.0]], lambda s: np.sin(s))
+    stage.update(0.0, 1.0)
+    before = stage.remembered()
+    for inputs in (1.0, None):
+        with pytest.raises(EventError, match=r"comes 1001 s after the last one, .* at most 1000 s"):
+            stage.update(1001.0, inputs)
+        assert stage.remembered() == before
+    with pytest.raises(EventError, match="sample more often, or give gap_s"):
+        stage.walk(np.zeros(1, np.bool_), np.array([[1001.0, 1.0]]))

@@ -11,8 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 from pointpred import observers as o
-from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers.simulations.signals import gap_of
+from pointpred.errors import DivergenceError, EventError, ParameterError
 from tests.observers import kept_designs as kept
 
 pytest.importorskip("cvxpy")
@@ -204,11 +203,33 @@ def test_a_plant_that_is_stiff_or_slow() -> None:
     )  # no sample interval counts as a gap, after which it would restart
 
 
-@pytest.mark.parametrize("interval", [0.01, 0.7, 60.0, 3600.0, 4e5])
-def test_samples_of_any_distance_are_no_gap(interval: float) -> None:
-    settings = gap_of(np.array([0.0, interval]))
-    assert settings["gap_s"] > interval
-    assert settings["gap_s"] / settings.get("step_s", 0.01) <= 1e5 or interval > 5e4
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 60.0])
+def test_a_loop_estimates_the_same_in_every_unit_of_time(unit: float) -> None:
+    """The unit in s: a plant that is sampled once a second, 1000 units of 1 ms or 1/60 of a minute apart."""
+    cart = o.Persidskii([[0.0, unit], [0.0, -0.3 * unit]], None, None, "sin", [0.0, unit], None, [1.0, 0.0])
+    design = o.design_reduced_order(cart, decay=0.5 * unit)
+    result = o.simulate(cart, design, times=np.arange(30) / unit, input=[1.0])
+    loop = o.invariant_stage(design.observer)
+    answers = [loop.update(t, [y[0], 1.0]) for t, y in zip(result.t, result.output, strict=True)]
+    assert np.array_equal(answers, result.estimate)
+    assert answers[-1] == pytest.approx(result.state[-1], rel=1e-4)
+
+
+def test_samples_too_far_apart_for_a_fast_observer_are_refused() -> None:
+    stage = o.PersidskiiObserver([[-1e8]], None, None, [[1e8]], "sin")
+    stage.update(0.0, 1.0)
+    before = stage.remembered()
+    with pytest.raises(EventError, match=r"comes 0\.01 s after the last one, .* most 0\.001 s"):
+        stage.update(0.01, 1.0)
+    assert stage.remembered() == before
+    table = np.array([[1e-4, 1.0], [0.01, 1.0]])
+    with pytest.raises(EventError, match="sample more often, or give gap_s"):
+        stage.walk(np.zeros(2, np.bool_), table)
+    assert stage.remembered() == before
+    assert np.isfinite(stage.walk(np.array([False, True]), table)).all()  # another run begins
+    design = o.design_reduced_order(kept.CART, decay=3e4)
+    with pytest.raises(ParameterError, match="times: samples lie 10 s apart, more than 1e5 steps"):
+        o.simulate(kept.CART, design, times=[0.0, 10.0])
 
 
 def test_another_plant_than_the_design_shows_what_a_wrong_model_does() -> None:

@@ -268,7 +268,7 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
     steady: SteadyStateDocument
     certificate: Values
     start: list[float]
-    gap_s: float
+    gap_s: float | None = None
     gap: float | None = None
 
     @classmethod

@@ -9,15 +9,18 @@ from pointpred.compiled import law, layout
 from pointpred.observers import nonlinearity
 from pointpred.stage import loop_into
 
-# Parameters: states q, components k, inputs, outputs, discrete?, step, gap; then codes (k), N (q, q), L (q,
+# Parameters: states q, components k, inputs, outputs, discrete?, step, gap after which the law starts again,
+# longest interval that it bridges; then codes (k), N (q, q), L (q,
 # k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k), R (k, inputs), R2 (outputs, inputs) and the
 # start (q). Then what replaces missing inputs: whether it is a value (inputs), V0 (inputs, q), V1 (inputs,
 # k), V2 (inputs, inputs), and their start (inputs). The state: whether there was a sample, t, w minus its
 # start (q), the last inputs, scratch space for an integration step, and whether each of the last inputs was
 # missing.
-STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, CODES = range(8)
+STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, BRIDGED, CODES = range(9)
 
-ACCEPTED, REPEATED, BACKWARDS = 0, 1, 2
+ACCEPTED, REPEATED, BACKWARDS, TOO_LONG = 0, 1, 2, 3
+STEPS_MOST = 100_000
+"""Most steps between two samples."""
 
 
 @layout
@@ -206,7 +209,7 @@ def move(memory: FloatArray, row: FloatArray, w: int, absent: int, missing: bool
         for j in range(m):
             memory[last + j] = memory[following + j]
         return
-    count = max(1, ceil(h / memory[STEP]))
+    count = max(1, ceil(min(h / memory[STEP], STEPS_MOST)))
     for i in range(count):
         if missing:
             bridge(memory, w, row, h * (count - i) / count, h / count, absent)
@@ -216,7 +219,10 @@ def move(memory: FloatArray, row: FloatArray, w: int, absent: int, missing: bool
 
 @law
 def advance(memory: FloatArray, row: FloatArray) -> int:
-    """Process the sample (t, inputs), NaN for a missing one; a repeated t replaces the inputs it has."""
+    """Process the sample (t, inputs), NaN for a missing one; a repeated t replaces the inputs it has.
+
+    A sample after more than the longest interval that is bridged is refused.
+    """
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     outputs = int(memory[OUTPUTS])
     start, started = start_at(q, k, m, outputs), state_at(q, k, m, outputs)
@@ -233,6 +239,8 @@ def advance(memory: FloatArray, row: FloatArray) -> int:
         return REPEATED
     missing = False
     begin = memory[started] == 0.0 or (memory[DISCRETE] == 0.0 and h > memory[GAP])
+    if not begin and memory[DISCRETE] == 0.0 and h > memory[BRIDGED]:
+        return TOO_LONG
     for j in range(m):
         if row[1 + j] != row[1 + j]:
             memory[absent + j] = 1.0
@@ -294,9 +302,9 @@ def read(memory: FloatArray, out: FloatArray) -> None:
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Integrate to the sample (t, inputs) and return the outputs; an earlier t changes nothing."""
+    """Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing."""
     verdict = advance(memory, row)
-    if verdict != BACKWARDS:
+    if verdict < BACKWARDS:
         read(memory, out)
     return verdict
 

@@ -21,22 +21,25 @@ from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage
 
-STEPS_MOST = 100_000
 LONGEST_S = 1e-2
 """The longest step by default, s."""
+NEVER = 1e300
+"""A time that no interval reaches, s."""
 
 
 class PersidskiiObserver(CompiledStage):
     """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
     Assumes that inputs are linear between two samples; in discrete time each sample is one step, and its
-    inputs act from the next step on. A gap longer than ``gap_s`` restarts at ``start``, because the inputs
-    in between are unknown. An input that is NaN is missing: while it is so at one end of an interval,
+    inputs act from the next step on. After a gap longer than ``gap_s`` it starts again at ``start``, by
+    default never. An input that is NaN is missing: while it is so at one end of an interval,
     ``missing`` says what replaces it, by default its last value.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``, by
-    default 10 ms or the inverse of a bound of the stage's fastest rate, whichever is shorter. A ``step_s``
-    that is too long for the fastest eigenvalue amplifies.
+    default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter. A ``step_s``
+    that is too long for the fastest eigenvalue amplifies. An interval between two samples has at most 10^5
+    steps: within 10^5 inverse rates the default step grows with it, if the matrices are constant and f has a
+    name and bounded slopes; a longer interval is refused. "s" is the unit of time of the matrices.
 
     With an f of a name and constant matrices the stage is compiled; with functions it runs in numpy, some
     thirty times slower, by the same law.
@@ -44,8 +47,8 @@ class PersidskiiObserver(CompiledStage):
     Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), each an array or a function of
     t (of the index in discrete time); ``f`` a name or one for each component, or a function from R^r to R^k
     (then J is (r, q)); ``R0`` (outputs, q), default the identity; ``R1`` (outputs, k); ``R`` (r, inputs)
-    and ``R2`` (outputs, inputs), default zeros; ``start`` (q), default zeros; ``step_s`` in s, [1e-9, 1];
-    ``gap_s`` in s, [1e-6, 1e6], at most 10^5 steps; ``time`` "continuous" or "discrete"; ``missing`` a
+    and ``R2`` (outputs, inputs), default zeros; ``start`` (q), default zeros; ``step_s`` in s, [1e-12, 1e12];
+    ``gap_s`` in s, [1e-12, 1e12], at most what is bridged; ``time`` "continuous" or "discrete"; ``missing`` a
     ``MissingInputs``. Memory: the matrices and 2 + 5 q + k + 6 inputs floats.
     Raises ParameterError; EventError, EventOrderError and DivergenceError from ``update``.
 
@@ -60,9 +63,11 @@ class PersidskiiObserver(CompiledStage):
     """
 
     step_s: float | None = parameter(
-        "s", 1e-9, 1.0, "longest step of the integration", default=None, absent=0.0
+        "s", 1e-12, 1e12, "longest step of the integration", default=None, absent=0.0
     )
-    gap_s: float = parameter("s", 1e-6, 1e6, "longest time between two samples that is bridged", default=1.0)
+    gap_s: float | None = parameter(
+        "s", 1e-12, 1e12, "after a longer gap it starts again", default=None, absent=NEVER
+    )
     time: str = option("'continuous' or 'discrete'", default="continuous")
     step = staticmethod(law.step)
     loop = staticmethod(law.loop)
@@ -97,7 +102,8 @@ class PersidskiiObserver(CompiledStage):
         speed = parts.fastest(0.0, nonlinear.slopes, missing.value, missing.at(0.0))
         step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
         self.step_s = step_s
-        self._check_gap(step_s)
+        limited = nonlinear.slopes is not None and np.isfinite(nonlinear.slopes).all()
+        self._bridged = law.STEPS_MOST * (1.0 / max(speed, 1e-290) if limited and not own_step else step_s)
         discrete = self.time == "discrete"
         self._plain: PlainLaw | None = None
         if nonlinear.codes is None or parts.varies or missing.varies:
@@ -112,10 +118,13 @@ class PersidskiiObserver(CompiledStage):
                 gap_s=self.gap_s,
             )
             settings, states = np.zeros(0), self._plain.states
+            self._bridged = self._plain.bridged(0.0)
         else:
-            shape = [q, k, inputs, self.width, float(discrete), step_s, self.gap_s, *nonlinear.codes]
+            gap = NEVER if self.gap_s is None else self.gap_s
+            shape = [q, k, inputs, self.width, float(discrete), step_s, gap, self._bridged, *nonlinear.codes]
             flat = [np.array(shape, np.float64), *parts.flat(), first, *missing.flat()]
             settings, states = np.concatenate([one.ravel() for one in flat]), law.floats(q, k, inputs)
+        self._check_gap()
         self._time_at = len(settings)
         self.lay_out(settings, states)
 
@@ -124,39 +133,64 @@ class PersidskiiObserver(CompiledStage):
         super().declare(**values)
         one_of("time", self.time, TIMES)
 
-    def _check_gap(self, step_s: float) -> None:
-        """Check the number of steps in the longest gap."""
-        if self.time == "continuous" and self.gap_s / step_s > STEPS_MOST:
+    def _check_gap(self) -> None:
+        """Check that a gap after which the stage does not start again can be bridged."""
+        if self.time == "continuous" and self.gap_s is not None and self.gap_s > self._bridged:
             raise ParameterError(
-                f"gap_s must be at most {STEPS_MOST:.0e} step_s = {step_s!r} s, received {self.gap_s!r}: "
-                "a fast stage takes short steps, so give a shorter gap_s",
+                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
+                f"received {self.gap_s!r}: give a shorter gap_s",
                 field="gap_s",
                 value=self.gap_s,
             )
 
+    def _too_long(self, t: float, last: float) -> EventError:
+        """The refusal of a sample after an interval that is too long."""
+        longest = self._bridged if self._plain is None else self._plain.bridged(last)
+        return EventError(
+            f"the sample at t = {t!r} comes {t - last:g} s after the last one, the stage bridges at most "
+            f"{longest:g} s, {law.STEPS_MOST:.0e} steps: sample more often, or give gap_s, after "
+            "which it starts again",
+            field="t",
+            value=t,
+        )
+
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
         if self._plain is None:
+            self._check_intervals(begin, rows[:, 0])
             return super().walk(begin, rows)
         out = np.full((len(rows), self.width), np.nan)
         for i, row in enumerate(np.asarray(rows, np.float64)):
             if begin[i]:
                 self._memory[:] = 0.0
-            self._plain.step(self._memory, row, out[i])
+            if self._plain.step(self._memory, row, out[i]) == law.TOO_LONG:
+                raise self._too_long(row[0], float(self._memory[1]))
         return out
+
+    def _check_intervals(self, begin: BoolArray, times: FloatArray) -> None:
+        """Raise EventError for an interval that is too long, before anything changes."""
+        if self.time == "discrete" or self.gap_s is not None or not len(times):
+            return
+        first = self._memory[self._time_at + 1] if self._memory[self._time_at] == 1.0 else times[0]
+        before = np.concatenate([[first], times[:-1]])
+        for i in np.flatnonzero((times - before > self._bridged) & ~begin)[:1]:
+            raise self._too_long(float(times[i]), float(before[i]))
 
     def update(self, t: float, inputs: ArrayLike | None = ()) -> FloatArray:
         """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.
 
         An input that is NaN is missing, ``None`` for all of them. Raises EventError for values that are not
-        finite or a wrong number of them, EventOrderError when time runs backwards and DivergenceError if
-        the state diverges; the stage is then unchanged.
+        finite, a wrong number of them, or too long an interval, EventOrderError when time runs backwards and
+        DivergenceError if the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
         before = self._memory.copy()
         out = np.empty(self.width)
         step = law.step if self._plain is None else self._plain.step
-        if step(self._memory, row, out) == law.BACKWARDS:
+        verdict = step(self._memory, row, out)
+        if verdict == law.TOO_LONG:
+            raise self._too_long(float(row[0]), float(before[self._time_at + 1]))
+        if verdict == law.BACKWARDS:
             raise EventOrderError(
                 f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}",
                 field="t",

@@ -8,7 +8,13 @@ import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
-from pointpred.observers.interconnected.persidskii_law import ACCEPTED, BACKWARDS, REPEATED
+from pointpred.observers.interconnected.persidskii_law import (
+    ACCEPTED,
+    BACKWARDS,
+    REPEATED,
+    STEPS_MOST,
+    TOO_LONG,
+)
 from pointpred.observers.interconnected.realisation import Realisation
 from pointpred.observers.nonlinearity import Nonlinearity
 
@@ -32,10 +38,11 @@ class PlainLaw:
         discrete: bool,
         step_s: float | None,
         longest_s: float,
-        gap_s: float,
+        gap_s: float | None,
     ) -> None:
         self.parts, self.f, self.missing, self.start = parts, f, missing, start
-        self.discrete, self.step_s, self.longest_s, self.gap_s = discrete, step_s, longest_s, gap_s
+        self.discrete, self.step_s, self.longest_s = discrete, step_s, longest_s
+        self.gap_s = np.inf if gap_s is None else gap_s
         self._valued = np.array(missing.value, bool)
 
     @property
@@ -44,7 +51,10 @@ class PlainLaw:
         return W + self.parts.q + 2 * self.parts.inputs
 
     def step(self, memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-        """Process the sample (t, inputs), NaN for a missing one, into ``out``; an earlier t is refused."""
+        """Process the sample (t, inputs), NaN for a missing one, into ``out``; an earlier t is refused.
+
+        So is one after more than 10^5 steps.
+        """
         q, m = self.parts.q, self.parts.inputs
         started, t, now = memory[STARTED] == 1.0, float(memory[T]), float(row[0])
         w, last, absent = memory[W : W + q], memory[W + q : W + q + m], memory[W + q + m :]
@@ -54,11 +64,14 @@ class PlainLaw:
         x, inputs = w + self.start, last.copy()
         verdict = REPEATED if started and now == t else ACCEPTED
         if verdict == ACCEPTED:
-            absent[~measured] = 1.0
+            missing = (absent == 1.0) | ~measured
             if not started or (not self.discrete and now - t > self.gap_s):
                 x, inputs = self.start.copy(), self.missing.first.copy()
+            elif not self.discrete and now - t > self.bridged(t):
+                return TOO_LONG
             else:
-                x, inputs = self._moved(t, now, x, inputs, row[1:], absent == 1.0)
+                x, inputs = self._moved(t, now, x, inputs, row[1:], missing)
+            absent[~measured] = 1.0
         inputs[measured] = row[1:][measured]
         absent[measured] = 0.0
         if verdict == ACCEPTED:
@@ -96,7 +109,7 @@ class PlainLaw:
         if self.discrete:
             onward, change = self._rate(t, x, inputs), self._change(t, x, inputs)
             return change, np.where(missing, onward, inputs)
-        count = max(1, ceil((now - t) / self._longest(t)))
+        count = max(1, ceil(min((now - t) / self._longest(t), STEPS_MOST)))
         h = (now - t) / count
         both = np.concatenate([x, inputs])
         for n in range(count):
@@ -104,6 +117,10 @@ class PlainLaw:
             rise = (following - both[len(x) :]) / left
             both = self._runge_kutta(t + n * h, h, both, rise, missing)
         return both[: len(x)], both[len(x) :]
+
+    def bridged(self, t: float) -> float:
+        """The longest interval from t on that is bridged, in s."""
+        return STEPS_MOST * self._longest(t)
 
     def _longest(self, t: float) -> float:
         """The longest step from t on, in s."""

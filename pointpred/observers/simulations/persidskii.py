@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
+from pointpred.errors import EventError, ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver, observer_stage
@@ -20,7 +20,7 @@ from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_stage
 from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, gap_of, held, run, sampled
+from pointpred.observers.simulations.signals import Setting, held, run, sampled
 
 UNUSED = ("unknown_input", "schedule")
 
@@ -50,9 +50,7 @@ def _without_feedback(
 ) -> Simulation:
     discrete = plant.time == "discrete"
     times = setting.samples(discrete)
-    stage = invariant_stage(
-        observer, start=setting.begin(plant.n, "estimate", 0.0), **_settings(times, discrete)
-    )
+    stage = invariant_stage(observer, start=setting.begin(plant.n, "estimate", 0.0))
     state, inputs, outputs = _open_loop(plant, setting, times)
     answers = _walked(stage, times, outputs, inputs)
     return _simulation(plant, times, state, answers, outputs, inputs, title, bound=bound)
@@ -70,7 +68,7 @@ def observed(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation
     times = setting.samples(discrete)
     state, inputs, outputs = _open_loop(one, setting, times)
     first = setting.begin(one.n, "estimate", 0.0)
-    stage = observer_stage(design, start=first, **_settings(times, discrete))
+    stage = observer_stage(design, start=first)
     answers = _walked(stage, times, outputs, inputs)[:, one.n :]
     bound = np.zeros(0)
     if setting.silent and np.isinf(known.domain) and _same(one, known):
@@ -98,7 +96,7 @@ def _driven(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation:
     state, driving = both[:, : one.n], both[:, one.n :]
     outputs = setting.measured(_outputs(one, times, state))
     inputs = sampled(rho, times)
-    stage = observer_stage(design, start=setting.begin(q, "estimate", 0.0), **_settings(times, discrete))
+    stage = observer_stage(design, start=setting.begin(q, "estimate", 0.0))
     answers = _walked(stage, times, outputs, inputs)
     return _simulation(
         one, times, state, answers[:, q:], outputs, inputs, "observer of a driven plant",
@@ -162,11 +160,14 @@ def _walked(
 ) -> FloatArray:
     """The answers of a stage, which receives the samples one by one."""
     table = np.column_stack([times, outputs, inputs])
-    return stage.walk(np.zeros(len(table), np.bool_), table)
-
-
-def _settings(times: FloatArray, discrete: bool) -> dict[str, float]:
-    return {} if discrete else gap_of(times)
+    try:
+        return stage.walk(np.zeros(len(table), np.bool_), table)
+    except EventError as far:
+        raise ParameterError(
+            f"times: samples lie {np.diff(times).max():g} s apart, more than 1e5 steps of the observer, "
+            "which is that fast: they must lie closer together (--step-s), or the design needs less decay",
+            field="times",
+        ) from far
 
 
 def _is_copy(design: ObserverDesign) -> bool:

@@ -11,7 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import instance
 from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, Signal, gap_of, run
+from pointpred.observers.simulations.signals import Setting, Signal, run
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.system import SymbolicSteadyState, SymbolicSystem
@@ -42,7 +42,6 @@ def interlaced(observer: InterlacedObserver, plant: Any, setting: Setting) -> Si
         steady,
         observer.certificate,
         start=setting.begin(q, "estimate", 0.0),
-        gap_s=gap_of(times)["gap_s"],
     )
     table = np.column_stack([times, outputs])
     answers = stage.walk(np.zeros(len(table), np.bool_), table)

@@ -41,6 +41,8 @@ NEGLIGIBLE = 1e-18
 """Fraction of the estimate below which the remainder of the series is negligible."""
 STEPS_MOST = 4096
 """Most sub-steps of one interval; after a longer one the estimate restarts."""
+NEVER = 1e300
+"""A time that no interval reaches, s."""
 
 
 @layout
@@ -139,16 +141,17 @@ class InterlacedObserver(CompiledStage):
     """Estimate the state of a plant from that of the generator which drives it.
 
     Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
-    error of y. Between two samples y is linear. An interval longer than ``gap_s``, or without a measurement
-    at one end, is bridged by the generator alone; after more than 2048 time constants of the generator w
-    restarts. If the steady state is a truncated series, x and z are accurate near the origin only. Values
-    that are not finite are NaN. Maps that hold a function which the compiled law does not know are
-    evaluated by sympy's numpy functions, some five times slower.
+    error of y. Between two samples y is linear. An interval longer than ``gap_s``, by default none, or
+    without a measurement at one end, is bridged by the generator alone; after more than 2048 time constants
+    of the generator w restarts. Without ``gap_s`` an interval of more than 2048 time constants is refused. If
+    the steady state is a truncated series, x and z are accurate near the origin only. Values that are not
+    finite are NaN. Maps that hold a function which the compiled law does not know are evaluated by sympy's
+    numpy functions, some five times slower.
 
     w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w), followed exactly.
 
     Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
-    w, default zeros; ``gap_s`` s, 1e-6 to 1e6. Memory: 13 + 4 q + 2 q^2 + p + p q floats and the program of
+    w, default zeros; ``gap_s`` s, 1e-12 to 1e12. Memory: 13 + 4 q + 2 q^2 + p + p q floats and the program of
     the maps. Returns ``InterlacedEstimate`` from ``update``. Raises ParameterError, and EventError and
     EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
 
@@ -166,7 +169,9 @@ class InterlacedObserver(CompiledStage):
     (0.2887, 0.2887)
     """
 
-    gap_s: float = parameter("s", 1e-6, 1e6, "over a longer gap the generator runs alone", default=1.0)
+    gap_s: float | None = parameter(
+        "s", 1e-12, 1e12, "over a longer gap the generator runs alone", default=None, absent=NEVER
+    )
     loop = staticmethod(loop_into(step))
 
     def __init__(
@@ -175,7 +180,7 @@ class InterlacedObserver(CompiledStage):
         certificate: InterlacedCertificate,
         *,
         start: ArrayLike | None = None,
-        **values: float,
+        **values: float | None,
     ) -> None:
         self.declare(**values)
         a, c = steady.generator.matrix(), output_matrix(steady)
@@ -193,7 +198,9 @@ class InterlacedObserver(CompiledStage):
         closed = a - gain @ c
         speeds = [float(np.abs(one).sum(axis=1).max()) for one in (closed, a)]
         answers = computed + maps.computed - maps.outputs
-        shape = [q, p, len(maps.rows), settings(q, p), answers, maps.outputs, state, self.gap_s, *speeds]
+        gap = NEVER if self.gap_s is None else self.gap_s
+        self._bridged = STEPS_MOST / (2.0 * max(*speeds, 1e-290))
+        shape = [q, p, len(maps.rows), settings(q, p), answers, maps.outputs, state, gap, *speeds]
         flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
         self.steady, self.certificate, self.start = steady, certificate, first
         self._states, self._outputs = q, p
@@ -208,7 +215,7 @@ class InterlacedObserver(CompiledStage):
         rate: float = 0.5,
         gain: ArrayLike | None = None,
         start: ArrayLike | None = None,
-        **values: float,
+        **values: float | None,
     ) -> InterlacedObserver:
         """Compute or certify a gain and build the observer with it; see ``certify``."""
         output = output_matrix(steady)
@@ -218,12 +225,14 @@ class InterlacedObserver(CompiledStage):
     def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
         """Process the outputs at ``t`` s, ``None`` without a measurement, and return the estimate.
 
-        Raises EventError for values that are not finite or of another length, EventOrderError when time runs
-        backwards; the stage is then unchanged.
+        Raises EventError for values that are not finite or of another length and for too long an interval,
+        EventOrderError when time runs backwards; the stage is then unchanged.
         """
         memory = self._memory
         state = int(memory[STATE])
         now = moment(t, float(memory[state + T]) if memory[state] == 1.0 else None)
+        if memory[state] == 1.0:
+            self._check_interval(now, float(memory[state + T]))
         out = np.empty(self.width)
         step(memory, np.concatenate([[now], self._outputs_of(y)]), out)
         self._map(out)
@@ -232,10 +241,28 @@ class InterlacedObserver(CompiledStage):
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        state, before = int(self._memory[STATE]), None
+        if self._memory[state] == 1.0:
+            before = float(self._memory[state + T])
+        for t, first in zip(rows[:, 0].tolist(), begin, strict=True):
+            if before is not None and not first:
+                self._check_interval(t, before)
+            before = t
         out = super().walk(begin, rows)
         for row in out:
             self._map(row)
         return out
+
+    def _check_interval(self, t: float, last: float) -> None:
+        """Raise EventError for an interval that is too long, unless ``gap_s`` is given."""
+        if self.gap_s is None and t - last > self._bridged:
+            raise EventError(
+                f"the sample at t = {t!r} comes {t - last:g} s after the last one, the observer follows at "
+                f"most {self._bridged:g} s, {STEPS_MOST // 2} of its time constants: sample more often, "
+                "or give gap_s, after which the generator runs alone",
+                field="t",
+                value=t,
+            )
 
     def _map(self, row: FloatArray) -> None:
         """Evaluate the maps at w, which stands first, where the law does not; NaN without a finite value."""
