@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
 
 STEPS_MOST = 200
 STEP_MOST = 4.0
@@ -177,9 +178,20 @@ class _Entries:
                 break
             # The second term keeps the step finite where every entry along a direction is tiny.
             curvature = slopes.T @ (slopes * m[:, None]) + 1e-12 * np.eye(len(at))
-            step = np.linalg.solve(curvature, -gradient)
+            step = _step(curvature, gradient)
             at = at + _share(start + slopes @ at, slopes @ step) * step
         return np.asarray(moving @ at, np.float64)
+
+
+def _step(curvature: FloatArray, gradient: FloatArray) -> FloatArray:
+    """The Newton step; raises ParameterError where the numbers leave no direction to go on."""
+    try:
+        return np.asarray(np.linalg.solve(curvature, -gradient), np.float64)
+    except np.linalg.LinAlgError as failure:
+        raise ParameterError(
+            "the entries of the matrices and the decay lie too many powers of ten apart to compute with: "
+            "check the units of the largest and of the smallest"
+        ) from failure
 
 
 def _share(logs: FloatArray, change: FloatArray) -> float:

@@ -17,6 +17,7 @@ from pointpred.observers import (
     design_full_order,
     design_observer,
     design_reduced_order,
+    design_regulator,
     undetectable,
 )
 
@@ -120,3 +121,14 @@ def test_slopes_without_bound_are_named_by_every_design() -> None:
     for design in (design_reduced_order, design_full_order):
         with pytest.raises(ParameterError, match="needs bounded slopes"):
             design(cubic)
+
+
+MOTOR = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
+
+
+@pytest.mark.parametrize(("factor", "decay"), [(1.0, 1e20), (1.0, 1e300), (1e298, 5.0), (1e-300, 5.0)])
+@pytest.mark.parametrize("door", [design_reduced_order, design_full_order, design_regulator])
+def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: float, decay: float) -> None:
+    plant = Persidskii(factor * np.array(MOTOR), None, None, "sin", [0.0, 0.0, 100.0], None, [1.0, 0.0, 0.0])
+    with pytest.raises(ParameterError, match="too many powers of ten apart"):
+        door(plant, decay=decay)

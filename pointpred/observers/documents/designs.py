@@ -29,6 +29,7 @@ from pointpred.observers.interconnected.regulator import RegulatorDesign
 from pointpred.observers.interconnected.regulator_equations import RegulatorEquations
 from pointpred.observers.interconnected.state_feedback import StateFeedback, closed_system
 from pointpred.observers.matrices import matrix
+from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
@@ -193,6 +194,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         """The design: both proofs audited, and whether the regulator is the one that they speak of."""
         plant, regulator = self.plant.made(functions), self.regulator.made(functions)
         observer, pi = self.observer.made(functions), matrix("Pi", self.Pi, plant.n, regulator.q)
+        _require_plant(observer, plant)
         require_map(plant, regulator, pi)
         l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
         l1 = (
@@ -222,6 +224,27 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
             return None
         l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else array(solved.L1)
         return RegulatorEquations(array(solved.Pi), array(solved.L0), l1, solved.residuals, solved.nullity)
+
+
+def _require_plant(observer: ObserverDesign, plant: Persidskii) -> None:
+    """Raise CertificateError unless the observer estimates the states of this very plant."""
+    own, ours = observer.plant.matrices(0.0), plant.matrices(0.0)
+    different = [name for name in own if not np.array_equal(own[name], ours[name])]
+    settings = ("time", "domain", "slopes")
+    different += [name for name in settings if getattr(observer.plant, name) != getattr(plant, name)]
+    if observer.plant.f.codes != plant.f.codes:
+        different.append("f")
+    if not np.array_equal(observer.Pi, np.eye(plant.n)):
+        raise CertificateError(
+            "the observer's Pi is not the identity: a regulator's observer estimates the plant's own states",
+            field="observer.Pi",
+        )
+    if different:
+        raise CertificateError(
+            f"{different[0]} of observer.plant is not the {different[0]} of plant: both must be the plant "
+            "that the regulator was designed for, design it again",
+            field=f"observer.plant.{different[0]}",
+        )
 
 
 class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):

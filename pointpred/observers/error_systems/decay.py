@@ -138,8 +138,10 @@ def certified_decay(
 ) -> DecayCertificate:
     """The certificate that matrices from any source are: P and bound_i of each disturbance, audited.
 
-    Raises CertificateError naming the corner at which the inequality fails.
+    Raises CertificateError naming the corner at which the inequality fails, ParameterError for a decay that
+    is not above 0.
     """
+    decay = positive("decay", decay)
     margins = decay_inequalities(system, decay, **bounds).check(values, printed=False)
     p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
