@@ -230,3 +230,11 @@ def test_an_output_that_f_reaches_ties_upsilon() -> None:
     )
     with pytest.raises(ParameterError, match="w and y hold 2 combinations of the 3 states, not all"):
         short.estimate(0.0, [0.0], [0.0])
+
+
+def test_a_state_is_recovered_beside_a_gain_in_which_the_rest_of_the_row_is_rounding() -> None:
+    cart = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", None, None, [1.0, 0.0])
+    observer = invariant_observer(cart, [[0.0, 1.0]], [[-1e12]])
+    onto, straight = observer.recovery(0.0)
+    assert onto == pytest.approx(np.array([[0.0], [1.0]]), abs=1e-9)
+    assert straight == pytest.approx(np.array([[1.0], [1e12]]), rel=1e-9)
