@@ -16,6 +16,10 @@ Field = Callable[[float, FloatArray], Any]
 INTEGRATORS = ("rk4", "scipy", "stiff", "discrete")
 METHODS = {"scipy": "DOP853", "stiff": "LSODA"}
 CHUNK = 1024
+OUTSIDE_MOST = 100
+"""Most values of the field in succession that are not finite: a trial step may go too far."""
+CALLS_MOST = 1_000_000
+"""Most values of the field, of an adaptive integrator; beside them 1000 for each time."""
 
 
 class SeededSignal:
@@ -85,7 +89,7 @@ def trajectory(
     only if its steps end at the jumps.
 
     Raises ParameterError for times that do not increase, DivergenceError naming the time at which a state
-    stops being finite.
+    stops being finite, or after which an adaptive integrator needs too many steps.
 
     >>> trajectory(lambda t, x: -x, [1.0], [0.0, 1.0]).round(6).tolist()
     [[1.0], [0.367879]]
@@ -138,13 +142,30 @@ def _adaptive(
 ) -> FloatArray:
     from scipy.integrate import solve_ivp
 
+    budget = CALLS_MOST + 1000 * len(t)
+    calls = outside = 0
+
+    def counted(now: float, x: FloatArray) -> FloatArray:
+        nonlocal calls, outside
+        change = np.asarray(field(now, x), np.float64)
+        calls, outside = calls + 1, 0 if np.isfinite(change).all() else outside + 1
+        if outside > OUTSIDE_MOST:
+            raise DivergenceError(f"the trajectory leaves every bound near t = {now:g}")
+        if calls > budget:
+            raise DivergenceError(
+                f"the trajectory needs more than {budget} values of the field and has reached t = {now:g}: "
+                "it grows or turns too fast, take fewer or closer times, or a smaller start"
+            )
+        return change
+
     with np.errstate(over="ignore", invalid="ignore"):
         solution = solve_ivp(
-            field, (t[0], t[-1]), x0, method, t, rtol=tolerance, atol=tolerance, max_step=longest
+            counted, (t[0], t[-1]), x0, method, t, rtol=tolerance, atol=tolerance, max_step=longest
         )
-    if solution.status != 0 or not np.isfinite(solution.y).all():
-        raise DivergenceError(
-            f"the trajectory leaves every bound after t = {solution.t[-1]:g}: {solution.message}"
-        )
+    if solution.status != 0:
+        reached = solution.t[-1] if len(solution.t) else t[0]
+        raise DivergenceError(f"the trajectory leaves every bound after t = {reached:g}: {solution.message}")
+    if not (known := np.isfinite(solution.y).all(axis=0)).all():
+        raise DivergenceError(f"the trajectory leaves every bound before t = {t[int(known.argmin())]:g}")
     states: FloatArray = np.ascontiguousarray(solution.y.T)
     return states

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers import SeededSignal, trajectory
+from pointpred.observers import SeededSignal, trajectories, trajectory
 
 
 @pytest.mark.parametrize("integrator", ["rk4", "scipy"])
@@ -97,3 +97,19 @@ def test_what_cannot_be_simulated(given: dict[str, Any], told: str) -> None:
 def test_signals_that_are_none(given: dict[str, Any], told: str) -> None:
     with pytest.raises(ParameterError, match=told):
         SeededSignal(**{"seed": 1, "size": 1, "amplitude": 1.0, **given})
+
+
+@pytest.mark.parametrize("integrator", ["scipy", "stiff"])
+def test_a_start_beyond_what_can_be_computed_ends_at_once(integrator: str) -> None:
+    with pytest.raises(DivergenceError, match=r"leaves every bound (near|after) t = 0"):
+        trajectory(lambda t, x: -5e3 * x, [1e308], [0.0, 0.5, 1.0], integrator=integrator)
+
+
+def test_a_field_that_turns_too_fast_ends_after_so_many_values(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trajectories, "CALLS_MOST", 5000)
+    with pytest.raises(
+        DivergenceError, match="needs more than 7000 values of the field and has reached t = "
+    ):
+        trajectory(
+            lambda t, x: 1e9 * np.array([x[1], -x[0]]), [1.0, 0.0], [0.0, 1.0], integrator="stiff", step_s=1.0
+        )

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, PointpredError
 from pointpred.observers.matrices import matrix, vector
 from pointpred.observers.trajectories import Field, trajectory
 
@@ -59,8 +59,24 @@ class Setting(msgspec.Struct, frozen=True):
         if not callable(given):
             constant = vector(name, given, size)
             return lambda t: constant
-        vector(name, given(0.0), size)
-        return lambda t: np.atleast_1d(np.asarray(given(t), np.float64))
+
+        def value(t: float) -> FloatArray:
+            try:
+                now = vector(name, given(t), size)
+            except PointpredError:
+                raise
+            except (TypeError, ValueError, ArithmeticError, LookupError) as failure:
+                raise ParameterError(
+                    f"{name} must be a function of t, it fails at t = {t:g}: "
+                    f"{type(failure).__name__}: {failure}",
+                    field=name,
+                ) from failure
+            if not np.isfinite(now).all():
+                raise ParameterError(f"{name} must be finite, it is {now.tolist()} at t = {t:g}", field=name)
+            return now
+
+        value(0.0)
+        return value
 
     def refuse(self, kind: str, *names: str) -> None:
         """Raise ParameterError for what a plant of this kind has no place for."""
@@ -104,12 +120,3 @@ def held(values: FloatArray, times: FloatArray) -> Signal:
 def sampled(signal: Signal, times: FloatArray) -> FloatArray:
     """A signal at the samples, (N, size)."""
     return np.array([signal(float(t)) for t in times])
-
-
-def gap_of(times: FloatArray) -> dict[str, float]:
-    """Settings of a stage with which no interval between these samples counts as a gap."""
-    longest = 2.0 * float(np.diff(times).max())
-    settings = {"gap_s": min(max(longest, 1e-6), 1e6)}
-    if longest > 900.0:  # a stage takes at most 10^5 steps in a gap, which may then be longer than 10 ms
-        settings["step_s"] = min(1.0, longest / 9e4)
-    return settings
