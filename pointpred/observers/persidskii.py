@@ -27,9 +27,9 @@ class Persidskii:
 
     Parameters: ``A0`` (n, n), ``A1`` (n, k), ``H`` (r, n), ``B`` (n, m), ``Q`` (n, z), ``C0`` (p, n), ``C1``
     (p, k); each an array or a function of t in s (of the index where ``time`` is ``"discrete"``), ``None``
-    for zero; ``f`` a name, a name for each component (then r = k), or a function from R^r to R^k; ``slopes``
-    the interval of each component's slope, ``None`` for the global ones of a named f; ``domain`` the bound of
-    abs(Hx) within which the slopes hold, infinite if they hold everywhere.
+    for zero; ``f`` a name, a name for each component (then r = k), or a function from R^r to R^k, not needed
+    without A1; ``slopes`` the interval of each component's slope, ``None`` for the global ones of a named f;
+    ``domain`` the bound of abs(Hx) within which the slopes hold, infinite if they hold everywhere.
     Raises ParameterError (a ValueError) naming a matrix of the wrong shape, with NaN, inf or complex entries,
     and slopes that f does not keep within ``domain``, with the true ones.
 
@@ -46,9 +46,9 @@ class Persidskii:
     def __init__(
         self,
         A0: Any,
-        A1: Any,
-        H: Any,
-        f: Any,
+        A1: Any = None,
+        H: Any = None,
+        f: Any = (),
         B: Any = None,
         Q: Any = None,
         C0: Any = None,
@@ -72,6 +72,13 @@ class Persidskii:
             setattr(self, name, one)
         self.n, self.k, self.r = len(self.A0), self.A1.shape[1], len(self.H)
         self.m, self.z, self.p = self.B.shape[1], self.Q.shape[1], len(self.C0)
+        if self.k and H is None:
+            raise ParameterError(
+                f"A1 needs H, whose product with x is the argument of f: {self.k} rows of {self.n} entries",
+                field="H",
+            )
+        if self.k and isinstance(f, tuple | list) and not len(f):
+            raise ParameterError("A1 needs f: a name, a name for each column of A1, or a function", field="f")
         self.f: Nonlinearity = nonlinearity(f, self.k, slopes)
         if self.f.codes is not None and self.r != self.k:
             raise ParameterError(
@@ -102,6 +109,8 @@ class Persidskii:
         """Every matrix at a time (or an index), its shape checked."""
         now = {name: one(t) if callable(one) else one for name, one in self._given.items()}
         a0 = matrix("A0", now["A0"])
+        if not a0.size:
+            raise ParameterError("A0 is empty: a plant needs at least one state", field="A0")
         n = len(a0)
         shaped = {"A0": matrix("A0", now["A0"], n, n)}
         shaped["A1"] = column("A1", now["A1"], n)

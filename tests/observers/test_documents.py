@@ -312,3 +312,22 @@ def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:
 def test_a_plant_has_nothing_to_audit() -> None:
     with pytest.raises(ParameterError, match="design with a certificate"):
         o.audit(kept.CART)
+
+
+@pytest.mark.parametrize("name", [None, 5, "", "folder", "missing/cart.json"])
+def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any, name: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(ParameterError, match=r"must be the path of a file|its folder must exist"):
+        o.save(kept.CART, name)
+    with pytest.raises(
+        ParameterError, match=r"must be the path of a file|it is a folder|no such file"
+    ) as wrong:
+        o.load(name)
+    assert wrong.value.field == "file"
+
+
+@pytest.mark.parametrize("thing", [None, "motor.json", kept.CART])
+def test_an_audit_needs_a_design(thing: Any) -> None:
+    with pytest.raises(ParameterError, match="an audit needs a design with a certificate, received"):
+        o.audit(thing)

@@ -285,3 +285,13 @@ def test_a_slack_of_zero_keeps_its_scale() -> None:
     problem = MatrixInequalities("edge").positive("P", 2).below("P - 2", lambda v: v.P - 2.0 * np.eye(2))
     edge = rescaled(problem._numbers(None, 100.0), np.array([2.0, 0.0, 2.0]))
     assert max(float(np.abs(part).max()) for part in edge.problem.strict[0]) < 10.0
+
+
+def test_numbers_that_overflow_are_too_large_rather_than_not_affine() -> None:
+    problem = MatrixInequalities("huge").symmetric("P", 1)
+    problem.below("block", lambda v: 1e308 * (1e308 * v.P))
+    with (
+        np.errstate(all="ignore"),
+        pytest.raises(ParameterError, match="block holds numbers that are too large"),
+    ):
+        problem.check({"P": [[1.0]]})

@@ -140,3 +140,22 @@ def test_tracking_without_a_nonlinearity() -> None:
         (certificate.error.values, OWN.A0 - REGULATOR.observer.gain @ OWN.C0),
     ):
         assert np.linalg.eigvalsh(a.T @ values["P"] + values["P"] @ a).max() < 0.0
+
+
+def test_a_linear_plant_needs_no_f() -> None:
+    cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
+    assert (cart.k, cart.r, cart.field(0.0, [1.0, 2.0], u=3.0).tolist()) == (0, 0, [2.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "field", "words"),
+    [
+        ({"A0": []}, "A0", "A0 is empty: a plant needs at least one state"),
+        ({"A0": [[-1.0]], "A1": [1.0], "f": "sin"}, "H", "A1 needs H, .* 1 rows of 1 entries"),
+        ({"A0": [[-1.0]], "A1": [1.0], "H": [1.0]}, "f", "A1 needs f: a name"),
+    ],
+)
+def test_a_plant_that_lacks_a_part_is_refused_by_its_name(wrong: Any, field: str, words: str) -> None:
+    with pytest.raises(ParameterError, match=words) as refused:
+        Persidskii(**wrong)
+    assert refused.value.field == field

@@ -310,3 +310,28 @@ def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
     assert np.array_equal(np.asarray(drawn), result.estimate[:, 1])
     with pytest.raises(ParameterError, match=r"\.svg, \.png, \.pdf"):
         result.plot(tmp_path / "cart.bmp")
+
+
+FAILING: list[tuple[Any, str]] = [
+    (lambda: 1.0, "it fails at t = 0: TypeError: .* takes 0 positional arguments"),
+    (lambda t: 1.0 / t, "it fails at t = 0: ZeroDivisionError"),
+    (lambda t: np.nan if t > 0.5 else 1.0, r"input must be finite, it is \[nan\] at t = 0\.5"),
+    (lambda t: [1.0, 2.0], "input must be 1 numbers"),
+]
+
+
+@pytest.mark.parametrize(("given", "words"), FAILING, ids=[row[1][:30] for row in FAILING])
+def test_an_input_that_fails_is_named_with_its_time(given: Any, words: str) -> None:
+    with pytest.raises(ParameterError, match=words) as refused:
+        o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES, input=given)
+    assert refused.value.field == "input"
+
+
+def test_a_figure_and_an_error_of_what_is_not_there_are_refused(tmp_path: Path) -> None:
+    result = o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES)
+    for file in (tmp_path / "missing" / "cart.svg", "", 5):
+        with pytest.raises(ParameterError, match=r"its folder must exist|must be the path of a file"):
+            result.plot(file)
+    for after in ("0", None):
+        with pytest.raises(ParameterError, match="after must be a number, received"):
+            result.rmse(after=after)

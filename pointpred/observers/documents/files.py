@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.files import beside
+from pointpred.files import beside, path_of, writable
 from pointpred.observers.documents.designs import (
     InterlacedDocument,
     ObserverDocument,
@@ -78,10 +78,10 @@ def save(thing: Any, file: Path | str) -> Path:
     UnknownInputObserver, InterlacedObserver. Numbers keep every bit. Python functions (an f without a name,
     matrices that vary) are named in the file and passed again to ``load``.
 
-    Raises ParameterError for anything else, and for a system whose matrices are not affine in each variable;
-    OSError. Returns the path.
+    Raises ParameterError for anything else, for a system whose matrices are not affine in each variable, and
+    for a folder or a file in a folder that does not exist; OSError. Returns the path.
     """
-    target = Path(file)
+    target = writable(file)
     unfinished = beside(target, "part")
     unfinished.write_bytes(encoded(thing))
     unfinished.replace(target)
@@ -106,8 +106,8 @@ def load(file: Path | str, *, functions: Functions | None = None) -> Any:
 
     Parameters: ``functions`` the Python functions that the file names, such as {"f": growth}. Raises
     ParameterError naming the file, the field, what it needs and what it has, for another format or a later
-    version, and for a function that is missing; CertificateError naming the inequality that fails;
-    InfeasibleError for an equality that does not hold; OSError.
+    version, for a function that is missing, and for a file that is not there; CertificateError naming the
+    inequality that fails; InfeasibleError for an equality that does not hold; OSError.
 
     >>> from tempfile import TemporaryDirectory
     >>> from pointpred.observers import Persidskii, design_full_order
@@ -117,7 +117,13 @@ def load(file: Path | str, *, functions: Functions | None = None) -> Any:
     >>> bool((again.gain == design.gain).all()), again.bound == design.bound
     (True, True)
     """
-    path = Path(file)
+    path = path_of(file)
+    if not path.is_file():
+        raise ParameterError(
+            f"cannot read {path}: {'it is a folder' if path.is_dir() else 'there is no such file'}",
+            field="file",
+            value=file,
+        )
     if path.stat().st_size > LARGEST:
         raise ParameterError(f"{path}: a plant or a design has at most {LARGEST} bytes")
     return decoded(path.read_bytes(), functions=functions, name=str(path))
@@ -149,6 +155,10 @@ def audit(design: Any) -> dict[str, float]:
     >>> audit(design) == design.margins
     True
     """
+    if not isinstance(design, tuple(KINDS)):
+        raise ParameterError(
+            f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"
+        )
     document = _document(design)
     margins = margins_of(
         document.made(functions_of(getattr(design, "observer", design)) | functions_of(design))

@@ -163,6 +163,11 @@ class Unknowns:
         point = np.cos(np.arange(1.0, self.count + 1.0))
         expected = constant + np.tensordot(point, slopes, 1)
         error = np.abs(function(self.matrices(point)) - expected).max()
+        if not np.isfinite(error):
+            raise ParameterError(
+                f"{name} holds numbers that are too large to compute with: check the largest matrices",
+                field=name,
+            )
         if not error <= ROUNDING * max(1.0, np.abs(expected).max()):
             raise ParameterError(
                 f"{name} must be affine in the unknown matrices; it is off by {error:.3g}", field=name

@@ -9,10 +9,12 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.drawing.panels import Panel, beside, drawn
 from pointpred.drawing.style import written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
+from pointpred.files import writable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,6 +57,8 @@ class Simulation(msgspec.Struct, frozen=True):
 
     def rmse(self, after: float = -np.inf) -> FloatArray:
         """The root of the mean squared error of each state over the samples from ``after`` on, (n)."""
+        if not is_number(after):
+            raise ParameterError(f"after must be a number, received {after!r}", field="after", value=after)
         late = self.t >= after
         if not late.any():
             raise ParameterError(
@@ -67,7 +71,7 @@ class Simulation(msgspec.Struct, frozen=True):
         """A figure of matplotlib: each state with its estimate, unknown inputs, the norm of the error.
 
         Parameters: ``file`` to write as well, .svg, .png or .pdf by its ending. Raises ParameterError for
-        another ending; MissingExtraError without matplotlib; OSError.
+        another ending and for a folder that does not exist; MissingExtraError without matplotlib; OSError.
         """
         target = None if file is None else check_ending(file)
         panels = self.panels()
@@ -99,8 +103,8 @@ class Simulation(msgspec.Struct, frozen=True):
 
 
 def check_ending(file: Path | str) -> Path:
-    """The file of a plot; raises ParameterError for an ending that no plot has."""
-    target = Path(file)
+    """The file of a plot; raises ParameterError for an ending that no plot has, and without a folder."""
+    target = writable(file)
     if target.suffix not in ENDINGS:
         raise ParameterError(
             f"a plot is written to a file that ends in {', '.join(ENDINGS)}, received {target}", field="file"
