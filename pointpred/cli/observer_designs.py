@@ -42,10 +42,10 @@ class Wish(msgspec.Struct, frozen=True):
 
     observer: str | None
     decay: float
-    injection: bool
-    upper: int
-    first: str | None
-    degree: int
+    injection: bool | None = None
+    upper: int | None = None
+    first: str | None = None
+    degree: int | None = None
 
 
 def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
@@ -63,9 +63,10 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
             f"received a {type(plant).__name__}",
             field="observer",
         )
+    _refuse_unused(kind, generator, wish)
     one: Any = plant  # of that type
     if kind == "reduced-order":
-        return kind, design_reduced_order(one, decay=wish.decay, injection=wish.injection)
+        return kind, design_reduced_order(one, decay=wish.decay, injection=wish.injection is not False)
     if kind == "full-order":
         return kind, design_full_order(one, decay=wish.decay)
     if kind == "regulator":
@@ -75,6 +76,23 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
     if kind == "driven":
         return kind, _driven(one, _generator(generator, Generator, kind, "generator"), wish)
     return kind, _interlaced(one, _generator(generator, SymbolicGenerator, kind, "symbolic generator"), wish)
+
+
+def _refuse_unused(kind: str, generator: Any, wish: Wish) -> None:
+    """Raise ParameterError for an option that this kind of observer does not read."""
+    options = {
+        "--generator": (generator, ("driven", "interlaced")),
+        "--injection": (wish.injection, ("reduced-order",)),
+        "--upper": (wish.upper, ("interlaced",)),
+        "--first": (wish.first, ("interlaced",)),
+        "--degree": (wish.degree, ("interlaced",)),
+    }
+    for option, (value, kinds) in options.items():
+        if value is not None and kind not in kinds:
+            raise ParameterError(
+                f"{option} is for --observer {' and '.join(kinds)}, this one is {kind}: leave it out",
+                field=option,
+            )
 
 
 def chosen(plant: Any, generator: Any) -> str:
@@ -108,7 +126,15 @@ def _interlaced(plant: SymbolicSystem, generator: SymbolicGenerator, wish: Wish)
             "an interlaced observer needs --first, the steady state of the first lower row, such as w1",
             field="first",
         )
-    steady = interlaced(plant, generator, wish.upper, parsed(wish.first, "--first"), degree=wish.degree)
+    first = parsed(wish.first, "--first")
+    if foreign := sorted(map(str, first.free_symbols - set(generator.states))):
+        raise ParameterError(
+            f"--first may hold the generator's states {', '.join(map(str, generator.states))}, received "
+            f"{wish.first!r} with {', '.join(foreign)}",
+            field="first",
+        )
+    degree = 3 if wish.degree is None else wish.degree
+    steady = interlaced(plant, generator, wish.upper or 0, first, degree=degree)
     return InterlacedObserver.design(steady, rate=wish.decay)
 
 

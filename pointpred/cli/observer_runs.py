@@ -43,12 +43,21 @@ def plant_of(design: Any) -> Any:
     )
 
 
-def sampling(plant: Any, seconds: float, step_s: float, steps: int) -> FloatArray:
-    """The times of the samples, or the indices of a discrete plant."""
+def sampling(plant: Any, seconds: float | None, step_s: float | None, steps: int | None) -> FloatArray:
+    """The times of the samples, or the indices of a discrete plant; an option of the other is refused."""
     if isinstance(plant, Persidskii | CornerSystem) and plant.time == "discrete":
+        for name, value in (("--seconds", seconds), ("--step-s", step_s)):
+            if value is not None:
+                raise ParameterError(f"{name} is for continuous plants, this one is discrete: give --steps")
+        steps = 1000 if steps is None else steps
         if steps < 1:
             raise ParameterError(f"--steps must be at least 1, received {steps}", field="steps")
         return np.arange(steps + 1, dtype=np.float64)
+    if steps is not None:
+        raise ParameterError(
+            "--steps is for discrete plants, this one is continuous: give --seconds and --step-s"
+        )
+    seconds, step_s = 10.0 if seconds is None else seconds, 0.01 if step_s is None else step_s
     for name, value in (("--seconds", seconds), ("--step-s", step_s)):
         if not 0.0 < value < np.inf:
             raise ParameterError(f"{name} must be finite and above 0, received {value:g}")

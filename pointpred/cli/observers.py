@@ -97,9 +97,14 @@ def design(
         ),
     ] = None,
     injection: Annotated[
-        bool, typer.Option("--injection/--no-injection", help="Whether y enters f (reduced-order).")
-    ] = True,
-    upper: Annotated[int, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced).")] = 0,
+        bool | None,
+        typer.Option(
+            "--injection/--no-injection", help="Whether y enters f (reduced-order). Not given: it does."
+        ),
+    ] = None,
+    upper: Annotated[
+        int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")
+    ] = None,
     first: Annotated[
         str | None,
         typer.Option(
@@ -107,8 +112,8 @@ def design(
         ),
     ] = None,
     degree: Annotated[
-        int, typer.Option(metavar="DEGREE", help="Degree of the power series (interlaced).")
-    ] = 3,
+        int | None, typer.Option(metavar="DEGREE", help="Degree of the power series (interlaced; 3).")
+    ] = None,
     json: Json = None,
     force: Force = False,
 ) -> None:
@@ -182,9 +187,11 @@ def simulate(
             help="Another plant than the design's, for a model that is wrong.",
         ),
     ] = None,
-    seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
-    step_s: Annotated[float, typer.Option(metavar="S", help="Time between samples, s.")] = 0.01,
-    steps: Annotated[int, typer.Option(help="Length of a discrete plant's simulation, in steps.")] = 1000,
+    seconds: Annotated[float | None, typer.Option(help="Length, s (10).")] = None,
+    step_s: Annotated[float | None, typer.Option(metavar="S", help="Time between samples, s (0.01).")] = None,
+    steps: Annotated[
+        int | None, typer.Option(help="Length of a discrete plant's simulation, in steps (1000).")
+    ] = None,
     start: Annotated[
         str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
     ] = None,

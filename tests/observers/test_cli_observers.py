@@ -156,6 +156,31 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
     ]
 
 
+def test_an_option_that_would_be_ignored_is_refused(command: Command, motor: Path, tmp_path: Path) -> None:
+    plant, wing, tank = tmp_path / "motor.json", tmp_path / "wing.json", tmp_path / "tank.json"
+    for file in (wing, tank):
+        assert command("observers", "example", file.stem, "--out", file).code == 0
+    assert command("observers", "design", tank, "--decay", "0.1").code == 0
+    refused(command, 2, "--steps is for discrete plants", "simulate", motor, "--steps", "7")
+    design = tmp_path / "tank_design.json"
+    refused(command, 2, "--seconds is for continuous plants", "simulate", design, "--seconds", "7")
+    refused(command, 2, "--step-s is for continuous plants", "simulate", design, "--step-s", "7")
+    words = "is for --observer interlaced, this one is reduced-order: leave it out"
+    refused(command, 2, f"--upper {words}", "design", plant, "--upper", "1", "--force")
+    refused(command, 2, f"--degree {words}", "design", plant, "--degree", "2", "--force")
+    refused(command, 2, "--injection is for --observer reduced-order", "design", wing, "--no-injection")
+    generator = ("--generator", tank, "--observer", "full-order")
+    refused(command, 2, "--generator is for --observer driven", "design", plant, *generator, "--force")
+
+
+def test_a_steady_state_of_another_symbol_is_refused(command: Command, tmp_path: Path) -> None:
+    for name in ("spring", "oscillator"):
+        command("observers", "example", name, "--out", tmp_path / f"{name}.json")
+    generator = ("--generator", tmp_path / "oscillator.json", "--upper", "1")
+    words = "--first may hold the generator's states w1, w2, received 'foo+1' with foo"
+    refused(command, 2, words, "design", tmp_path / "spring.json", *generator, "--first", "foo+1")
+
+
 def test_the_help_of_each_command_can_be_followed(command: Command) -> None:
     left = command("observers", "--help")
     assert left.code == 0

@@ -40,7 +40,7 @@ def test_undetectable_modes_are_those_of_the_hidden_block(seed: int, time: str) 
     [
         (
             [[1.0, 0.0], [0.0, -2.0]],
-            r"\(S0, C0 Pi\) is not detectable: the mode of the eigenvalue 1 never shows",
+            r"\(A0, C0\) is not detectable: the mode of the eigenvalue 1 never shows",
         ),
         ([[0.0, 3.0], [-3.0, 0.0]], r"the mode of the eigenvalue 0[+-]3j never shows"),
     ],
@@ -132,3 +132,26 @@ def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: flo
     plant = Persidskii(factor * np.array(MOTOR), None, None, "sin", [0.0, 0.0, 100.0], None, [1.0, 0.0, 0.0])
     with pytest.raises(ParameterError, match="too many powers of ten apart"):
         door(plant, decay=decay)
+
+
+@pytest.mark.parametrize(
+    ("plant", "pair"),
+    [
+        (Persidskii([[0.0, 1.0], [0.0, 0.5]], C0=[0.0, 1.0]), r"^\(A0, C0\) is not detectable"),
+        (
+            Persidskii([[0.0, 0.0], [0.0, -1.0]], [0.0, 1.0], [0.0, 1.0], "tanh", C0=[0.0, 1.0]),
+            r"^\(A0 \+ A1 D H, C0 \+ C1 D H\), D = diag\(0\), is not detectable",
+        ),
+    ],
+)
+def test_a_full_order_observer_is_refused_in_the_words_of_its_plant(plant: Persidskii, pair: str) -> None:
+    with pytest.raises(InfeasibleError, match=pair):
+        design_full_order(plant)
+
+
+def test_a_decay_of_zero_and_an_injection_that_is_no_bool_are_refused() -> None:
+    plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], C0=[1.0, 0.0])
+    with pytest.raises(ParameterError, match="decay must be finite and above 0, received 0"):
+        design_full_order(plant, decay=0.0)
+    with pytest.raises(ParameterError, match="injection must be True or False, received 'yes'"):
+        design_reduced_order(plant, injection="yes")

@@ -99,15 +99,18 @@ def design_observer(
     decay = positive("decay", decay, zero=True)
     connection = Interconnection(plant, generator, Pi)
     plant = connection.plant
+    copy = np.array_equal(connection.pi, np.eye(plant.n)) and np.array_equal(connection.g.S0, plant.A0)
     for name, d in connection.corners.items():
-        pair = f"(S0 + S1 D J, C0 Pi + C1 D J), D = diag({name}),"
+        pair = "(A0 + A1 D H, C0 + C1 D H)" if copy else "(S0 + S1 D J, C0 Pi + C1 D J)"
         sloped = (
             connection.g.S0 + connection.g.S1 @ d @ connection.j,
             connection.output + plant.C1 @ d @ connection.j,
         )
-        require_detectable(*sloped, plant.time, pair)
+        require_detectable(*sloped, plant.time, f"{pair}, D = diag({name}),")
     if not connection.corners:
-        require_detectable(connection.g.S0, connection.output, plant.time, "(S0, C0 Pi)")
+        require_detectable(
+            connection.g.S0, connection.output, plant.time, "(A0, C0)" if copy else "(S0, C0 Pi)"
+        )
     require_map(plant, generator, connection.pi)
     q, p = connection.g.q, plant.p
     units = connection.units(decay)

@@ -9,6 +9,7 @@ import numpy as np
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.linear_systems import Plant, as_plant
+from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
 
 
@@ -22,7 +23,7 @@ def design_full_order(
 
     z' = A0 z + A1 f(Hz) + B u + Q rho + M (y - C0 z - C1 f(Hz))
 
-    Parameters: ``decay`` in 1/s (1/step), >= 0, demanded of the error; ``gain``, ``margin`` and ``kappa`` as
+    Parameters: ``decay`` in 1/s (1/step), > 0, demanded of the error; ``gain``, ``margin`` and ``kappa`` as
     for ``design_observer``, which also says what is raised. ``observer_stage`` runs it; its inputs are y,
     then u and rho.
 
@@ -33,7 +34,7 @@ def design_full_order(
     >>> design.bound.rate >= 2.0, min(design.margins.values()) > 0.0
     (True, True)
     """
-    one = as_plant(plant)
+    one, decay = as_plant(plant), positive("decay", decay)
     inputs = np.hstack([one.B, one.Q])
     known = Persidskii(
         one.A0, one.A1, one.H, one.f, None, inputs, one.C0, one.C1, time=one.time, domain=one.domain

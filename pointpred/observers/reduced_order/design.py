@@ -76,6 +76,10 @@ def design_reduced_order(
     True
     """
     plant, decay = as_plant(plant), positive("decay", decay)
+    if not isinstance(injection, bool):
+        raise ParameterError(
+            f"injection must be True or False, received {injection!r}", field="injection", value=injection
+        )
     if plant.varying:
         raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
     units = balanced(
