@@ -18,6 +18,8 @@ METHODS = {"scipy": "DOP853", "stiff": "LSODA"}
 CHUNK = 1024
 OUTSIDE_MOST = 100
 """Most values of the field in succession that are not finite: a trial step may go too far."""
+STANDING_MOST = 300_000
+"""Most values of the field, of an adaptive integrator, at times that it has reached before."""
 CALLS_MOST = 1_000_000
 """Most values of the field, of an adaptive integrator; beside them 1000 for each time."""
 
@@ -143,14 +145,22 @@ def _adaptive(
     from scipy.integrate import solve_ivp
 
     budget = CALLS_MOST + 1000 * len(t)
-    calls = outside = 0
+    calls = outside = advanced = 0
+    furthest = -np.inf
 
     def counted(now: float, x: FloatArray) -> FloatArray:
-        nonlocal calls, outside
+        nonlocal calls, outside, advanced, furthest
         change = np.asarray(field(now, x), np.float64)
         calls, outside = calls + 1, 0 if np.isfinite(change).all() else outside + 1
         if outside > OUTSIDE_MOST:
             raise DivergenceError(f"the trajectory leaves every bound near t = {now:g}")
+        if now > furthest:
+            furthest, advanced = now, calls
+        if calls - advanced > STANDING_MOST:
+            raise DivergenceError(
+                f"the trajectory stands still near t = {now:g}: its numbers are too large, or it grows or "
+                "turns too fast"
+            )
         if calls > budget:
             raise DivergenceError(
                 f"the trajectory needs more than {budget} values of the field and has reached t = {now:g}: "

@@ -12,6 +12,7 @@ from scipy.linalg import expm
 
 from pointpred import observers as o
 from pointpred.errors import DivergenceError, EventError, ParameterError
+from pointpred.observers import trajectories
 from tests.observers import kept_designs as kept
 
 pytest.importorskip("cvxpy")
@@ -335,3 +336,11 @@ def test_a_figure_and_an_error_of_what_is_not_there_are_refused(tmp_path: Path) 
     for after in ("0", None):
         with pytest.raises(ParameterError, match="after must be a number, received"):
             result.rmse(after=after)
+
+
+def test_a_start_beyond_every_bound_ends_without_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trajectories, "STANDING_MOST", 5000)
+    with pytest.raises(DivergenceError, match="stands still near t = 0: its numbers are too large"):
+        o.simulate(
+            kept.CART, o.design_reduced_order(kept.CART, decay=50.0), times=TIMES, start=[0.0, 1.7e308]
+        )

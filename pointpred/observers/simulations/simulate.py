@@ -6,6 +6,8 @@ from collections.abc import Callable
 from functools import singledispatch
 from typing import Any
 
+import numpy as np
+
 from pointpred.errors import ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.interconnected.generator import Generator
@@ -78,7 +80,8 @@ def simulate(
             f"seed must be a whole number not below 0, received {seed!r}", field="seed", value=seed
         )
     setting = Setting(times, start, estimate, input, disturbance, unknown_input, schedule, noise, seed)
-    return _simulated(observer, plant, setting)
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows leaves every bound, and is refused
+        return _simulated(observer, plant, setting)
 
 
 @singledispatch
