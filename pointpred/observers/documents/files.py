@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.files import beside, path_of, writable
+from pointpred.files import beside
 from pointpred.observers.documents.designs import (
     InterlacedDocument,
     ObserverDocument,
@@ -36,6 +36,7 @@ from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.regulator import RegulatorDesign
 from pointpred.observers.linear_systems import as_plant
 from pointpred.observers.matrices import instance
+from pointpred.observers.paths import path_of, writable
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
@@ -91,7 +92,8 @@ def save(thing: Any, file: Path | str) -> Path:
 def encoded(thing: Any) -> bytes:
     """The JSON text of a plant or a design, as ``save`` writes it.
 
-    >>> from pointpred.observers.persidskii import Persidskii
+    >>> from pointpred.observers.paths import path_of, writable
+    from pointpred.observers.persidskii import Persidskii
     >>> encoded(Persidskii([[-1.0]], None, None, "sin", C0=[1.0])).split()[:4]
     [b'{', b'"format":', b'"pointpred', b'observers",']
     """

@@ -14,7 +14,7 @@ from pointpred.drawing.panels import Panel, beside, drawn
 from pointpred.drawing.style import written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.files import writable
+from pointpred.observers.paths import writable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
