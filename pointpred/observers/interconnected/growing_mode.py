@@ -62,7 +62,7 @@ def growing_mode(
     >>> growing_mode(a, b, h, [disc(0.4)], lambda mode: True) is None
     True
     >>> growing_mode(a, b, h, [disc(1.0)], lambda mode: True).text("a + b D h", 1.0)
-    'a + b D h has the eigenvalue 0.999998 at D = diag(0.999999)'
+    'a + b D h has the eigenvalue 0.199999 at D = diag(0.599999)'
     """
     for i in range(2):
         mode = _search(a, b, h, [one[i] for one in candidates], admitted)
