@@ -69,6 +69,7 @@ def still(process_id: int, seconds: float) -> None:
     os.kill(process_id, signal.SIGCONT)
 
 
+@pytest.mark.slow
 def test_a_service_that_stood_still_ends_no_session_but_silent_ones(tmp_path: Path) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path, "--idle-s", f"{IDLE_S}"))

@@ -92,8 +92,7 @@ def save(thing: Any, file: Path | str) -> Path:
 def encoded(thing: Any) -> bytes:
     """The JSON text of a plant or a design, as ``save`` writes it.
 
-    >>> from pointpred.observers.paths import path_of, writable
-    from pointpred.observers.persidskii import Persidskii
+    >>> from pointpred.observers.persidskii import Persidskii
     >>> encoded(Persidskii([[-1.0]], None, None, "sin", C0=[1.0])).split()[:4]
     [b'{', b'"format":', b'"pointpred', b'observers",']
     """
