@@ -295,6 +295,21 @@ def test_a_cut_xdf_keeps_its_whole_chunks(tmp_path: Path) -> None:
         xdf.read(streams(path, stream_header(1, "Mouse", "Mouse", ["x", "y"])))
 
 
+@pytest.mark.parametrize(
+    ("write", "reader"), [(write_xdf, "pyxdf.load_xdf"), (write_workbook, "openpyxl.load_workbook")]
+)
+def test_a_file_for_which_memory_runs_out_is_not_called_damaged(
+    write: Any, reader: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def exhausted(*arguments: Any, **options: Any) -> None:
+        raise MemoryError("no room for 1 TB")
+
+    write(tmp_path / "recording")
+    monkeypatch.setattr(reader, exhausted)
+    with pytest.raises(RecordingError, match=r"recording: needs more memory than there is.*1 TB"):
+        read_any(tmp_path / "recording")
+
+
 def test_claims_of_size_in_xdf_are_not_believed(tmp_path: Path) -> None:
     huge = stream_header(1, "Mouse", "Mouse", ["x", "y"]).replace(b"count>2<", b"count>99999999<")
     with pytest.raises(RecordingError, match="at most"):

@@ -21,6 +21,7 @@ from pointpred.extras import require
 from pointpred.sources.files.encodings import open_unpacked
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.table_files import xdf_accelerometer
+from pointpred.sources.tables.arrow_tables import unreadable
 from pointpred.sources.tables.column_table import ColumnTable, distinct_names
 
 TITLE = "XDF"
@@ -224,6 +225,8 @@ def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[
                 file, select_streams=[stream.number], synchronize_clocks=True, dejitter_timestamps=False
             )
         values, times = loaded[0]["time_series"], loaded[0]["time_stamps"]
+    except MemoryError as error:  # the file need not be damaged
+        raise unreadable(path, error) from error
     except Exception as error:  # pyxdf raises errors of many kinds on damaged bytes
         raise RecordingError(f"{path}: damaged XDF: {str(error)[:120]}") from error
     if not len(times) or values.shape != (len(times), stream.channels):

@@ -16,6 +16,7 @@ from pointpred.extras import require
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.records.record_paths import CLEAR, EACH, LEAST_COLUMNS
 from pointpred.sources.records.record_tables import RecordTable
+from pointpred.sources.tables.arrow_tables import unreadable
 from pointpred.sources.tables.column_table import ColumnTable, distinct_names
 
 TITLE = "workbook .xlsx"
@@ -48,6 +49,8 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
             return _sheet(path, {sheet.title: sheet for sheet in book.worksheets}, reading.records)
     except RecordingError:
         raise
+    except MemoryError as error:  # the file need not be damaged
+        raise unreadable(path, error) from error
     except Exception as error:  # openpyxl raises errors of many kinds on damaged bytes
         raise RecordingError(f"{path}: damaged workbook: {str(error)[:120]}") from error
 
