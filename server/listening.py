@@ -17,6 +17,7 @@ import uvicorn
 
 from pointpred.errors import SourceError
 from pointpred.server.access import WILDCARDS, HostRule
+from pointpred.server.allocator import bound_free_memory
 from pointpred.server.app import create_app
 from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import counting
@@ -192,6 +193,7 @@ def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Ca
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     server = make_server(hosts, service, announce)
     tune_collector()
+    bound_free_memory()
     _stop_at_hangup(server)
     try:
         with opened:

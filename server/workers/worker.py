@@ -18,6 +18,7 @@ from typing import Any, cast
 import msgspec
 
 from pointpred.server.access import HostRule
+from pointpred.server.allocator import bound_free_memory
 from pointpred.server.compiling.compiler import Progress
 from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import BoundedHttpProtocol
@@ -243,6 +244,7 @@ def main(arguments: list[str]) -> None:
     server.announce, server.service = lambda: None, service
     server.prepare(control_socket, socket.socket(fileno=connections), peers)
     tune_collector()
+    bound_free_memory()
     server.run([])
 
 
