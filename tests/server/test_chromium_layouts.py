@@ -28,7 +28,7 @@ pytestmark = browser.needed
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
 RECORDED = pytest.mark.skipif(FOLDER is None, reason="POINTPRED_RECORDINGS names no folder")
-MOVEMENTS = 4
+MOVEMENTS = 3
 LEAST_GAP_S = 0.008
 WIDTH, HEIGHT = 1200, 600
 """Where the mouse stays, px: inside the window of the tests' browser."""

@@ -45,6 +45,7 @@ def test_what_costs_the_parser_much_is_refused(
         keep(self, name, value)
 
     monkeypatch.setattr(HttpToolsProtocol, "on_header", counted)
+    monkeypatch.setattr("pointpred.server.http_protocol.DRAIN_S", 0.3)
     with running(token=token) as here, half(here, sent) as opened:
         heard = answer(opened)
         assert b"HTTP/1.1 %d " % status in heard

@@ -115,21 +115,21 @@ def place(visitor: Visitor, right: float, down: float) -> tuple[float, float]:
 
 
 def test_the_sentence_tells_how_early_the_end_was_known(visitor: Visitor) -> None:
-    """Twelve movements are judged anew from what went over the wire; averages are over the last ten."""
+    """Eleven movements are judged anew from what went over the wire; averages are over the last ten."""
     name = "minimum-jerk"  # the law of these movements, so that it knows their ends early
     visitor.choose("#live-predictor-0", name)
     corners = [place(visitor, *at) for at in ((0.1, 0.15), (0.8, 0.7), (0.2, 0.6), (0.85, 0.2))]
     verdicts = []
-    for i in range(12):
+    for i in range(11):
         before = visitor.value(VERDICT)
-        visitor.reach(corners[i % 4], corners[(i + 1) % 4], 0.5)
+        visitor.reach(corners[i % 4], corners[(i + 1) % 4], 0.35)
         visitor.value(PAUSE)
         verdicts.append(
             visitor.wait(f"JSON.stringify({VERDICT}) !== {json.dumps(json.dumps(before))} && {VERDICT}")
         )
     verdicts.append(visitor.value(VERDICT))
     expected = leads(line(visitor))
-    arrivals = [one["arrival"] for one in expected]  # more than twelve where a slow machine parts a movement
+    arrivals = [one["arrival"] for one in expected]  # more than eleven where a slow machine parts a movement
     for verdict in verdicts:
         i = int(np.argmin(np.abs(np.subtract(arrivals, verdict["arrival"]))))
         wanted = expected[i]

@@ -312,9 +312,7 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
         a, c = steady.generator.matrix(), output_matrix(steady)
         q, p = len(a), len(c)
         values = _matrices(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
-        proof = interlaced_certificate(
-            values, theorem_4_4_1(a, c).check(values, printed=False), gap_of(self.gap)
-        )
+        proof = interlaced_certificate(values, theorem_4_4_1(a, c).check(values), gap_of(self.gap))
         return InterlacedObserver(steady, proof, start=self.start, gap_s=self.gap_s)
 
 

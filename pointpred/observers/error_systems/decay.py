@@ -142,7 +142,7 @@ def certified_decay(
     is not above 0.
     """
     decay = positive("decay", decay)
-    margins = decay_inequalities(system, decay, **bounds).check(values, printed=False)
+    margins = decay_inequalities(system, decay, **bounds).check(values)
     p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
     gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))

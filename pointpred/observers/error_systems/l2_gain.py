@@ -109,5 +109,5 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
     # In the user's units V' is V's change in 1/s, delta is divided by ``size`` and z by size / lower.
     p = form(found["P"], x) * (lower / size) ** 2 * t
     with answer_of_a_search():
-        margins = gain_inequalities(system, upper, **bounds).check({"P": p}, printed=False)
+        margins = gain_inequalities(system, upper, **bounds).check({"P": p})
     return L2Gain(lower, upper, frequency, system.names[worst], p, margins)

@@ -117,7 +117,7 @@ def certify(
     values["U"] = outward(inner["U"], 1.0 / x, y, t)
     gap = np.inf if solution.gap is None else solution.gap
     with answer_of_a_search():
-        return certificate(values, theorem_4_4_1(system, output).check(values, printed=False), gap)
+        return certificate(values, theorem_4_4_1(system, output).check(values), gap)
 
 
 def _start(a: FloatArray, c: FloatArray, rate: float) -> dict[str, Any] | None:
