@@ -18,7 +18,7 @@ from pointpred.errors import (
 from pointpred.observers.balance import Coordinates, balanced, form, inward, outward
 from pointpred.observers.detectability import require_detectable, vertices
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, positive
+from pointpred.observers.matrices import matrix, positive, without_rounding
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.convergence import Convergence
 from pointpred.observers.reduced_order.reversed_certificate import certify_convergence
@@ -146,7 +146,10 @@ def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
     pi = _unmeasured(plant)
     parts = split(plant, pi)
     start = filter_start(parts.drift, parts.seen, decay, plant.time)
-    return None if start is None else np.asarray(np.linalg.eigh(start[0])[1].T @ pi, np.float64)
+    if start is None:
+        return None
+    turned = np.linalg.eigh(start[0])[1].T @ pi
+    return without_rounding(turned, np.ones_like(turned))
 
 
 def _bounded(plant: Persidskii) -> bool:
@@ -220,4 +223,5 @@ def _chosen(
 
 def _unmeasured(plant: Persidskii) -> FloatArray:
     """An orthonormal basis of the null space of the output."""
-    return np.asarray(np.linalg.svd(plant.C0)[2][plant.p :], np.float64)
+    basis = np.linalg.svd(plant.C0)[2][plant.p :]
+    return without_rounding(basis, np.ones_like(basis))

@@ -14,7 +14,7 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import dimensions, instance, matrix, share
+from pointpred.observers.matrices import dimensions, instance, matrix, share, without_rounding
 
 TOLERANCE = 1e-9
 Given = Any
@@ -155,7 +155,8 @@ class InvariantObserver:
         given = _at(self._given["Upsilon"], t)
         upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
-        return now, pi, upsilon, pi + upsilon @ now["C0"]
+        z = without_rounding(pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]))
+        return now, pi, upsilon, z
 
     def _connection(self, t: float) -> Connection:
         now, _, upsilon, z = self._maps(t)
@@ -171,7 +172,8 @@ class InvariantObserver:
         else:
             b = matrix("B", _at(given, t), self.q, self.plant.p)
             s0 = _right(z, change - b @ now["C0"])
-        s1 = onward @ now["A1"] - b @ now["C1"]
+        sizes = np.abs(onward) @ np.abs(now["A1"]) + np.abs(b) @ np.abs(now["C1"])
+        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes)
         stacked = np.vstack([z, now["C0"]]) if self.injection else z
         jr = _right(stacked, now["H"])
         j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
@@ -270,7 +272,7 @@ def _at(given: Given, t: float) -> Any:
 def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     """The least-squares solution of X a = b, of least norm after the rows and columns of a are scaled to 1.
 
-    The scale keeps a combination of states in small units from counting as rounding.
+    The scale keeps a combination of states in small units from counting as rounding. What is rounding is 0.
     """
     if not a.size:
         return np.zeros((len(b), len(a)))
@@ -279,7 +281,11 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     rows = np.abs(a / columns).max(axis=1)
     rows[rows == 0.0] = 1.0
     scaled = a / columns / rows[:, None]
-    return np.asarray(np.linalg.lstsq(scaled.T, (b / columns).T, rcond=None)[0].T / rows, np.float64)
+    right = b / columns
+    solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
+    inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
+    answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse)) / rows
+    return answer
 
 
 def _demand(left: dict[str, FloatArray], tolerance: float, size: float, t: float) -> None:

@@ -9,10 +9,10 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, without_rounding
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import lipschitz, symmetric
 from pointpred.observers.stationary import cover, filter_start, middle
@@ -61,15 +61,24 @@ def split(plant: Persidskii, Pi: Any) -> Split:
             f"the rows of Pi and C0 must be independent, their least singular value is {least:.3g}"
         )
     inverse = np.linalg.inv(both)
+    inverse = without_rounding(inverse, np.abs(inverse) @ np.abs(both) @ np.abs(inverse))
     hidden, measured = inverse[:, :q], inverse[:, q:]
     return Split(
-        pi @ plant.A0 @ hidden,
-        plant.C0 @ plant.A0 @ hidden,
-        pi @ plant.A1,
-        plant.C0 @ plant.A1,
-        plant.H @ hidden,
-        plant.H @ measured,
+        _product(pi, plant.A0, hidden),
+        _product(plant.C0, plant.A0, hidden),
+        _product(pi, plant.A1),
+        _product(plant.C0, plant.A1),
+        _product(plant.H, hidden),
+        _product(plant.H, measured),
     )
+
+
+def _product(*factors: FloatArray) -> FloatArray:
+    """The product of matrices without the entries that are only its rounding."""
+    whole, sizes = factors[0], np.abs(factors[0])
+    for one in factors[1:]:
+        whole, sizes = whole @ one, sizes @ np.abs(one)
+    return without_rounding(whole, sizes)
 
 
 def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
@@ -111,6 +120,9 @@ class Choice(msgspec.Struct, frozen=True):
 
     def made(self) -> tuple[FloatArray, float, dict[str, Any]]:
         """An Upsilon with a small output injection, the gap of its size, and its P with W or alpha."""
+        unneeded = self._without_injection()
+        if unneeded is not None:
+            return self.base, 0.0, unneeded
         tilt = self.free
         rest = np.linalg.svd(self.free.T)[2][self.free.shape[1] :].T
         if rest.shape[1]:
@@ -130,6 +142,22 @@ class Choice(msgspec.Struct, frozen=True):
             p = p + rest @ values["P1"] @ rest.T
         proof: dict[str, Any] = {"P": p, **{name: values[name] for name in ("W", "alpha") if name in values}}
         return self._upsilon(values), np.inf if solution.gap is None else solution.gap, proof
+
+    def _without_injection(self) -> dict[str, Any] | None:
+        """P with W or alpha for Upsilon = U0, the least one; ``None`` if it does not decay fast enough."""
+        parts, most = self.parts, -0.5 * self.rate
+        for corner in self.corners.values() or [np.zeros((parts.driven.shape[1], len(parts.inner)))]:
+            onward = parts.drift + self.base @ parts.seen
+            onward = onward + (parts.driven + self.base @ parts.shown) @ corner @ parts.inner
+            modes = np.linalg.eigvals(onward)
+            discrete = self.time == "discrete"
+            slowest = np.abs(modes).max() if discrete else modes.real.max()
+            if slowest >= (exp(most) if discrete else most):
+                return None
+        try:
+            return self._analysis(self.base, slack=False).solve(solver=self.solver).values
+        except (InfeasibleError, UndecidedError, CertificateError):
+            return None
 
     def _start(self) -> dict[str, Any] | None:
         """The matrices of the stationary filter at the middle of the slopes."""
@@ -203,14 +231,14 @@ class Choice(msgspec.Struct, frozen=True):
 
         return self._inequalities(problem, p, closed, slack)
 
-    def _analysis(self, upsilon: FloatArray) -> MatrixInequalities:
+    def _analysis(self, upsilon: FloatArray, *, slack: bool = True) -> MatrixInequalities:
         """The problem for a fixed Upsilon: the unknown is P."""
         problem = MatrixInequalities("analysis", **self.bounds).positive("P", len(upsilon))
 
         def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:
             return np.asarray(v.P @ (first + upsilon @ second))
 
-        return self._inequalities(problem, lambda v: v.P, closed, True)
+        return self._inequalities(problem, lambda v: v.P, closed, slack)
 
     def _inequalities(
         self, problem: MatrixInequalities, p: Any, closed: Any, slack: bool
