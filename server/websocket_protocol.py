@@ -95,8 +95,8 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self.resume_frames()
 
     def write(self, frame: Message) -> None:
-        """Send a message, unless the connection has ended."""
-        if self.conn.state is State.OPEN and not self.disconnected:
+        """Send a message, unless the connection has ended or is about to."""
+        if self.conn.state is State.OPEN and not self.disconnected and not self.transport.is_closing():
             self.transport.write(framed(frame))
 
     def pause_frames(self) -> None:

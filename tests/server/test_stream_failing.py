@@ -6,12 +6,14 @@ import asyncio
 import json
 import logging
 import socket as socket_module
+import struct
 import time
 from collections.abc import Callable
 from contextlib import suppress
 
 import pytest
 from websockets.exceptions import ConnectionClosed
+from websockets.frames import Opcode
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.connection
@@ -28,6 +30,7 @@ from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
+from tests.server.test_hostile_frames import raw
 
 EACH = HELLO.replace('"switched"', '"switched","reply":"event"')
 SECRET = 7315.25
@@ -164,6 +167,22 @@ def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
 
     asyncio.run(talk())
     assert len(heard) == 101
+
+
+def test_what_came_before_a_connection_was_cut_is_taken_in_without_answers(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    """It is parsed in turns, and its answers find a transport that refuses to send."""
+    with running() as here, here.greeted(EACH) as client:
+        sent = []
+        for i in range(400):
+            text = event(float(i)).encode()
+            sent.append(raw(Opcode.TEXT, text[:9], fin=False) + raw(Opcode.CONT, text[9:]))
+        client.socket.sendall(b"".join(sent))
+        client.socket.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_LINGER, struct.pack("ii", 1, 0))
+        client.socket.close()
+        soon(lambda: not here.service._open, "the session is over")
+    assert "session failed" not in caplog.text
 
 
 def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
