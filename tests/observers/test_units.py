@@ -132,6 +132,26 @@ def test_a_rate_that_cannot_be_reached_is_named() -> None:
         certify_convergence(observer, decay=5.0, gamma=2.0)
 
 
+@pytest.mark.parametrize("seconds", [1e5, 1e-5])
+def test_the_unit_of_time_does_not_matter_beside_unknown_inputs(seconds: float) -> None:
+    """The rate of the outputs' errors is left to the design."""
+    a = np.array([[-0.5, 1.0, 0.0], [-1.0, -2.0, 0.3], [0.0, 0.4, -1.0]])
+    moving = np.array([[0.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+
+    def design(unit: float) -> Any:
+        system = ParameterVaryingSystem(
+            lambda p: unit * (a + p["k"] * moving),
+            [[1.0], [0.0], [0.0]],
+            [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        )
+        observer = UnknownInputObserver.design(system, Box({"k": (0.0, 1.0)}), unit)
+        return observer.gains.matrices / unit, observer.fastest / unit
+
+    (wanted, rate), (gains, other) = design(1.0), design(seconds)
+    assert other == pytest.approx(rate, rel=1e-2)
+    assert gains == pytest.approx(wanted, rel=1e-3, abs=1e-4)
+
+
 def forced(scale: float) -> ParameterVaryingSystem:
     """Three states, an unknown input at the measured one; the unit of the last state is ``scale``."""
     d = np.array([1.0, 1.0, scale])

@@ -256,6 +256,58 @@ def test_a_fast_unknown_input_observer_takes_short_steps() -> None:
     assert np.abs(errors[-1]).max() < 0.05
 
 
+def slow(unit: float) -> UnknownInputObserver:
+    one = system(PART, unit * A)
+    box = Box({"k": (-0.5 * unit, 0.0)})
+    return UnknownInputObserver.design(one, box, 0.5 * unit)
+
+
+def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same plant in other units of time: the same number of rates between two samples."""
+    counts = []
+    for unit in (1.0, 1e-5):
+        observer, called = slow(unit), []
+        rate = observer.rate
+        monkeypatch.setattr(observer, "rate", lambda *a, r=rate, c=called: (c.append(0), r(*a))[1])
+        observer.start(np.array([0.3, -0.2, 0.5]))
+        for i in range(3):
+            sample = UnknownInputSample(0.1 * i / unit, np.ones(2), np.zeros(3), lambda _: {"k": 0.0})
+            observer.update(sample)
+        counts.append(len(called))
+    assert counts[0] == counts[1] < 200
+
+
+@pytest.mark.parametrize("y", [np.ones(2), None])
+def test_too_long_an_interval_is_refused(y: Any) -> None:
+    observer = slow(1.0)
+    observer.start(np.array([0.3, -0.2, 0.5]))
+    schedule = at(0.0)
+    observer.update(UnknownInputSample(0.0, np.ones(2), np.zeros(3), schedule))
+    with pytest.raises(EventError, match=r"bridges at most .* s, 1e\+05 steps: sample more often"):
+        observer.update(UnknownInputSample(1e9, y, np.zeros(3), schedule))
+    assert observer.update(UnknownInputSample(0.01, np.ones(2), np.zeros(3), schedule)).certified
+
+
+def test_none_stands_for_a_sample_without_any_output() -> None:
+    found = []
+    for lost in (None, np.full(2, NAN)):
+        observer = observed(PART)
+        observer.start(np.array([0.3, -0.2, 0.5]))
+        for i, y in enumerate((lost, np.ones(2), lost, np.ones(2))):
+            estimate = observer.update(UnknownInputSample(0.1 * i, y, np.zeros(3), at(0.0)))
+            found.append(estimate)
+            assert not estimate.certified
+    assert all(np.array_equal(one.x, two.x) for one, two in zip(found[:4], found[4:], strict=True))
+
+
+def test_what_is_no_sample_is_named() -> None:
+    observer = observed(PART)
+    observer.start(np.zeros(3))
+    wrong: Any = None
+    with pytest.raises(EventError, match="UnknownInputSample, with y=None where every output is missing"):
+        observer.update(wrong)
+
+
 @pytest.fixture(scope="module")
 def camera() -> Any:
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}

@@ -34,7 +34,7 @@ from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Poi
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 OUTPUT_RATE = 5.0
-"""Decay rate of errors of the outputs in continuous time, 1/s."""
+"""Decay rate of errors of the outputs in continuous time, in the balanced unit of time of the design."""
 
 
 class UnknownInputObserver:
@@ -80,20 +80,23 @@ class UnknownInputObserver:
 
     @classmethod
     def design(
-        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float = OUTPUT_RATE
+        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float | None = None
     ) -> Self:
         """An observer whose error decays at least as exp(-sigma t / 2), with the proof.
 
         ``sigma`` 1/s (1/step in discrete time), positive; ``output_rate`` 1/s, decay rate of errors of the
-        outputs themselves, by default 5; in discrete time these end at the next step.
+        outputs themselves, by default 5 in the unit of time in which the system is balanced, so that the
+        design does not depend on the unit of time; in discrete time these end at the next step.
         """
         instance("system", system, ParameterVaryingSystem)
         for name, value in (("sigma", sigma), ("output_rate", output_rate)):
+            if name == "output_rate" and value is None:
+                continue
             if not (is_number(value) and isfinite(value) and value > 0.0):
                 raise ParameterError(
                     f"{name} must be positive and finite, received {value!r}", field=name, value=value
                 )
-        if output_rate != OUTPUT_RATE and system.time == "discrete":
+        if output_rate is not None and system.time == "discrete":
             raise ParameterError(
                 "a discrete observer has no output_rate: errors of the outputs end at the next step",
                 field="output_rate",
@@ -106,6 +109,8 @@ class UnknownInputObserver:
         gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
         ts = TakagiSugeno.of(system.t, box, "T").matrices
         units = system.units(gammas, sigma)
+        if output_rate is None:
+            output_rate = OUTPUT_RATE / system.natural_seconds(gammas, sigma)
         x, y, t = units.states, units.outputs, units.seconds
         inner = np.array([inward(one, x, x, t) for one in gammas])
         inner_ts = np.array([inward(one, x, x) for one in ts])

@@ -18,15 +18,26 @@ from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Poi
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
-SUBSTEP_S = 0.02
-"""Longest step of an integration, s; a fast observer takes shorter ones."""
+SUBSTEP = 0.1
+"""Longest step of an integration, a share of the shortest time constant."""
+STEPS_MOST = 100_000
+"""Most steps between two samples: within as many time constants the steps grow with the interval."""
 
 
 class UnknownInputSample(msgspec.Struct, frozen=True):
     """The outputs y and the known part b(y, u) at ``t`` s (or the index), and the scheduling variables there.
 
-    An output that is NaN is missing.
+    An output that is NaN is missing, ``None`` for all of them.
     """
+
+    t: float
+    y: FloatArray | None
+    known: FloatArray
+    schedule: Schedule
+
+
+class _Measured(msgspec.Struct, frozen=True):
+    """A sample as arrays, NaN for each missing output."""
 
     t: float
     y: FloatArray
@@ -134,12 +145,12 @@ class RunningUnknownInputObserver:
         if reconstruction is None:
             reconstruction = InputReconstruction(outputs, design.system.time)
         self.reconstruction = reconstruction.fresh()
-        self._substep_s = min(SUBSTEP_S, 1.0 / max(design.fastest, 1e-300))
+        self._fastest = design.fastest
         self.reset()
 
     def reset(self) -> None:
         """Forget every sample."""
-        self._last: UnknownInputSample | None = None
+        self._last: _Measured | None = None
         self._x = self.start
         self.reconstruction.reset()
 
@@ -147,11 +158,10 @@ class RunningUnknownInputObserver:
         """The same design and start, without memory."""
         return type(self)(self.design, self.start, self.reconstruction)
 
-    def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
+    def update(self, given: UnknownInputSample, /) -> UnknownInputEstimate:
         """Consume one sample; a refused one changes nothing."""
-        self._check(sample)
-        old, system = self._last, self.design.system
-        y = np.asarray(sample.y, np.float64)
+        sample = self._checked(given)
+        old, system, y = self._last, self.design.system, sample.y
         bridged = bool(np.isnan(y).any())
         if old is None:
             seen = ~np.isnan(y)
@@ -170,7 +180,7 @@ class RunningUnknownInputObserver:
         self._x, self._last = x, sample
         return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
-    def _carried(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+    def _carried(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
         """The estimate at the next sample, with every output measured."""
         point, system = old.schedule(x), self.design.system
         if system.time == "discrete":
@@ -182,10 +192,10 @@ class RunningUnknownInputObserver:
             here = self._estimate(z, y, _schedule(old, new, s))
             return self._rate(z, y, _schedule(old, new, s)(here), known)
 
-        z = _integrated(rate, x + system.e(point) @ old.y, new.t - old.t, self._substep_s)
-        return self._estimate(z, np.asarray(new.y), new.schedule)
+        z = _integrated(rate, x + system.e(point) @ old.y, old.t, new.t, self._fastest)
+        return self._estimate(z, new.y, new.schedule)
 
-    def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+    def _bridged(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
         """The estimate at the next sample by the model, corrected along F by the measured outputs."""
         system, latest, point = self.design.system, self.reconstruction.latest, old.schedule(x)
         try:
@@ -207,15 +217,14 @@ class RunningUnknownInputObserver:
         if system.time == "discrete":
             x = moved(x, point, old.known)
         else:
-            speed = perron_root(system.a(point))
-            x = _integrated(rate, x, new.t - old.t, min(SUBSTEP_S, 1.0 / max(speed, 1e-300)))
+            x = _integrated(rate, x, old.t, new.t, perron_root(system.a(point)))
             point = new.schedule(x)
         seen, f = ~np.isnan(new.y), system.f(point)
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
         return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
 
     def _reconstructed(
-        self, x: FloatArray, point: Point, old: UnknownInputSample, new: UnknownInputSample
+        self, x: FloatArray, point: Point, old: _Measured, new: _Measured
     ) -> tuple[FloatArray, FloatArray]:
         """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
         system = self.design.system
@@ -229,9 +238,7 @@ class RunningUnknownInputObserver:
         except KeyError:  # of a system that gives T A, A may need more variables
             none = np.full(g.shape[1], np.nan)
             return none, none
-        return self.reconstruction.update(
-            known, g, new.t - old.t, np.asarray(old.y, np.float64), np.asarray(new.y, np.float64)
-        )
+        return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
 
     def _rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         if self.design.reducible:
@@ -242,9 +249,15 @@ class RunningUnknownInputObserver:
         """x_hat = z - E y; E depends on measured variables only, so z may stand in for the estimate."""
         return self.design.estimate(z, y, schedule(z))
 
-    def _check(self, sample: UnknownInputSample) -> None:
+    def _checked(self, sample: UnknownInputSample) -> _Measured:
+        if not isinstance(sample, UnknownInputSample):
+            raise EventError(
+                "update needs an UnknownInputSample, with y=None where every output is missing, received "
+                f"{sample!r:.80}"
+            )
         outputs, states = self.design.system.c.shape
-        if np.shape(sample.y) != (outputs,) or np.isinf(sample.y).any():
+        y = np.full(outputs, np.nan) if sample.y is None else sample.y
+        if np.shape(y) != (outputs,) or np.isinf(y).any():
             raise EventError(
                 f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
                 field="y",
@@ -257,6 +270,9 @@ class RunningUnknownInputObserver:
             raise EventError(f"t must be finite, received {sample.t!r}")
         if self._last is not None and not sample.t > self._last.t:
             raise EventOrderError(f"t must increase: received {sample.t!r} s after {self._last.t!r} s")
+        return _Measured(
+            sample.t, np.asarray(y, np.float64), np.asarray(sample.known, np.float64), sample.schedule
+        )
 
 
 def _between(before: FloatArray, after: FloatArray, s: float) -> FloatArray:
@@ -264,7 +280,7 @@ def _between(before: FloatArray, after: FloatArray, s: float) -> FloatArray:
     return mixed
 
 
-def _schedule(old: UnknownInputSample, new: UnknownInputSample, s: float) -> Schedule:
+def _schedule(old: _Measured, new: _Measured, s: float) -> Schedule:
     """The scheduling variables at a share of the interval."""
 
     def schedule(x: FloatArray) -> Point:
@@ -275,10 +291,21 @@ def _schedule(old: UnknownInputSample, new: UnknownInputSample, s: float) -> Sch
 
 
 def _integrated(
-    rate: Callable[[FloatArray, float], FloatArray], z: FloatArray, dt: float, longest: float
+    rate: Callable[[FloatArray, float], FloatArray], z: FloatArray, last: float, t: float, fastest: float
 ) -> FloatArray:
-    """The classical Runge-Kutta method over ``dt`` s in steps of at most ``longest``; rate(z, share)."""
-    steps = ceil(dt / longest)
+    """The classical Runge-Kutta method from ``last`` to ``t``, in steps short beside 1 / ``fastest``.
+
+    ``rate`` of z and the share of the interval. Raises EventError for too long an interval.
+    """
+    dt = t - last
+    if not dt * fastest <= STEPS_MOST:
+        raise EventError(
+            f"the sample at t = {t!r} comes {dt:g} s after the last one, the observer bridges at most "
+            f"{STEPS_MOST / fastest:g} s, {STEPS_MOST:.0e} steps: sample more often, or call start again",
+            field="t",
+            value=t,
+        )
+    steps = max(1, ceil(min(dt * fastest / SUBSTEP, STEPS_MOST)))
     h = dt / steps
     for i in range(steps):
         s, half, end = i / steps, (i + 0.5) / steps, (i + 1.0) / steps

@@ -84,6 +84,10 @@ class ParameterVaryingSystem:
         none = np.zeros(0)
         return Coordinates(self.sizes, np.abs(self.c * self.sizes).max(axis=1), none, none, 1.0)
 
+    def natural_seconds(self, gammas: FloatArray, sigma: float) -> float:
+        """The unit of time in which a design for ``gammas`` is balanced, whatever ``sizes`` are."""
+        return balanced(gammas, seen=self.c, rates=(sigma,), time=self.time).seconds
+
     def weighted(self, box: Box) -> Self:
         """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice.
 
