@@ -89,9 +89,8 @@ class UnknownInputObserver:
         design does not depend on the unit of time; in discrete time these end at the next step.
         """
         instance("system", system, ParameterVaryingSystem)
-        for name, value in (("sigma", sigma), ("output_rate", output_rate)):
-            if name == "output_rate" and value is None:
-                continue
+        rates = {"sigma": sigma} if output_rate is None else {"sigma": sigma, "output_rate": output_rate}
+        for name, value in rates.items():
             if not (is_number(value) and isfinite(value) and value > 0.0):
                 raise ParameterError(
                     f"{name} must be positive and finite, received {value!r}", field=name, value=value
