@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import check_target, check_targets, write_json
+from pointpred.cli.output_files import check_free, check_target, check_targets, write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
@@ -53,12 +53,11 @@ def simulate(
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
-    check_target(out)
+    check_target(out)  # first: a folder has no name to make another of
     targets = (out, out.with_name(f"{out.stem}_truth{out.suffix}"))
+    check_target(targets[1])
     for target in targets:
-        check_target(target)
-        if target.exists() and not force:
-            raise ParameterError(f"{target} exists: choose another --out, or --force to replace it")
+        check_free(target, force)
     samples, truth = make(
         SCENARIOS[scenario],
         focal_px=focal_px,

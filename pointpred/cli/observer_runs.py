@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Callable
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.files import whole
 from pointpred.observers import (
     CornerSystem,
     InterlacedObserver,
@@ -111,7 +113,7 @@ def write_signals(result: Simulation, target: Path) -> None:
             columns[f"{head}{i + 1}{'_' + tail if tail else ''}"] = table[:, i]
     if result.bound.size:
         columns["bound"] = result.bound
-    with target.open("w", newline="", encoding="utf-8") as stream:
+    with whole(target) as unfinished, TextIOWrapper(unfinished, encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream)
         writer.writerow(columns)
         for row in zip(*(one.tolist() for one in columns.values()), strict=True):

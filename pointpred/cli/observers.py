@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import Force, check_target, check_targets, write_json
+from pointpred.cli.output_files import Force, check_free, check_targets, write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
 from pointpred.extras import require
+from pointpred.files import write_whole
 
 if TYPE_CHECKING:
     from pointpred.observers import Simulation
@@ -64,8 +65,9 @@ def example(
     if out is None:
         typer.echo(text.decode(), nl=False)
         return
-    _check_new(out, force)
-    out.write_bytes(text)
+    check_targets({"--out": out}, [])
+    check_free(out, force)
+    write_whole(out, text)
     typer.echo(out)
 
 
@@ -134,15 +136,24 @@ def design(
       pointpred observers design motor.json --observer full-order --decay 5 --out filter.json
     """
     target = out or plant.with_name(f"{plant.stem}_design.json")
-    _check_new(target, force)
-    check_targets({"--out": target, "--json": json}, [])
+    check_targets({"--out": target, "--json": json}, [plant] if generator is None else [plant, generator])
+    check_free(target, force)
     require("observers", "a design")
     from pointpred.cli.observer_designs import Wish, designed
     from pointpred.cli.observer_tables import print_design, summary
     from pointpred.observers import load, save
 
     wish = Wish(observer, decay, injection, upper, first, degree)
-    kind, made = designed(load(plant), None if generator is None else load(generator), wish)
+    read, driving = load(plant), None if generator is None else load(generator)
+    try:
+        kind, made = designed(read, driving, wish)
+    except ParameterError as wrong:
+        if wrong.field != "slopes":
+            raise
+        # Slopes stand in the file of the plant and in no option, so the file is where to mend them.
+        raise ParameterError(
+            f"{plant}: {wrong}", code=wrong.code, field=wrong.field, value=wrong.value
+        ) from wrong
     save(made, target)
     if json is not None:
         write_json(summary(made), json)
@@ -162,7 +173,7 @@ def audit(design: DesignFile, json: Json = None) -> None:
 
       pointpred observers audit motor_design.json
     """
-    check_targets({"--json": json}, [])
+    check_targets({"--json": json}, [design])
     from pointpred.cli.observer_tables import print_audit, summary
     from pointpred.observers import audit as audited
     from pointpred.observers import load
@@ -236,10 +247,10 @@ def simulate(
 
       pointpred observers simulate motor_design.json --start 0.5,0,0 --seconds 4 --out motor.csv
     """
-    check_targets({"--plot": plot, "--out": out, "--json": json}, [])
-    for target in (plot, out):
-        if target is not None:
-            _check_new(target, force)
+    read = [design] if plant is None else [design, plant]
+    check_targets({"--plot": plot, "--out": out, "--json": json}, read)
+    for option, target in (("--plot", plot), ("--out", out)):
+        check_free(target, force, option)
     require("observers", "a simulation")
     if plot is not None:
         from pointpred.observers.simulations.result import check_ending
@@ -276,10 +287,3 @@ def simulate(
     for target in (plot, out):
         if target is not None:
             remarks().print(f"written: {target}", markup=False)
-
-
-def _check_new(target: Path, force: bool) -> None:
-    """Raise ParameterError where a file cannot be written, or exists and --force was not given."""
-    check_target(target)
-    if target.exists() and not force:
-        raise ParameterError(f"{target} exists: name another file, or --force to replace it")

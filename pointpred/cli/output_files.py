@@ -49,9 +49,10 @@ def check_target(target: Path | None) -> None:
 
 
 def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:
-    """Raise ParameterError where a result could not be written, or would replace a recording or each other.
+    """Raise ParameterError where a result could not be written, or would replace what must stay.
 
-    ``targets`` by the option that names them.
+    That is: what the command reads (``inputs``, the trials beside samples, links to either), a recording, or
+    another result. ``targets`` by the option that names them. ``--force`` changes nothing of it.
     """
     from pointpred.sources.own import recordings
 
@@ -66,9 +67,20 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
             raise ParameterError(f"{option} and {outputs[target.resolve()]} both name {target}")
         outputs[target.resolve()] = option
         if any(target.exists() and path.exists() and target.samefile(path) for path in read):
-            raise ParameterError(f"{option} {target} would replace what is scored; name another file")
+            raise ParameterError(
+                f"{option} {target} would replace a file that this command reads; name another file"
+            )
         if target.is_file() and _is_recording(target):
             raise ParameterError(f"{option} {target} would replace a recording; name another file")
+
+
+def check_free(target: Path | None, force: bool, option: str = "--out") -> None:
+    """Raise ParameterError where a file exists and --force was not given.
+
+    ``option``: the one that names another file. Whether it can be written, ``check_targets`` says.
+    """
+    if target is not None and target.exists() and not force:
+        raise ParameterError(f"{target} exists: choose another {option}, or --force to replace it")
 
 
 def _is_recording(path: Path) -> bool:

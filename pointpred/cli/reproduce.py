@@ -9,7 +9,7 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.output_files import Force, check_targets, write_json
+from pointpred.cli.output_files import Force, check_free, check_targets, write_json
 from pointpred.console import remarks, results
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -95,9 +95,8 @@ def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None
     target = None if entry.is_table else out or Path(entry.file_name)
     if target is not None and target.suffix != ".svg":
         raise ParameterError(f"--out must name a file that ends in .svg, received {target}")
-    if target is not None and target.exists() and not force:
-        raise ParameterError(f"{target} exists: choose another --out, or --force to replace it")
     check_targets({"--out": target, "--json": json}, [] if data is None else [data])
+    check_free(target, force)
     return target
 
 

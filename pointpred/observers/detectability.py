@@ -58,10 +58,14 @@ def vertices(slopes: tuple[tuple[float, float], ...] | None) -> dict[str, FloatA
     Raises ParameterError where slopes are missing, infinite, or have more than 2^8 corners.
     """
     if slopes is None:
-        raise ParameterError("a design needs slopes: the interval of the slope of each component of f")
+        raise ParameterError(
+            "a design needs slopes: the interval of the slope of each component of f", field="slopes"
+        )
     if not np.isfinite(np.array(slopes)).all():
         raise ParameterError(
-            f"a design needs bounded slopes (give slopes and their domain), received {slopes}"
+            f"a design needs bounded slopes (give slopes and their domain), received {slopes}",
+            field="slopes",
+            value=slopes,
         )
     corners = [sorted(set(one)) for one in slopes]
     if sum(len(one) > 1 for one in corners) > COMPONENTS_MOST:

@@ -285,9 +285,9 @@ def entry_of(number: str) -> Entry:
     if number in ENTRIES:
         return ENTRIES[number]
     near = get_close_matches(number, ENTRIES, n=3, cutoff=0.5)
-    hint = f"; did you mean {' or '.join(near)}?" if near else ""
+    hint = f"did you mean {' or '.join(near)}? " if near else ""
     raise ParameterError(
-        f"no figure or table {number!r}{hint} 'pointpred reproduce --list' lists all",
+        f"no figure or table {number!r}; {hint}'pointpred reproduce --list' lists all",
         field="number",
         value=number,
     )

@@ -123,8 +123,8 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
 ) -> None:
     plant = tmp_path / "motor.json"
     refused(command, 2, "PLANT must be one of these", "example", "robot")
-    refused(command, 2, "exists: name another file, or --force", "example", "motor", "--out", plant)
-    refused(command, 2, "exists: name another file, or --force", "design", plant)
+    refused(command, 2, "exists: choose another --out, or --force", "example", "motor", "--out", plant)
+    refused(command, 2, "exists: choose another --out, or --force", "design", plant)
     refused(command, 2, "--observer must be one of", "design", plant, "--observer", "kalman", "--force")
     refused(command, 2, "--decay must lie above 0", "design", plant, "--decay", "0", "--force")
     refused(
@@ -198,3 +198,76 @@ def test_the_installed_command_does_the_same(motor: Path) -> None:
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert "decays at least at [1/s]" in done.stdout
+
+
+def names(folder: Path, read: Path) -> list[str]:
+    """A file by its path, by another path, by a link to it and by another name of it."""
+    link, twin = folder / "link.json", folder / "twin.json"
+    link.symlink_to(read)
+    twin.hardlink_to(read)
+    return [str(read), f"{read.parent}/./{read.name}", str(link), str(twin)]
+
+
+def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> None:
+    plant, design, generator = (tmp_path / f"{name}.json" for name in ("tank", "design", "heating"))
+    other = tmp_path / "other.json"
+    assert command("observers", "example", "tank", "--out", plant).code == 0
+    assert command("observers", "example", "heating", "--out", generator).code == 0
+    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    (tmp_path / "motor.json").write_bytes(plant.read_bytes())
+    before = {one: one.read_bytes() for one in (plant, design, generator)}
+    driven = ("design", plant, "--generator", generator)
+    calls: list[tuple[tuple[str | Path, ...], str, Path]] = [
+        (("design", plant, "--out", other), "--json", plant),
+        (("design", plant), "--out", plant),
+        (driven, "--out", generator),
+        ((*driven, "--out", other), "--json", generator),
+        (("audit", design), "--json", design),
+        (("simulate", design), "--json", design),
+        (("simulate", design), "--out", design),
+        (("simulate", design, "--plant", plant), "--out", plant),
+        (("simulate", design, "--plant", plant), "--json", plant),
+    ]
+    for number, (arguments, option, read) in enumerate(calls):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        for name in names(folder, read):
+            force = () if arguments[0] == "audit" else ("--force",)
+            words = f"{option} {Path(name)} would replace a file that this command reads; name another file"
+            refused(command, 2, words, *arguments, option, name, *force)
+    assert {one: one.read_bytes() for one in before} == before
+    assert not other.exists()
+
+
+def test_what_is_written_takes_its_place_when_it_is_whole(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plant, design, signals = (tmp_path / name for name in ("tank.json", "design.json", "tank.csv"))
+    assert command("observers", "example", "tank", "--out", plant).code == 0
+    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    signals.write_text("mine", encoding="utf-8")
+    held = {one: one.read_bytes() for one in (plant, signals)}
+
+    def interrupted(unfinished: Path, place: Path) -> None:
+        assert unfinished.stat().st_size > 100
+        assert held[place] == place.read_bytes()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, "replace", interrupted)
+    for arguments in (
+        ("example", "wing", "--out", plant),
+        ("simulate", design, "--steps", "9", "--out", signals),
+    ):
+        command("observers", *arguments, "--force")
+    assert {one: one.read_bytes() for one in held} == held
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["design.json", "tank.csv", "tank.json"]
+
+
+def test_a_plant_whose_slopes_have_no_bound_is_refused_with_its_file(
+    command: Command, tmp_path: Path
+) -> None:
+    plant = tmp_path / "spring.json"
+    o.save(o.Persidskii([[-1.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0]), plant)
+    words = f"{plant}: a design needs bounded slopes (give slopes and their domain)"
+    for kind in ("reduced-order", "full-order", "regulator"):
+        refused(command, 2, words, "design", plant, "--observer", kind)

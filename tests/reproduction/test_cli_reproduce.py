@@ -136,3 +136,12 @@ def test_the_sniffer_data_are_taken_from_their_folder_and_checked(command: Calla
     assert "five columns" in left.err
     (tmp_path / "sniffer.csv").unlink()
     assert "Weisberg" in command("reproduce", "3.11", "--recordings", tmp_path).err
+
+
+@pytest.mark.parametrize(("number", "hint"), [("", ""), ("3.40", "did you mean 3.4")])
+def test_a_number_that_is_none_gets_one_sentence(command: Callable, number: str, hint: str) -> None:
+    left = command("reproduce", number)
+    assert left.code == 2
+    assert f"no figure or table {number!r}; {hint}" in left.err
+    assert left.err.endswith("'pointpred reproduce --list' lists all\n")
+    assert hint or "; 'pointpred" in left.err

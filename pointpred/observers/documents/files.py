@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.files import beside
+from pointpred.files import write_whole
 from pointpred.observers.documents.designs import (
     InterlacedDocument,
     ObserverDocument,
@@ -83,9 +83,7 @@ def save(thing: Any, file: Path | str) -> Path:
     for a folder or a file in a folder that does not exist; OSError. Returns the path.
     """
     target = writable(file)
-    unfinished = beside(target, "part")
-    unfinished.write_bytes(encoded(thing))
-    unfinished.replace(target)
+    write_whole(target, encoded(thing))
     return target
 
 
