@@ -16,11 +16,12 @@ class Example(msgspec.Struct, frozen=True):
 
 
 def motor() -> Any:
-    """Angle, speed and current of a motor under a voltage; the angle is measured."""
+    """Angle, speed and current of a motor with friction under a voltage; the angle is measured."""
     from pointpred.observers import Persidskii
 
-    a0 = [[0.0, 1.0, 0.0], [0.0, -0.5, 4.0], [0.0, -0.2, -8.0]]
-    return Persidskii(a0, None, None, "sin", [0.0, 0.0, 2.0], None, [1.0, 0.0, 0.0])
+    a0 = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
+    friction, argument, volt = [0.0, -2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 100.0]
+    return Persidskii(a0, friction, argument, "tanh", B=volt, C0=[1.0, 0.0, 0.0])
 
 
 def pendulum() -> Any:
@@ -37,7 +38,7 @@ def tank() -> Any:
     from pointpred.observers import Persidskii
 
     a0 = [[0.95, 0.0], [0.05, 0.93]]
-    return Persidskii(a0, None, None, "sin", [0.1, 0.0], None, [0.0, 1.0], time="discrete")
+    return Persidskii(a0, B=[0.1, 0.0], C0=[0.0, 1.0], time="discrete")
 
 
 def wing() -> Any:
@@ -70,7 +71,7 @@ def oven() -> Any:
     """Temperatures of an oven and of what stands in it, above the room's, 1/min; the first is measured."""
     from pointpred.observers import Persidskii
 
-    return Persidskii([[-0.2, 0.1], [0.1, -0.15]], None, None, "sin", [0.1, 0.0], None, [1.0, 0.0])
+    return Persidskii([[-0.2, 0.1], [0.1, -0.15]], B=[0.1, 0.0], C0=[1.0, 0.0])
 
 
 def heating() -> Any:

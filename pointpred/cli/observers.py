@@ -45,9 +45,9 @@ def example(
     A file holds one plant by its matrices, with "format", "version" and "kind" in front. Matrices are lists
     of rows, what is left out is zero.
 
-    motor: linear. pendulum: with a sine. tank: sampled, time counts steps. wing: a matrix that varies, and an
-    input that nobody measures. spring: equations as text, driven by the generator oscillator. oven: driven by
-    the generator heating.
+    motor: with friction. pendulum: with a sine. tank: linear and sampled, time counts steps.
+    wing: a matrix that varies, and an input that nobody measures. spring: equations as text, driven by the
+    generator oscillator. oven: driven by the generator heating.
 
     Try:
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import LATEST_S
 from pointpred.rows import Row
@@ -42,6 +43,24 @@ def is_sample(sample: Row) -> bool:
     t, fx, fy, fz = sample
     most = FORCE_MOST_M_S2
     return bool(abs(t) <= LATEST_S and abs(fx) <= most and abs(fy) <= most and abs(fz) <= most)
+
+
+def numbers_of_sample(sample: Sequence[object]) -> tuple[float, float, float, float]:
+    """A sample as floats; raises EventError for what is no number, such as a word that reads like one.
+
+    >>> numbers_of_sample((1, 0, 0, 10))
+    (1.0, 0.0, 0.0, 10.0)
+    """
+    for name, value in zip(("t", "ax", "ay", "az"), sample, strict=True):
+        if not is_number(value):
+            raise EventError(
+                f"{name} of a sample must be a number, received {value!r:.80}", field=name, value=value
+            )
+    try:
+        t, ax, ay, az = (float(value) for value in sample)  # type: ignore[arg-type]
+    except OverflowError as beyond:  # a whole number beyond every float
+        raise refusal_of_sample(sample, 0.0) from beyond  # type: ignore[arg-type]
+    return t, ax, ay, az
 
 
 def refusal_of_sample(sample: Sequence[float], last_t: float) -> EventError:

@@ -11,7 +11,13 @@ from pointpred.compiled import law, layout
 from pointpred.differentiators import constant_acceleration, fused_path, kalman, sampling
 from pointpred.differentiators.constant_acceleration import START_ACCELERATION_M_S2, START_SPEED_M_S
 from pointpred.differentiators.differentiator import Differentiator
-from pointpred.differentiators.force_samples import Sensor, is_sample, refusal_of_sample, sample_at
+from pointpred.differentiators.force_samples import (
+    Sensor,
+    is_sample,
+    numbers_of_sample,
+    refusal_of_sample,
+    sample_at,
+)
 from pointpred.differentiators.fused_path import (
     AXIS,
     COVARIANCE,
@@ -346,7 +352,9 @@ class InertialDifferentiator(Differentiator):
         Raises EventError for what is no number within its bounds, and EventOrderError where the time runs
         backwards against the sample before; the memory is then unchanged.
         """
-        if not sense(self._memory, (float(t), float(ax), float(ay), float(az))):
+        if not float is type(t) is type(ax) is type(ay) is type(az):  # most samples are floats
+            t, ax, ay, az = numbers_of_sample((t, ax, ay, az))
+        if not sense(self._memory, (t, ax, ay, az)):
             raise refusal_of_sample((t, ax, ay, az), float(self._memory[SAMPLED]))
 
     def refusal_of_row(self, events: EventColumns, row: int) -> EventError:

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pages import DOCS
 from pointpred import observers as o
 from pointpred.cli.observer_examples import EXAMPLES
 from pointpred.observers.documents.files import decoded, encoded
@@ -37,6 +38,20 @@ def test_every_example_is_a_plant_that_can_be_changed(command: Command, name: st
     left = command("observers", "example", name)
     assert left.code == 0
     assert encoded(decoded(left.out)) == left.out.encode()
+
+
+def test_the_motor_of_the_guide_is_the_one_that_is_written(command: Command) -> None:
+    page = (DOCS / "guide" / "observers" / "own-plant.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
+    assert encoded(decoded(block)).decode() == command("observers", "example", "motor").out
+    (call,) = re.findall(r">>> motor = (Persidskii\(.*?\n\.\.\. \))", page, re.DOTALL)
+    motor = eval(call.replace("\n...", "\n"), {"Persidskii": o.Persidskii})
+    assert encoded(motor) == encoded(decoded(block))
+
+
+@pytest.mark.parametrize("name", ["tank", "oven"])
+def test_linear_examples_carry_no_function(name: str) -> None:
+    assert "f" not in json.loads(encoded(EXAMPLES[name].plant()))
 
 
 def test_design_audit_and_simulate_from_files(command: Command, motor: Path, tmp_path: Path) -> None:

@@ -88,6 +88,11 @@ def test_systems_of_python_control() -> None:
     sampled = control.c2d(control.ss(A, B, C, D), 0.1)
     assert as_plant(sampled).time == "discrete"
     assert np.array_equal(as_plant(sampled).A0, sampled.A)
+    plant = as_plant(control.tf([1.0], [1.0, 0.5, 2.0]))
+    assert np.poly(plant.A0) == pytest.approx([1.0, 0.5, 2.0])
+    for one in (control.frd([1.0, 2.0], [1.0, 2.0]), control.tf([1.0, 1.0, 1.0], [1.0, 1.0])):
+        with pytest.raises(ParameterError, match="must have a state-space form, received a"):
+            as_plant(one)
     assert as_plant(control.ss(A, B, C, D, None)).time == "continuous"
     assert as_plant(control.ss(A, B, C, D, True)).time == "discrete"
     own = control.poles(control.ss(A, B, C, D))
@@ -120,6 +125,14 @@ def test_systems_of_scipy() -> None:
         ),
         (SimpleNamespace(A=[[1.0, 2.0]], B=[[0.0]], C=[[1.0, 0.0]], D=[[0.0]]), "A0 has shape"),
         (SimpleNamespace(A=[[1.0]], B=[[0.0]], C=[[1.0]], D=[[0.0, 0.0]]), "D has shape"),
+        (
+            signal.TransferFunction([1.0, 1.0, 1.0], [1.0, 1.0]),
+            "must have a state-space form, received a TransferFunction",
+        ),
+        *(
+            (SimpleNamespace(A=A, B=B, C=C, D=D, dt=dt), f"dt of a plant must be a number .* {dt!r}")
+            for dt in ("x", -1.0, np.nan, [0.1])
+        ),
         ({"A": A}, "received dict"),
         (None, "received NoneType"),
     ],
