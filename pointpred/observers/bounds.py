@@ -130,6 +130,16 @@ def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> Error
 
 
 def least_ratio(P: Any, Xi: Any) -> float:
-    """The least c with Xi >= c P."""
-    root = np.linalg.inv(np.linalg.cholesky(np.atleast_2d(np.asarray(P, np.float64))))
-    return float(np.linalg.eigvalsh(root @ np.atleast_2d(Xi) @ root.T)[0])
+    """The largest c with Xi >= c P: the least generalised eigenvalue of (Xi, P).
+
+    >>> least_ratio([[1.0, 0.0], [0.0, 2.0]], [[3.0, 0.0], [0.0, 4.0]])
+    2.0
+    """
+    p, xi = (np.atleast_2d(np.asarray(one, np.float64)) for one in (P, Xi))
+    with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+        # Only the symmetric part is a form, and eigenvalues are computed from the lower triangle alone.
+        root = np.linalg.inv(np.linalg.cholesky(0.5 * (p + p.T)))
+        inner = root @ (0.5 * (xi + xi.T)) @ root.T
+    if not np.isfinite(inner).all():
+        raise CertificateError("Xi beside P holds numbers that are too large to compute with")
+    return float(np.linalg.eigvalsh(inner)[0])

@@ -29,7 +29,8 @@ def error_system(observer: Any) -> ErrorSystem:
     - ``UnknownInputObserver``, Theorem 1 of the camera paper: T x - z, disturbed by ``delta`` = (A(p) -
     A(p^)) x
 
-    Raises ParameterError for anything else, and where the observer's matrices vary.
+    Raises ParameterError for anything else, and where the observer's matrices vary; CertificateError where
+    w = Pi x + Upsilon y is not invariant, so that its error obeys no such equation.
 
     >>> from pointpred.observers import Persidskii, design_reduced_order, l2_gain
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
@@ -70,6 +71,7 @@ def _invariant(observer: InvariantObserver) -> ErrorSystem:
     if observer.varying:
         raise ParameterError("an error system needs constant matrices, those of the observer vary")
     now, plant = observer.at(0.0), observer.plant
+    now.require_equalities()
     return sloped_system(
         now.S0,
         without_rounding(now.S1, now.onward @ plant.A1),

@@ -32,7 +32,11 @@ from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred.observers.reduced_order.reversed_connection import (
+    TOLERANCE,
+    InvariantObserver,
+    invariant_observer,
+)
 from pointpred.observers.triangular.interlaced_certificate import certificate as interlaced_certificate
 from pointpred.observers.triangular.interlaced_certificate import theorem_4_4_1
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
@@ -107,7 +111,8 @@ class ReducedOrderDocument(Document, tag="reduced-order observer", frozen=True):
             ),
             B=None if given["B"] is None else entries(matrix("B", given["B"], observer.q)),
             injection=bool(observer.injection),
-            tolerance=observer.tolerance,
+            # Its certificate needed the default, and so does the file.
+            tolerance=observer.tolerance if certificate is None else min(observer.tolerance, TOLERANCE),
             certificate=None if certificate is None else _plain(certificate.values),
             certificate_gap=None if certificate is None else finite(certificate.gap),
             gap=finite(thing.gap) if isinstance(thing, ReducedOrderDesign) else None,
@@ -115,6 +120,13 @@ class ReducedOrderDocument(Document, tag="reduced-order observer", frozen=True):
 
     def made(self, functions: Functions) -> ReducedOrderDesign | InvariantObserver:
         """The observer, and its certificate audited."""
+        if self.certificate is not None and self.tolerance > TOLERANCE:
+            raise CertificateError(
+                f"tolerance is {self.tolerance:g}, but a certificate needs equalities that hold to "
+                f"{TOLERANCE:g}: leave out the certificate to run matrices that are rounded, or design again",
+                field="tolerance",
+                value=self.tolerance,
+            )
         observer = invariant_observer(
             self.plant.made(functions),
             self.Pi,

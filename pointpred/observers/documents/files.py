@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.errors import ParameterError, PointpredError
+from pointpred.errors import CertificateError, ParameterError, PointpredError
 from pointpred.files import write_whole
 from pointpred.observers.documents.designs import (
     InterlacedDocument,
@@ -159,9 +159,12 @@ def audit(design: Any) -> dict[str, float]:
             f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"
         )
     document = _document(design)
-    margins = margins_of(
-        document.made(functions_of(getattr(design, "observer", design)) | functions_of(design))
-    )
+    functions = functions_of(getattr(design, "observer", design)) | functions_of(design)
+    try:
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            margins = margins_of(document.made(functions))
+    except (np.linalg.LinAlgError, OverflowError) as failure:
+        raise CertificateError("the design's numbers are too large or too small to compute with") from failure
     if not margins:
         raise ParameterError(
             f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError
 
 ROUNDING = 1e-13
 """Rounding of an entry, relative to its terms: a least eigenvalue must exceed it to count as positive."""
@@ -17,12 +18,15 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
     with d = sizes^(-1/2), the matrix does not depend on the units of its rows, and by Sylvester's law it has
     as many positive eigenvalues as M. A solver of eigenvalues errs by a share of the largest one, so that
     the least eigenvalue of a positive M comes from the inverse of the scaled matrix, which is accurate.
+    Raises CertificateError for entries or sizes that overflowed: they prove nothing.
 
     >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
     >>> [round(one, 6) for one in least(graded)]
     [0.75, 0.5]
     """
     diagonal = np.abs(np.diag(matrix)) if sizes is None else sizes
+    if not (np.isfinite(matrix).all() and np.isfinite(diagonal).all()):
+        raise CertificateError("an inequality holds numbers that are too large to compute with")
     used = diagonal > 0.0
     if not used.all():
         if np.abs(matrix[~used]).max() > 0.0:

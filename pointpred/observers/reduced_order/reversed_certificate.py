@@ -121,7 +121,8 @@ def certify_convergence(
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
     ``near`` matrices by name, P and then W or alpha, where the search may begin; ``margin``, ``kappa`` as for
     ``MatrixInequalities``.
-    Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
+    Raises CertificateError for an equality that fails by more than the default tolerance, whatever the
+    observer's; InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
     Reference: Khalin 2022, Theorems 3.3.1 and 3.3.2, the bounds corrected.
@@ -140,6 +141,8 @@ def certify_convergence(
             positive(name, given)
     varying = "the observer" if instance("observer", observer, InvariantObserver).varying else ""
     connections = [observer.at(t) for t in moments(varying, times, "certified")]
+    for one in connections:
+        one.require_equalities()
     slowest = max(_slowest(one, observer.plant) for one in connections)
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
@@ -166,11 +169,13 @@ def certified_convergence(
     """The certificate that matrices from any source are, audited; constant matrices of the observer only.
 
     Parameters: ``values`` P, Xi and gamma, and W where f matters, in discrete time P, Xi, Gamma and alpha.
-    Raises CertificateError naming the inequality that fails.
+    Raises CertificateError naming the equality or the inequality that fails.
     """
     connections = [
         observer.at(t) for t in moments("the observer" if observer.varying else "", None, "certified")
     ]
+    for one in connections:
+        one.require_equalities()
     matrices = {name: one for name, one in values.items() if name != "gamma"}
     if observer.plant.time == "discrete":
         margins = theorem_3_3_2(observer).check(matrices, printed=False)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -24,8 +24,9 @@ Given = Any
 class Connection(msgspec.Struct, frozen=True):
     """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
 
-    ``R`` is zero without injection. ``residuals`` of each equality; ``unique``: whether the equalities
-    determine S0 and B. ``onward`` is the Z of the next w: Z itself in continuous time.
+    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` the same relative to its
+    terms; ``unique``: whether the equalities determine S0 and B.
+    ``onward`` is the Z of the next w: Z itself in continuous time.
     """
 
     Z: FloatArray
@@ -38,6 +39,22 @@ class Connection(msgspec.Struct, frozen=True):
     residuals: dict[str, float]
     unique: bool
     onward: FloatArray
+    shares: dict[str, float] = {}
+
+    def require_equalities(self) -> None:
+        """Raise CertificateError unless every equality holds to ``TOLERANCE``, however it was built.
+
+        Where one fails w = Z x is not invariant, and no decay of w bounds the error of the estimate.
+        """
+        for name, share_left in self.shares.items():
+            if not share_left <= TOLERANCE:
+                raise CertificateError(
+                    f"{name} = 0 fails: its residual is {self.residuals[name]:.3g}, {share_left:.1g} of its "
+                    f"terms, and a certificate needs {TOLERANCE:g} whatever the tolerance of the "
+                    "observer: leave out B, which is then computed, and give Pi and Upsilon with all digits",
+                    field=name,
+                    value=self.residuals[name],
+                )
 
 
 class InvariantObserver:
@@ -159,6 +176,10 @@ class InvariantObserver:
         return now, pi, upsilon, z
 
     def _connection(self, t: float) -> Connection:
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            return self._solved(t)
+
+    def _solved(self, t: float) -> Connection:
         now, _, upsilon, z = self._maps(t)
         discrete = self.plant.time == "discrete"
         onward = self._maps(t + 1)[3] if discrete and self.varying else z
@@ -186,12 +207,23 @@ class InvariantObserver:
         # A large gain makes large terms, which round by a share of their own size.
         terms = np.abs(s0) @ np.abs(z) + np.abs(b) @ np.abs(now["C0"]) + np.abs(onward) @ np.abs(now["A0"])
         largest = (float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values()))
-        _demand(left, self.tolerance, max(1.0, *largest), t)
+        size = max(1.0, *largest)
+        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
+        _demand(residuals, self.tolerance, size, t)
+        shares = {name: one / size for name, one in residuals.items()}
+        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
+        shares["S0 Z + B C0 - Z A0 - Z'"] = _relative(
+            left["S0 Z + B C0 - Z A0 - Z'"], terms + np.abs(change), z, now["C0"]
+        )
+        if s1.any():
+            inner = np.abs(j) @ np.abs(z) + np.abs(r) @ np.abs(now["C0"]) + np.abs(now["H"])
+            shares["J (Pi + Upsilon C0) - H"] = _relative(
+                left["J (Pi + Upsilon C0) - H"], inner, z, now["C0"]
+            )
         rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
         free = given is None and rank < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
-        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
-        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward)
+        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
 
     def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
         """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives passed."""
@@ -240,8 +272,9 @@ def invariant_observer(
 
     Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
     ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
-    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print. Raises
-    InfeasibleError naming the violated equality and its residual; ParameterError for a shape.
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
+    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
+    and its residual; ParameterError for a shape.
 
     Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
 
@@ -288,9 +321,26 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     return answer
 
 
-def _demand(left: dict[str, FloatArray], tolerance: float, size: float, t: float) -> None:
-    for name, one in left.items():
-        residual = float(np.abs(one).max(initial=0.0))
+def _relative(residual: FloatArray, terms: FloatArray, z: FloatArray, c: FloatArray) -> float:
+    """The largest entry relative to the terms of its row, in the units of the states that Z and C0 have."""
+    stacked = np.abs(np.vstack([z, c]))
+    columns = (stacked / _or_one(stacked.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0)
+    columns = _or_one(columns)
+    rows = _or_one((terms / columns).max(axis=1, initial=0.0))
+    return float(np.abs(residual / columns / rows[:, None]).max(initial=0.0))
+
+
+def _or_one(sizes: FloatArray) -> FloatArray:
+    return np.where(sizes > 0.0, sizes, 1.0)
+
+
+def _demand(residuals: dict[str, float], tolerance: float, size: float, t: float) -> None:
+    if not (np.isfinite(size) and np.isfinite(list(residuals.values())).all()):
+        raise ParameterError(
+            f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the largest "
+            "entries of the plant, of Pi, Upsilon and B"
+        )
+    for name, residual in residuals.items():
         if residual > tolerance * size:
             raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
 

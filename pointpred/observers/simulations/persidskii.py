@@ -31,6 +31,7 @@ def reduced_order(design: ReducedOrderDesign, plant: Any, setting: Setting) -> S
     bound = np.zeros(0)
     proving = setting.silent and np.isinf(design.certificate.domain) and not observer.varying
     if proving and _same(one, observer.plant):
+        observer.at(0.0).require_equalities()
         onto = observer.recovery(0.0)[0]
         x, x_hat = setting.begin(one.n), setting.begin(one.n, "estimate", 0.0)
         first = float(np.linalg.norm(observer.at(0.0).Z @ (x_hat - x)))

@@ -65,7 +65,8 @@ def simulate(
     a function of t and x. ``noise`` standard deviation of the outputs, one or p; ``seed`` of the noise.
 
     Raises ParameterError naming the argument, also where plant and observer do not fit; DivergenceError with
-    the time at which the plant leaves every bound.
+    the time at which the plant leaves every bound; CertificateError for a reduced-order design whose
+    observer does not keep the equalities of its certificate.
 
     >>> import numpy as np
     >>> from pointpred.observers import Persidskii, design_reduced_order

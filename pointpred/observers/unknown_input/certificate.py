@@ -141,11 +141,38 @@ def audit(
             f"sigma must be positive and finite, received {sigma!r}", field="sigma", value=sigma
         )
     for name, matrix in (("P", p), ("F", force)):
-        lowest = least(matrix)[0] if np.allclose(matrix, matrix.T) else -np.inf
+        # To the last bit, in any unit: eigenvalues are computed from the lower triangle alone.
+        if not np.array_equal(matrix, matrix.T):
+            raise CertificateError(
+                f"{name} must be symmetric and positive definite, it differs from its transpose by "
+                f"{np.abs(matrix - matrix.T).max():.3g}",
+                field=name,
+            )
+        lowest = least(matrix)[0]
         if not lowest > 0.0:
             raise CertificateError(
-                f"{name} must be symmetric and positive definite, its least eigenvalue is {lowest:.6g}"
+                f"{name} must be symmetric and positive definite, its least eigenvalue is {lowest:.6g}",
+                field=name,
             )
+    with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+        largest, vertex = _largest(gammas, ts, c, p, ws, force, sigma, time)
+    if not largest < 0.0:
+        raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
+    gamma = float(np.linalg.eigvalsh(force)[-1])
+    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros, time=time, force=force)
+
+
+def _largest(
+    gammas: FloatArray,
+    ts: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    ws: FloatArray,
+    force: FloatArray,
+    sigma: float,
+    time: str,
+) -> tuple[float, int]:
+    """The largest eigenvalue of the inequality over the vertices, and its vertex."""
     largest, vertex = -np.inf, 0
     for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
         if time == "discrete":
@@ -155,12 +182,14 @@ def audit(
         else:
             whole = -inequality(gamma_i, t_i, c, p, w_i, force, sigma)
             sizes = _sizes(gamma_i, c, p, w_i, force, sigma)
+        if not (np.isfinite(whole).all() and np.isfinite(sizes).all()):
+            raise CertificateError(
+                f"(27c) holds numbers that are too large to compute with at vertex {i}: check the largest "
+                "entries of the gains, of P and of F"
+            )
         value, relative = least(whole, sizes)
         # What rounding of the terms could make of it does not count as negative.
         eigenvalue = -value if relative > ROUNDING else max(-value, 0.0)
         if not eigenvalue <= largest:
             largest, vertex = eigenvalue, i
-    if not largest < 0.0:
-        raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
-    gamma = float(np.linalg.eigvalsh(force)[-1])
-    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros, time=time, force=force)
+    return largest, vertex

@@ -119,7 +119,7 @@ class UnknownInputObserver:
         p, gamma, gap, inner_ks = solve(inner, inner_ts, c, sigma * t, output_rate * t)
         ks = [outward(one @ rows.T, x, y, t) for one in inner_ks]
         # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
-        p, force = form(p, x), form(gamma * np.eye(len(p)), x, 1.0 / t)
+        p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
         ws = np.array([p @ one for one in ks])
         try:
             certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros, system.time)
@@ -152,7 +152,8 @@ class UnknownInputObserver:
         gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
         ts = TakagiSugeno.of(system.t, box, "T").matrices
         model = TakagiSugeno(box, gains)
-        ws = np.array([P @ one for one in model.matrices])
+        with np.errstate(all="ignore"):  # what overflows is not finite, and the audit refuses it
+            ws = np.array([P @ one for one in model.matrices])
         zeros = zeros_over(system, box)
         certificate = audit(gammas, ts, system.c, P, ws, force, sigma, zeros, system.time)
         return cls(system, box, msgspec.structs.replace(certificate, gap=gap), model)
