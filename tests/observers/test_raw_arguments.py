@@ -50,6 +50,8 @@ TAKING: dict[str, Callable[[Any], Any]] = {
 @pytest.mark.parametrize("value", WRONG)
 @pytest.mark.parametrize("told", TAKING)
 def test_what_is_no_such_number_is_named(told: str, value: Any) -> None:
+    if value is None and told.startswith("output_rate"):
+        return  # the default
     with pytest.raises(ParameterError, match=told):
         TAKING[told](value)
 
