@@ -38,6 +38,7 @@ from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.printed import check_map, check_observer
 from pointpred.observers.reduced_order.convergence import Convergence
 from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
+from pointpred.observers.reduced_order.invariant_stage import invariant_stage
 from pointpred.observers.reduced_order.reversed_certificate import (
     certify_convergence,
     theorem_3_3_1,
@@ -46,7 +47,6 @@ from pointpred.observers.reduced_order.reversed_certificate import (
 from pointpred.observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
-    invariant_stage,
 )
 from pointpred.observers.regressors.excitation import (
     Excitation,

@@ -18,7 +18,8 @@ from pointpred.observers.linear_systems import as_plant
 from pointpred.observers.matrices import dimensions
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_stage
+from pointpred.observers.reduced_order.invariant_stage import invariant_stage
+from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred.observers.simulations.result import Simulation
 from pointpred.observers.simulations.signals import Setting, held, run, sampled
 
