@@ -132,7 +132,7 @@ def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> Error
 def least_ratio(P: Any, Xi: Any) -> float:
     """The largest c with Xi >= c P: the least generalised eigenvalue of (Xi, P).
 
-    >>> least_ratio([[1.0, 0.0], [0.0, 2.0]], [[3.0, 0.0], [0.0, 4.0]])
+    >>> least_ratio([[1.0, 0.0], [0.0, 4.0]], [[3.0, 0.0], [0.0, 8.0]])
     2.0
     """
     p, xi = (np.atleast_2d(np.asarray(one, np.float64)) for one in (P, Xi))

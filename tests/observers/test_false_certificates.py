@@ -137,3 +137,10 @@ def test_a_loose_tolerance_that_was_not_needed_does_not_spoil_the_file() -> None
     again = decoded(encoded(kept))
     assert again.observer.tolerance == 1e-9
     assert o.audit(again) == o.audit(kept)
+
+
+def test_in_small_units_a_wrong_j_is_not_near_h_pi() -> None:
+    plant = o.Persidskii([[-2.0]], [1.0], [1e-7], "sin", C0=[1.0])
+    generator = o.Generator([[-2.0]], [1.0], J=[[3e-7]])
+    with pytest.raises(ParameterError, match="J must be H Pi"):
+        o.theorem_3_2_1(plant, generator, [[1.0]])
