@@ -18,7 +18,7 @@ from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Poi
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
-SUBSTEP = 0.1
+SUBSTEP = 0.2
 """Longest step of an integration, a share of the shortest time constant."""
 STEPS_MOST = 100_000
 """Most steps between two samples: within as many time constants the steps grow with the interval."""
@@ -217,7 +217,7 @@ class RunningUnknownInputObserver:
         if system.time == "discrete":
             x = moved(x, point, old.known)
         else:
-            x = _integrated(rate, x, old.t, new.t, perron_root(system.a(point)))
+            x = _integrated(rate, x, old.t, new.t, perron_root(system.a(point)), 0.5 * SUBSTEP)
             point = new.schedule(x)
         seen, f = ~np.isnan(new.y), system.f(point)
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
@@ -291,7 +291,12 @@ def _schedule(old: _Measured, new: _Measured, s: float) -> Schedule:
 
 
 def _integrated(
-    rate: Callable[[FloatArray, float], FloatArray], z: FloatArray, last: float, t: float, fastest: float
+    rate: Callable[[FloatArray, float], FloatArray],
+    z: FloatArray,
+    last: float,
+    t: float,
+    fastest: float,
+    share: float = SUBSTEP,
 ) -> FloatArray:
     """The classical Runge-Kutta method from ``last`` to ``t``, in steps short beside 1 / ``fastest``.
 
@@ -305,7 +310,7 @@ def _integrated(
             field="t",
             value=t,
         )
-    steps = max(1, ceil(min(dt * fastest / SUBSTEP, STEPS_MOST)))
+    steps = max(1, ceil(min(dt * fastest / share, STEPS_MOST)))
     h = dt / steps
     for i in range(steps):
         s, half, end = i / steps, (i + 0.5) / steps, (i + 1.0) / steps
