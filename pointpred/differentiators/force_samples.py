@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
@@ -45,7 +45,7 @@ def is_sample(sample: Row) -> bool:
     return bool(abs(t) <= LATEST_S and abs(fx) <= most and abs(fy) <= most and abs(fz) <= most)
 
 
-def numbers_of_sample(sample: Sequence[object]) -> tuple[float, float, float, float]:
+def numbers_of_sample(sample: Sequence[Any]) -> tuple[float, float, float, float]:
     """A sample as floats; raises EventError for what is no number, such as a word that reads like one.
 
     >>> numbers_of_sample((1, 0, 0, 10))
@@ -57,9 +57,9 @@ def numbers_of_sample(sample: Sequence[object]) -> tuple[float, float, float, fl
                 f"{name} of a sample must be a number, received {value!r:.80}", field=name, value=value
             )
     try:
-        t, ax, ay, az = (float(value) for value in sample)  # type: ignore[arg-type]
+        t, ax, ay, az = (float(value) for value in sample)
     except OverflowError as beyond:  # a whole number beyond every float
-        raise refusal_of_sample(sample, 0.0) from beyond  # type: ignore[arg-type]
+        raise refusal_of_sample(sample, 0.0) from beyond
     return t, ax, ay, az
 
 
