@@ -33,7 +33,8 @@ class ParameterVaryingSystem:
     Parameters: ``a``, ``f`` n x n and n x m, each a matrix or a function of a point; ``c`` p x n;
     ``rates`` names for a variable the one that is its rate; ``decoupled`` T A as a function of a point, if
     it needs fewer variables than A; ``sizes`` of the states (n) that count alike in a certificate, by
-    default chosen so that the matrices are balanced; ``time`` "continuous" or "discrete".
+    default chosen so that the matrices are balanced (with ``sizes`` the design depends on the unit of time:
+    gamma, a time, is weighed against P, which has no unit); ``time`` "continuous" or "discrete".
     Raises ParameterError for mismatched shapes.
 
     Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
