@@ -1,4 +1,4 @@
-"""Free memory goes back to the system, whatever was freed before."""
+"""Free memory goes back to the system, and a process takes no more than it touches."""
 
 from __future__ import annotations
 
@@ -35,12 +35,33 @@ print(held_kb() - before)
 """
 
 
-def kept_kb(bound: str) -> int:
-    code = AFTER_A_LARGER_BLOCK.replace("BOUND", bound)
+def run(code: str, bound: str) -> int:
+    """The kB that the code prints, with ``bound`` before it."""
+    code = code.replace("BOUND", bound)
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
     return int(out.stdout)
 
 
 def test_a_large_block_changes_nothing_for_those_after_it() -> None:
-    assert kept_kb("pass") > 10_000, "what glibc does by itself"
-    assert kept_kb("bound_free_memory()") < 2_000
+    assert run(AFTER_A_LARGER_BLOCK, "pass") > 10_000, "what glibc does by itself"
+    assert run(AFTER_A_LARGER_BLOCK, "bound_free_memory()") < 2_000
+
+
+IN_HUGE_PAGES = """
+import mmap, re
+from pathlib import Path
+from pointpred.server.allocator import bound_free_memory
+
+BOUND
+block = mmap.mmap(-1, 32 * 2**20, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+block.madvise(mmap.MADV_HUGEPAGE)
+for start in range(0, len(block), 2 * 2**20):
+    block[start] = 1  # one byte in each 2 MiB
+print(sum(map(int, re.findall(r"AnonHugePages:\\s+(\\d+)", Path("/proc/self/smaps").read_text()))))
+"""
+
+
+def test_memory_is_taken_in_small_pages_whatever_a_library_asks_for() -> None:
+    if run(IN_HUGE_PAGES, "pass") < 20_000:
+        pytest.skip("this kernel gives no huge pages")
+    assert run(IN_HUGE_PAGES, "bound_free_memory()") == 0
