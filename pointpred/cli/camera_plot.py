@@ -9,6 +9,7 @@ import numpy as np
 from pointpred.camera import CameraTable
 from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred.files import write_whole
 
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
 OBSERVER, PEER = PALETTE[1], PALETTE[0]
@@ -39,7 +40,7 @@ def plot(estimates: CameraTable, truth: FloatArray | None, target: Path, title: 
         figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
         figure.suptitle(title, x=0.01, ha="left")
         caption = "Depth and velocity over time by observer and filter."
-        target.write_text(picture(figure, caption, title, wide=True).svg, encoding="utf-8")
+        write_whole(target, picture(figure, caption, title, wide=True).svg.encode())
 
 
 def _range(*lines: FloatArray | None) -> tuple[float, float]:

@@ -14,6 +14,7 @@ import msgspec
 import typer
 
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.files import write_whole
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
@@ -27,7 +28,7 @@ def write_json(value: object, target: Path) -> None:
         sys.stdout.buffer.write(encoded)
         sys.stdout.buffer.flush()
     else:
-        target.write_bytes(encoded)
+        write_whole(target, encoded)
 
 
 def check_target(target: Path | None) -> None:
@@ -51,8 +52,9 @@ def check_target(target: Path | None) -> None:
 def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:
     """Raise ParameterError where a result could not be written, or would replace what must stay.
 
-    That is: what the command reads (``inputs``, the trials beside samples, links to either), a recording, or
-    another result. ``targets`` by the option that names them. ``--force`` changes nothing of it.
+    That is: what the command reads (``inputs``, the trials beside samples, links to either), a recording,
+    with ``--json`` a plant or a design, or another result. ``targets`` by the option that names them.
+    ``--force`` changes nothing of it.
     """
     from pointpred.sources.own import recordings
 
@@ -72,6 +74,8 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
             )
         if target.is_file() and _is_recording(target):
             raise ParameterError(f"{option} {target} would replace a recording; name another file")
+        if option == "--json" and target.is_file() and _is_plant_or_design(target):
+            raise ParameterError(f"{option} {target} would replace a plant or a design; name another file")
 
 
 def check_free(target: Path | None, force: bool, option: str = "--out") -> None:
@@ -92,6 +96,20 @@ def _is_recording(path: Path) -> bool:
         return form is not None and (not form.tabular or form.key == "delimited")
     except RecordingError:  # empty or not to be read: no recording is lost
         return False
+
+
+class _Formatted(msgspec.Struct):
+    format: str
+
+
+def _is_plant_or_design(path: Path) -> bool:
+    try:
+        formatted = msgspec.json.decode(path.read_bytes(), type=_Formatted)
+    except (msgspec.DecodeError, OSError):
+        return False
+    from pointpred.observers.documents.files import FORMAT
+
+    return formatted.format == FORMAT
 
 
 def check_recording(out: Path, force: bool) -> None:

@@ -13,6 +13,7 @@ from pointpred.cli.output_files import Force, check_free, check_targets, write_j
 from pointpred.console import remarks, results
 from pointpred.errors import ParameterError
 from pointpred.extras import require
+from pointpred.files import write_whole
 
 if TYPE_CHECKING:
     from pointpred.reproduction.figure import Entry, Reproduction, Value
@@ -75,7 +76,7 @@ def reproduce(
         remarks().print("scoring a whole experiment, which takes some seconds")
     made = entry.make(recordings)
     if made.draw is not None and target is not None:
-        target.write_text(made.draw().svg, encoding="utf-8")
+        write_whole(target, made.draw().svg.encode())
     if json is not None:
         write_json(_document(entry, made), json)
     if json is None or str(json) != "-":

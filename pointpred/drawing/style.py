@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
+from pointpred.files import whole, write_whole
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -99,9 +101,10 @@ def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Pi
 def written(figure: Figure, target: Path, caption: str) -> None:
     """Write a figure as .svg that follows light and dark, or as .png or .pdf. Call within ``canvas``."""
     if target.suffix == ".svg":
-        target.write_text(picture(figure, caption, caption).svg, encoding="utf-8")
+        write_whole(target, picture(figure, caption, caption).svg.encode())
     else:
-        figure.savefig(target, format=target.suffix[1:], facecolor="white", dpi=150)
+        with whole(target) as stream:
+            figure.savefig(stream, format=target.suffix[1:], facecolor="white", dpi=150)
 
 
 def legend_outside(figure: Figure, axes: Axes, *, above: bool = False, columns: int = 2) -> None:

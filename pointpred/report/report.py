@@ -10,6 +10,7 @@ import msgspec
 from pointpred.drawing.style import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
+from pointpred.files import write_whole
 from pointpred.recording import Skip
 from pointpred.report.choice import Conclusion, compared, conclusion, highlighted, pair, ranked
 from pointpred.report.figures.boxes import boxes
@@ -76,7 +77,7 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
         "sets": [_shown(score) for score in scores],
         "versions": versions(),
     }
-    Path(path).write_text(page("report.html", values), encoding="utf-8")
+    write_whole(Path(path), page("report.html", values).encode())
 
 
 def _shown(score: SetScore) -> Shown:

@@ -38,7 +38,7 @@ MAY_IMPORT = {
     "rows": {"compiled", "events"},
     "accelerations": {"errors"},
     "columns": {"errors", "regions", "events", "rows", "accelerations"},
-    "drawing": {"columns"},
+    "drawing": {"files", "columns"},
     "mixtures": {"errors", "compiled", "regions", "columns"},
     "executors": {"errors", "extras"},
     "recording": {"errors", "events", "accelerations", "columns"},

@@ -254,6 +254,17 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
     assert not other.exists()
 
 
+def test_results_replace_no_plant_and_no_design_but_older_results(command: Command, tmp_path: Path) -> None:
+    plant, design, result = (tmp_path / name for name in ("tank.json", "design.json", "result.json"))
+    assert command("observers", "example", "tank", "--out", plant).code == 0
+    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    before = plant.read_bytes()
+    refused(command, 2, "--json", "audit", design, "--json", plant)
+    assert plant.read_bytes() == before
+    for _ in range(2):
+        assert command("observers", "audit", design, "--json", result).code == 0
+
+
 def test_what_is_written_takes_its_place_when_it_is_whole(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

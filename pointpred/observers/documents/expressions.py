@@ -116,7 +116,8 @@ def _built(node: ast.expr, where: str) -> Any:
 
 def _power(base: Any, exponent: Any, where: str) -> Any:
     """Base ** exponent; raises ParameterError for a number too long to be meant."""
-    if exponent.is_Integer and abs(int(exponent)) > 1:
+    # sympy works out the whole part of a rational exponent, as it does an integer.
+    if exponent.is_Rational and abs(exponent) > 1:
         parts = [part for one in base.atoms(symbolic().Rational) for part in (one.p, one.q)]
         size = max((abs(int(part)).bit_length() for part in parts), default=1)
         if size * abs(int(exponent)) > DIGITS_MOST:
