@@ -5,11 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointpred import observers as o
 from pointpred.camera import camera_box, camera_system, printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.documents.files import encoded
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import audit, inequality
+from pointpred.observers.unknown_input.corners import CornerSystem
 from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 
@@ -228,6 +231,59 @@ def test_bad_systems_are_named() -> None:
         one(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"})
     with pytest.raises(ParameterError, match="must be affine in each variable"):
         one(f=lambda p: np.array([[1.0 + p["k"] ** 2], [0.0]]))
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-12])
+def test_an_entry_that_is_not_affine_does_not_hide_behind_others_or_in_small_units(size: float) -> None:
+    def a(p: dict) -> np.ndarray:  # um beside m: the small entry decides whether it decays
+        rows = [[0.0, 0.0, 0.0], [0.0, -1.0, 1e6], [0.0, 1e-4 * (1.0 - p["k"] ** 2), -1.0]]
+        return size * np.array(rows)
+
+    system = ParameterVaryingSystem(a, np.eye(3, 1), np.eye(1, 3))
+    with pytest.raises(ParameterError, match=r"affine in each variable.* row 3, column 2"):
+        UnknownInputObserver.design(system, Box({"k": (-1.0, 1.0)}), size)
+
+
+def test_matrices_that_rounding_moves_are_affine() -> None:
+    """T A of many inputs and outputs in mixed units, whose entries are small differences."""
+    random = np.random.default_rng(26)
+    x, y = 10.0 ** random.uniform(-6, 6, 5), 10.0 ** random.uniform(-6, 6, 3)
+    a, more, f, c = (random.normal(size=size) for size in ((5, 5), (5, 5), (5, 2), (3, 5)))
+    c[:, 4] = 0.0
+    moving = np.zeros((5, 2))
+    moving[4] = random.normal(size=2)
+    system = ParameterVaryingSystem(
+        lambda p: (a + p["k"] * more) * x / x[:, None],
+        lambda p: (f + p["s"] * moving) / x[:, None],
+        c * x / y[:, None],
+        rates={"s": "ds"},
+    )
+    box = Box({"k": (-1e-3, 7.0), "s": (-0.3, 0.2), "ds": (-4.0, 4.0)})
+    gammas, ts = system.weighted(box).at_vertices(box)
+    assert len(gammas) == len(ts) == 8
+
+
+@pytest.mark.parametrize("through", ["function", "corners"])
+def test_a_ta_that_is_not_t_times_a_is_refused(through: str) -> None:
+    box = Box({"k": (1.0, 3.0)})
+    system = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]),
+        np.eye(2, 1),
+        np.eye(1, 2),
+        decoupled=lambda p: np.diag([0.0, -p["k"]]),
+    )
+    with pytest.raises(ParameterError, match=r"TA must be T times A.* 6 in row 2, column 2") as failure:
+        if through == "function":
+            UnknownInputObserver.design(system, box, 1.0)
+        else:
+            CornerSystem.of(system, box)
+    assert failure.value.field == "TA"
+
+
+def test_a_ta_whose_a_needs_more_variables_is_audited_but_not_kept(camera: UnknownInputObserver) -> None:
+    assert o.audit(camera) == {"(27c)": camera.certificate.margin}
+    with pytest.raises(ParameterError, match="A needs the variable 'x', the box has zero, eta"):
+        encoded(camera)
 
 
 def test_zeros_over_the_box_need_no_solver() -> None:

@@ -91,12 +91,21 @@ class CornerSystem(ParameterVaryingSystem):
         """The matrices of a system at the corners.
 
         Raises ParameterError unless A and F are affine in each variable: nothing else would be known of them
-        between the corners.
+        between the corners; also where A needs a variable that the box lacks.
         """
         instance("system", system, ParameterVaryingSystem)
+        try:
+            drift = TakagiSugeno.of(system.a, box, "A").matrices
+        except KeyError as missing:
+            raise ParameterError(
+                f"A needs the variable {missing}, the box has {', '.join(box.names)}: A has no matrices at "
+                "the corners, and a T A cannot be compared with it; keep the program that makes the system, "
+                "or take a box that has every variable of A",
+                field="A",
+            ) from missing
         return cls(
             box,
-            TakagiSugeno.of(system.a, box, "A").matrices,
+            drift,
             TakagiSugeno.of(system.f, box, "F").matrices,
             system.c,
             TA=TakagiSugeno.of(system.ta, box, "T A").matrices if system.decoupled else None,

@@ -105,8 +105,7 @@ class UnknownInputObserver:
         system = system.weighted(box)
         zeros = zeros_over(system, box)
         refuse(box, zeros, sigma, system.time)
-        gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
-        ts = TakagiSugeno.of(system.t, box, "T").matrices
+        gammas, ts = system.at_vertices(box)
         units = system.units(gammas, sigma)
         if output_rate is None:
             output_rate = OUTPUT_RATE / system.natural_seconds(gammas, sigma)
@@ -149,14 +148,24 @@ class UnknownInputObserver:
         """
         instance("system", system, ParameterVaryingSystem).checked(box)
         system = system.weighted(box)
-        gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
-        ts = TakagiSugeno.of(system.t, box, "T").matrices
+        gammas, ts = system.at_vertices(box)
         model = TakagiSugeno(box, gains)
         with np.errstate(all="ignore"):  # what overflows is not finite, and the audit refuses it
             ws = np.array([P @ one for one in model.matrices])
         zeros = zeros_over(system, box)
         certificate = audit(gammas, ts, system.c, P, ws, force, sigma, zeros, system.time)
         return cls(system, box, msgspec.structs.replace(certificate, gap=gap), model)
+
+    def audited(self) -> Self:
+        """The same observer, every eigenvalue of its certificate computed again; raises as ``certified``."""
+        proof = self.certificate
+        if proof.force is None:
+            raise ParameterError(
+                "the certificate lacks the matrix F of the theorem: design the observer again"
+            )
+        return self.certified(
+            self.system, self.box, self.gains.matrices, proof.p, proof.force, proof.sigma, proof.gap
+        )
 
     def start(self, estimate: FloatArray, *, noise: Any = None, density: Any = None) -> None:
         """Forget every sample and start at an estimate; the first sample replaces its outputs.

@@ -15,7 +15,13 @@ from pointpred.observers.matrices import TIMES, dimensions, instance, matrix, on
 from pointpred.observers.rounding import without_rounding
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.invariant_zeros import decoupling
-from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno, scheduled
+from pointpred.observers.unknown_input.takagi_sugeno import (
+    TakagiSugeno,
+    corners,
+    difference,
+    samples,
+    scheduled,
+)
 
 Point = Mapping[str, float]
 
@@ -25,7 +31,8 @@ class ParameterVaryingSystem:
 
     In discrete time x' is the next x. Assumes that F depends on measured variables only, and in continuous
     time that the rate of each variable it depends on is a scheduling variable as well: T changes with F,
-    and the observer needs its rate.
+    and the observer needs its rate. Where a box has the variables of A, ``decoupled`` is compared with T A;
+    where it lacks one, ``decoupled`` is assumed to be right.
 
     E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
     input does not enter e = T x - z at all.
@@ -161,6 +168,44 @@ class ParameterVaryingSystem:
         ta, moving = self.ta(point), self.e_rate(point)
         return without_rounding(ta + moving @ self.c, ta, np.abs(moving) @ np.abs(self.c))
 
+    def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
+        """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""
+        gammas = TakagiSugeno.of(self.gamma, box, "Gamma = T A + T'", terms=self._gamma_terms)
+        return gammas.matrices, TakagiSugeno.of(self.t, box, "T", terms=self._t_terms).matrices
+
+    def _inverse_terms(self, point: Point) -> FloatArray:
+        """The sizes of the terms of X = (W C F)^+, W the weights: X = X (W C F) X."""
+        f, c = self.f(point), self._weights[:, None] * self.c
+        inverse = np.abs(np.linalg.pinv(c @ f))
+        return np.asarray(inverse @ np.abs(c) @ np.abs(f) @ inverse, np.float64)
+
+    def _t_terms(self, point: Point) -> FloatArray:
+        """The sizes of the terms of T, of which its entries may be small differences."""
+        onto = np.abs(self.f(point)) @ self._inverse_terms(point) * self._weights
+        return np.asarray(np.eye(self.c.shape[1]) + onto @ np.abs(self.c), np.float64)
+
+    def _gamma_terms(self, point: Point) -> FloatArray:
+        """The same of Gamma."""
+        if self._decoupled is not None:
+            terms = np.abs(self.ta(point))
+        else:
+            terms = self._t_terms(point) @ np.abs(self.a(point))
+        return np.asarray(terms + self._e_rate_terms(point) @ np.abs(self.c), np.float64)
+
+    def _e_rate_terms(self, point: Point) -> FloatArray:
+        """The same of dE/dt."""
+        if not self.rates:
+            return np.zeros(self.c.T.shape)
+        f = np.abs(self.f(point))
+        moving: FloatArray = np.zeros_like(f)
+        for name, rate in self.rates.items():
+            ahead = np.abs(self.f({**point, name: point[name] + 1.0}))
+            moving = np.asarray(moving + (ahead + f) * abs(point[rate]), np.float64)
+        c, inverse = np.abs(self._weights[:, None] * self.c), self._inverse_terms(point)
+        turned = inverse @ c @ moving @ inverse
+        turned += inverse @ inverse.T @ (c @ moving).T @ (np.eye(len(c)) + c @ f @ inverse)
+        return np.asarray((moving @ inverse + f @ turned) * self._weights, np.float64)
+
     def checked(self, box: Box) -> None:
         """Raise ParameterError if the system and a box of its variables do not match."""
         instance("box", box, Box)
@@ -179,6 +224,7 @@ class ParameterVaryingSystem:
                 ) from missing
             except ParameterError as wrong:
                 raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
+        self._require_decoupled(box)
         if self.time == "discrete":
             return
         forces = TakagiSugeno.of(self.f, box, "F")
@@ -187,6 +233,27 @@ class ParameterVaryingSystem:
             moved = forces.at({**point, name: high}) - forces.at({**point, name: low})
             if name not in self.rates and np.abs(moved).max() > 0.0:
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
+
+    def _require_decoupled(self, box: Box) -> None:
+        """Raise ParameterError unless the T A that was given is T times A, where the box has A's variables."""
+        if not self.decoupled:
+            return
+        points = corners(box) + samples(box)
+        try:
+            drift = [self.a(point) for point in points]
+        except KeyError:
+            return
+        given = np.array([self.ta(point) for point in points])
+        product = np.array([self.t(point) @ a for point, a in zip(points, drift, strict=True)])
+        terms = [self._t_terms(point) @ np.abs(a) for point, a in zip(points, drift, strict=True)]
+        place = difference(given, product, given, np.array(terms))
+        if place is not None:
+            row, column, error = place
+            raise ParameterError(
+                f"TA must be T times A, T = I - F (C F)^+ C: they differ by {error:.3g} in row {row + 1}, "
+                f"column {column + 1}; correct it, or leave TA out, then it is computed",
+                field="TA",
+            )
 
 
 def _shaped(name: str, value: Any, shape: tuple[int | None, int | None]) -> FloatArray:

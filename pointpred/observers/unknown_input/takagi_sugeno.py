@@ -9,12 +9,17 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers import rounding
 from pointpred.observers.matrices import matrix
 from pointpred.observers.unknown_input.boxes import Box
 
 Scheduled = Callable[[Mapping[str, float]], FloatArray]
 """A matrix as a function of the scheduling variables."""
 ROUNDING = 1e-9
+"""A difference below this share of the largest value of the same entry counts as none."""
+CANCELLED = 4.0 * rounding.ROUNDING
+"""The same beside the terms of a computed entry: one below ``rounding.ROUNDING`` of them may have been set
+to zero at any of the points."""
 POINTS = 16
 SEED = 20211217
 
@@ -53,7 +58,8 @@ class TakagiSugeno:
     [[-0.25, 1.0]]
     >>> TakagiSugeno.of(lambda p: np.array([[p["a"] ** 2]]), box)
     Traceback (most recent call last):
-    pointpred.errors.ParameterError: the matrix must be affine in each variable; it is off by 0.25
+    pointpred.errors.ParameterError: the matrix must be affine in each variable; it is off by 0.25 in row 1, \
+column 1: make an expression that is not a variable of its own
     """
 
     def __init__(self, box: Box, matrices: FloatArray) -> None:
@@ -67,19 +73,25 @@ class TakagiSugeno:
             raise ParameterError("a model needs finite matrices")
 
     @classmethod
-    def of(cls, function: Scheduled, box: Box, name: str = "the matrix") -> Self:
-        """The model of a function; raises ParameterError where it is not affine in each variable."""
+    def of(
+        cls, function: Scheduled, box: Box, name: str = "the matrix", *, terms: Scheduled | None = None
+    ) -> Self:
+        """The model of a function; raises ParameterError where it is not affine in each variable.
+
+        Each entry is compared with the model by its own size, so that none hides behind larger ones.
+        ``terms``: for a function that is itself computed, the sizes of the terms of its entries.
+        """
         model = cls(box, np.array([function(box.named(vertex)) for vertex in box.vertices]))
-        lows, highs = np.array(list(box.bounds.values())).T
-        random = np.random.default_rng(SEED)
-        shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
-        error = 0.0
-        for share in shares:
-            point = box.named(lows + share * (highs - lows))
-            error = max(error, float(np.abs(model.at(point) - function(point)).max()))
-        if error > ROUNDING * max(1.0, float(np.abs(model.matrices).max())):
+        inside = samples(box)
+        values = np.array([function(point) for point in inside])
+        beside = None if terms is None else np.array([terms(point) for point in corners(box) + inside])
+        place = difference(np.array([model.at(point) for point in inside]), values, model.matrices, beside)
+        if place is not None:
+            row, column, error = place
             raise ParameterError(
-                f"{name} must be affine in each variable; it is off by {error:.3g}", field=name
+                f"{name} must be affine in each variable; it is off by {error:.3g} in row {row + 1}, "
+                f"column {column + 1}: make an expression that is not a variable of its own",
+                field=name,
             )
         return model
 
@@ -87,3 +99,40 @@ class TakagiSugeno:
         """The matrix at a point of the box; raises ParameterError for a point outside."""
         mixed: FloatArray = np.tensordot(self.box.weights(point), self.matrices, 1)
         return mixed
+
+
+def corners(box: Box) -> list[dict[str, float]]:
+    """The vertices of a box as points."""
+    return [box.named(vertex) for vertex in box.vertices]
+
+
+def samples(box: Box) -> list[dict[str, float]]:
+    """The middle of a box and points that are spread in it, the same every time."""
+    lows, highs = np.array(list(box.bounds.values())).T
+    random = np.random.default_rng(SEED)
+    shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
+    return [box.named(lows + share * (highs - lows)) for share in shares]
+
+
+def difference(
+    left: FloatArray, right: FloatArray, more: FloatArray, terms: FloatArray | None
+) -> tuple[int, int, float] | None:
+    """The row and the column where two lists of matrices differ by more than rounding, and by how much.
+
+    An entry is compared with its own largest value, also over the matrices ``more``, and with the largest of
+    its ``terms``. ``None`` if all are equal.
+
+    >>> one, other = np.array([[[1e6, 1e-6]]]), np.array([[[1e6, 2e-6]]])
+    >>> difference(one, other, one, None)
+    (0, 1, 1e-06)
+    """
+    sizes = np.abs(np.concatenate([left, right, more])).max(axis=0)
+    allowed = ROUNDING * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))
+    error = np.abs(left - right).max(axis=0)
+    wrong = ~(error <= allowed)
+    if not wrong.any():
+        return None
+    with np.errstate(all="ignore"):
+        share = np.where(wrong, error / sizes, -1.0)
+    row, column = np.unravel_index(int(np.nan_to_num(share, nan=np.inf).argmax()), share.shape)
+    return int(row), int(column), float(error[row, column])
