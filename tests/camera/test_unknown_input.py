@@ -272,11 +272,12 @@ def test_a_ta_that_is_not_t_times_a_is_refused(through: str) -> None:
         np.eye(1, 2),
         decoupled=lambda p: np.diag([0.0, -p["k"]]),
     )
+    make = {
+        "function": lambda: UnknownInputObserver.design(system, box, 1.0),
+        "corners": lambda: CornerSystem.of(system, box),
+    }
     with pytest.raises(ParameterError, match=r"TA must be T times A.* 6 in row 2, column 2") as failure:
-        if through == "function":
-            UnknownInputObserver.design(system, box, 1.0)
-        else:
-            CornerSystem.of(system, box)
+        make[through]()
     assert failure.value.field == "TA"
 
 

@@ -62,11 +62,41 @@ def test_the_stage_follows_its_differential_equation(seed: int) -> None:
 def test_a_discrete_stage_is_the_recursion() -> None:
     stage, parts = random_stage(5, time="discrete")
     rows = irregular(5, stage.inputs)
+    rows[:, 0] = np.arange(len(rows))
     f = nonlinearity(parts["f"], len(parts["J"]))
     w = parts["start"]
     for row in rows:
         assert np.allclose(stage.update(row[0], row[1:]), w + parts["R1"] @ f(parts["J"] @ w), atol=1e-12)
         w = parts["N"] @ w + parts["L"] @ f(parts["J"] @ w) + parts["K"] @ row[1:]
+
+
+@pytest.mark.parametrize("f", ["tanh", np.tanh])
+def test_a_discrete_stage_refuses_an_index_that_is_not_the_next(f: Any) -> None:
+    """A sample is one step: an index that was skipped would leave the estimate behind the plant."""
+
+    def stage() -> PersidskiiObserver:
+        return PersidskiiObserver([[0.5]], [[1.0]], [[1.0]], [[1.0]], f, start=[1.0], time="discrete")
+
+    live, rows = stage(), np.column_stack([[0.0, 1.0, 1.0, 2.0], [0.3, 0.1, 0.2, np.nan]])
+    found = np.array([live.update(row[0], row[1:]) for row in rows])
+    for t in (5.0, 2.5, 4.0):
+        before = pickle.dumps(live)
+        with pytest.raises(
+            EventError, match=r"after index 2, .* update\(3, None\), for each missing"
+        ) as failure:
+            live.update(t, 1.0)
+        assert failure.value.field == "t"
+        if f == "tanh":
+            assert pickle.dumps(live) == before
+    with pytest.raises(EventOrderError):
+        live.update(1.0, 1.0)
+    table = stage()
+    assert np.array_equal(table.walk(np.zeros(4, dtype=np.bool_), rows), found)
+    skipping = np.array([[3.0, 0.1], [5.0, 0.1]])
+    with pytest.raises(EventError, match="index 5 comes after index 3"):
+        table.walk(np.zeros(2, dtype=np.bool_), skipping)
+    assert np.array_equal(table.update(3, None), live.update(3, None))  # the refused rows changed nothing
+    assert np.array_equal(table.walk(np.array([False, True]), np.array([[4.0, 0.1], [9.0, 0.1]]))[-1], [1.0])
 
 
 def test_the_integration_is_of_fourth_order() -> None:
@@ -102,7 +132,8 @@ for time in ("continuous", "discrete"):
         [[-1.0, 2.0], [-2.0, -1.0]], np.ones((2, 5)), np.arange(10.0).reshape(5, 2) / 10.0, [1.0, 0.0],
         ["sin", "tanh", "atan", "saturation", "identity"], R1=np.ones((2, 5)), start=[0.1, -0.2], time=time,
     )
-    rows = np.column_stack([np.cumsum(0.01 + 0.02 * (np.arange(40) % 3)), np.sin(np.arange(40.0))])
+    steps = 0.01 + 0.02 * (np.arange(40) % 3) if time == "continuous" else np.ones(40)
+    rows = np.column_stack([np.cumsum(steps), np.sin(np.arange(40.0))])
     for row in stage.walk(np.arange(40) == 20, rows):
         print(*(value.hex() for value in row))
 """

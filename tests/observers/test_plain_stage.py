@@ -67,7 +67,8 @@ def test_the_plain_law_is_the_compiled_one(seed: int, time: str) -> None:
     named = PersidskiiObserver(f=f, **parts, **more)
     plain = PersidskiiObserver(f=lambda s: f(s), **parts, **more)
     rows = rng.normal(size=(25, 1 + named.inputs))
-    rows[:, 0] = np.cumsum(rng.choice([0.0, 0.01, 0.3, 1.5], 25, p=[0.1, 0.4, 0.4, 0.1]))
+    steps = [0.0, 0.01, 0.3, 1.5] if time == "continuous" else [0.0, 1.0, 1.0, 1.0]
+    rows[:, 0] = np.cumsum(rng.choice(steps, 25, p=[0.1, 0.4, 0.4, 0.1]))
     rows[:, 1:][rng.uniform(size=rows[:, 1:].shape) < 0.2] = np.nan
     begin = rng.uniform(size=25) < 0.05
     found = plain.walk(begin, rows)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import EventError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
 from pointpred.observers.unknown_input.discrete_gains import gain
 
@@ -52,6 +52,23 @@ def test_zeros_decide_before_any_solver() -> None:
     growing = ([[0.5, 1.0], [0.0, -1.1]], *TWO[1:])
     with pytest.raises(InfeasibleError, match="no sigma above 0 is feasible in this box"):
         design(*growing, sigma=0.1)
+
+
+def test_an_index_that_is_not_the_next_is_refused() -> None:
+    """A sample is one step; one without outputs stands for an index that nobody measured at."""
+    observer = design(*TWO, sigma=0.4)
+    observer.start(np.array([0.0, 1.0]))
+
+    def sample(index: float, y: Any) -> UnknownInputSample:
+        return UnknownInputSample(index, y, np.zeros(2), constantly({"k": 0.0}))
+
+    observer.update(sample(0, np.zeros(1)))
+    with pytest.raises(EventError, match=r"index 3 comes after index 0, .* y=None, for each") as failure:
+        observer.update(sample(3, np.zeros(1)))
+    assert failure.value.field == "t"
+    found = [observer.update(sample(i, None)) for i in (1, 2)]
+    found.append(observer.update(sample(3, np.zeros(1))))
+    assert found[-1].x[1] == pytest.approx(0.6**3)
 
 
 def test_vertices_that_decay_one_by_one_but_not_in_turns_have_no_design() -> None:

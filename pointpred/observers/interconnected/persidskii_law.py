@@ -18,7 +18,7 @@ from pointpred.stage import loop_into
 # missing.
 STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, BRIDGED, CODES = range(9)
 
-ACCEPTED, REPEATED, BACKWARDS, TOO_LONG = 0, 1, 2, 3
+ACCEPTED, REPEATED, BACKWARDS, TOO_LONG, SKIPPED = 0, 1, 2, 3, 4
 STEPS_MOST = 100_000
 """Most steps between two samples."""
 
@@ -221,7 +221,8 @@ def move(memory: FloatArray, row: FloatArray, w: int, absent: int, missing: bool
 def advance(memory: FloatArray, row: FloatArray) -> int:
     """Process the sample (t, inputs), NaN for a missing one; a repeated t replaces the inputs it has.
 
-    A sample after more than the longest interval that is bridged is refused.
+    A sample after more than the longest interval that is bridged is refused, in discrete time one whose index
+    is not the next: a sample is one step.
     """
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     outputs = int(memory[OUTPUTS])
@@ -237,6 +238,8 @@ def advance(memory: FloatArray, row: FloatArray) -> int:
             if row[1 + j] == row[1 + j]:
                 memory[last + j], memory[absent + j] = row[1 + j], 0.0
         return REPEATED
+    if memory[started] == 1.0 and memory[DISCRETE] == 1.0 and h != 1.0:
+        return SKIPPED
     missing = False
     begin = memory[started] == 0.0 or (memory[DISCRETE] == 0.0 and h > memory[GAP])
     if not begin and memory[DISCRETE] == 0.0 and h > memory[BRIDGED]:

@@ -30,10 +30,11 @@ NEVER = 1e300
 class PersidskiiObserver(CompiledStage):
     """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
-    Assumes that inputs are linear between two samples; in discrete time each sample is one step, and its
-    inputs act from the next step on. After a gap longer than ``gap_s`` it starts again at ``start``, by
-    default never. An input that is NaN is missing: while it is so at one end of an interval,
-    ``missing`` says what replaces it, by default its last value.
+    Assumes that inputs are linear between two samples; in discrete time each sample is one step, its index
+    the last one plus 1, and its inputs act from the next step on: an index that nobody measured at is a
+    sample without inputs, ``update(t, None)``. In continuous time it starts again at ``start`` after a gap
+    longer than ``gap_s``, by default never. An input that is NaN is missing: while it is so at one end of an
+    interval, ``missing`` says what replaces it, by default its last value.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``, by
     default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter. A ``step_s``
@@ -143,8 +144,15 @@ class PersidskiiObserver(CompiledStage):
                 value=self.gap_s,
             )
 
-    def _too_long(self, t: float, last: float) -> EventError:
-        """The refusal of a sample after an interval that is too long."""
+    def _refused(self, t: float, last: float) -> EventError:
+        """The refusal of a sample after an interval that is too long, in discrete time not one step."""
+        if self.time == "discrete":
+            return EventError(
+                f"the sample at index {t:g} comes after index {last:g}, a sample is one step: give a sample "
+                f"without measurements, update({last + 1.0:g}, None), for each missing index, or call reset",
+                field="t",
+                value=t,
+            )
         longest = self._bridged if self._plain is None else self._plain.bridged(last)
         return EventError(
             f"the sample at t = {t!r} comes {t - last:g} s after the last one, the stage bridges at most "
@@ -156,6 +164,8 @@ class PersidskiiObserver(CompiledStage):
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        if self.time == "discrete":
+            self._check_steps(begin, rows[:, 0])
         if self._plain is None:
             self._check_intervals(begin, rows[:, 0])
             return super().walk(begin, rows)
@@ -164,7 +174,7 @@ class PersidskiiObserver(CompiledStage):
             if begin[i]:
                 self._memory[:] = 0.0
             if self._plain.step(self._memory, row, out[i]) == law.TOO_LONG:
-                raise self._too_long(row[0], float(self._memory[1]))
+                raise self._refused(row[0], float(self._memory[1]))
         return out
 
     def _check_intervals(self, begin: BoolArray, times: FloatArray) -> None:
@@ -174,22 +184,31 @@ class PersidskiiObserver(CompiledStage):
         first = self._memory[self._time_at + 1] if self._memory[self._time_at] == 1.0 else times[0]
         before = np.concatenate([[first], times[:-1]])
         for i in np.flatnonzero((times - before > self._bridged) & ~begin)[:1]:
-            raise self._too_long(float(times[i]), float(before[i]))
+            raise self._refused(float(times[i]), float(before[i]))
+
+    def _check_steps(self, begin: BoolArray, times: FloatArray) -> None:
+        """The same in discrete time, where an index is the last one, the next one, or runs backwards."""
+        last = self._memory[self._time_at + 1] if self._memory[self._time_at] == 1.0 else None
+        for first, t in zip(begin.tolist(), times.tolist(), strict=True):
+            if first or last is None or t == last + 1.0:
+                last = t
+            elif not t <= last:
+                raise self._refused(t, float(last))
 
     def update(self, t: float, inputs: ArrayLike | None = ()) -> FloatArray:
         """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.
 
         An input that is NaN is missing, ``None`` for all of them. Raises EventError for values that are not
-        finite, a wrong number of them, or too long an interval, EventOrderError when time runs backwards and
-        DivergenceError if the state diverges; the stage is then unchanged.
+        finite, a wrong number of them, too long an interval or a skipped index, EventOrderError when time
+        runs backwards and DivergenceError if the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
         before = self._memory.copy()
         out = np.empty(self.width)
         step = law.step if self._plain is None else self._plain.step
         verdict = step(self._memory, row, out)
-        if verdict == law.TOO_LONG:
-            raise self._too_long(float(row[0]), float(before[self._time_at + 1]))
+        if verdict in (law.TOO_LONG, law.SKIPPED):
+            raise self._refused(float(row[0]), float(before[self._time_at + 1]))
         if verdict == law.BACKWARDS:
             raise EventOrderError(
                 f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}",

@@ -12,6 +12,7 @@ from pointpred.observers.interconnected.persidskii_law import (
     ACCEPTED,
     BACKWARDS,
     REPEATED,
+    SKIPPED,
     STEPS_MOST,
     TOO_LONG,
 )
@@ -53,13 +54,15 @@ class PlainLaw:
     def step(self, memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
         """Process the sample (t, inputs), NaN for a missing one, into ``out``; an earlier t is refused.
 
-        So is one after more than 10^5 steps.
+        So is one after more than 10^5 steps, in discrete time one whose index is not the next.
         """
         q, m = self.parts.q, self.parts.inputs
         started, t, now = memory[STARTED] == 1.0, float(memory[T]), float(row[0])
         w, last, absent = memory[W : W + q], memory[W + q : W + q + m], memory[W + q + m :]
         if started and now < t:
             return BACKWARDS
+        if started and self.discrete and now != t and now - t != 1.0:
+            return SKIPPED
         measured = ~np.isnan(row[1:])
         x, inputs = w + self.start, last.copy()
         verdict = REPEATED if started and now == t else ACCEPTED

@@ -101,9 +101,9 @@ class RunningUnknownInputObserver:
     """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` around a design.
 
     Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
-    sample is a step. With as many outputs as unknown inputs it runs in the reduced form, without gains;
-    otherwise in the full form, outside the box with the gains of its nearest point and ``certified`` false.
-    Slow (numpy, some 0.4 ms a step): for the camera there is a compiled law.
+    sample is a step, its index the last one plus 1. With as many outputs as unknown inputs it runs in the
+    reduced form, without gains; otherwise in the full form, outside the box with the gains of its nearest
+    point and ``certified`` false. Slow (numpy, some 0.4 ms a step): for the camera there is a compiled law.
 
     While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
     last estimate of d (zero before the first). At its end the outputs that are measured correct the
@@ -270,6 +270,14 @@ class RunningUnknownInputObserver:
             raise EventError(f"t must be finite, received {sample.t!r}")
         if self._last is not None and not sample.t > self._last.t:
             raise EventOrderError(f"t must increase: received {sample.t!r} s after {self._last.t!r} s")
+        discrete = self.design.system.time == "discrete"
+        if self._last is not None and discrete and sample.t - self._last.t != 1.0:
+            raise EventError(
+                f"the sample at index {sample.t:g} comes after index {self._last.t:g}, a sample is one step: "
+                "give a sample without measurements, y=None, for each missing index, or call start again",
+                field="t",
+                value=sample.t,
+            )
         return _Measured(
             sample.t, np.asarray(y, np.float64), np.asarray(sample.known, np.float64), sample.schedule
         )

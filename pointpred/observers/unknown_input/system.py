@@ -235,7 +235,7 @@ class ParameterVaryingSystem:
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
 
     def _require_decoupled(self, box: Box) -> None:
-        """Raise ParameterError unless the T A that was given is T times A, where the box has A's variables."""
+        """Raise ParameterError unless the given T A is T times A, where the box has A's variables."""
         if not self.decoupled:
             return
         points = corners(box) + samples(box)
