@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -9,9 +11,10 @@ from pointpred import observers as o
 from pointpred.camera import camera_box, camera_system, printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.documents.files import encoded
+from pointpred.observers.inequalities.definite import least
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.certificate import audit, inequality
+from pointpred.observers.unknown_input.certificate import audit, discrete_inequality, inequality
 from pointpred.observers.unknown_input.corners import CornerSystem
 from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem
@@ -93,28 +96,28 @@ def test_a_camera_that_may_approach_is_refused_before_any_solver(monkeypatch: py
 
 
 def test_the_certificate_does_not_change_with_its_scale(camera: UnknownInputObserver) -> None:
-    gammas, ts, c, p, ws = parts(camera)
-    one = camera.certificate
+    gammas, ts, c, p, _ = parts(camera)
+    ks, one = camera.gains.matrices, camera.certificate
     force = one.gamma * np.eye(4)
     for scale in (1e-12, 1e-3, 1e6):
-        other = audit(gammas, ts, c, scale * p, scale * ws, scale * force, one.sigma, one.zeros)
+        other = audit(gammas, ts, c, scale * p, ks, scale * force, one.sigma, one.zeros)
         assert other.phi1 == pytest.approx(one.phi1, rel=1e-9)
         assert other.phi2 == pytest.approx(one.phi2, rel=1e-9)
         assert other.margin == pytest.approx(scale * one.margin, rel=1e-6)
 
 
 def test_a_certificate_that_fails_is_an_error_never_a_gain(camera: UnknownInputObserver) -> None:
-    gammas, ts, c, p, ws = parts(camera)
-    one = camera.certificate
+    gammas, ts, c, p, _ = parts(camera)
+    ks, one = camera.gains.matrices, camera.certificate
     force = one.gamma * np.eye(4)
     with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue"):
-        audit(gammas, ts, c, p, ws, force, 1.1 * one.largest_sigma, one.zeros)
+        audit(gammas, ts, c, p, ks, force, 1.1 * one.largest_sigma, one.zeros)
     with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue .* at vertex"):
-        audit(gammas, ts, c, p, -ws, force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p, -ks, force, one.sigma, one.zeros)
     with pytest.raises(CertificateError, match="P must be symmetric and positive definite"):
-        audit(gammas, ts, c, p - 2.0 * np.eye(4), ws, force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p - 2.0 * np.eye(4), ks, force, one.sigma, one.zeros)
     with pytest.raises(CertificateError, match="F must be symmetric and positive definite"):
-        audit(gammas, ts, c, p, ws, -force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p, ks, -force, one.sigma, one.zeros)
 
 
 def test_the_printed_sign_of_27c_with_44_is_unstable(camera: UnknownInputObserver) -> None:
@@ -231,6 +234,32 @@ def test_bad_systems_are_named() -> None:
         one(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"})
     with pytest.raises(ParameterError, match="must be affine in each variable"):
         one(f=lambda p: np.array([[1.0 + p["k"] ** 2], [0.0]]))
+
+
+def test_what_cancels_off_the_diagonal_proves_nothing() -> None:
+    """A pair without damping: the energy's change, 5.6e-17 in exact numbers, is 0 in floating point."""
+    n = np.array([[-1e-17, 1.0], [-1.0 / 3.0, -1e-17]])
+    p, c, none = np.diag([1.0, 3.0]), np.zeros((1, 2)), np.zeros((1, 1), complex)
+    exact = [[Fraction(float(one)) for one in row] for row in n]
+    across = exact[0][1] + 3 * exact[1][0]
+    assert across**2 > 12 * exact[0][0] ** 2  # not negative definite
+    with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue 0 at vertex 0"):
+        audit(n[None], np.zeros((1, 2, 2)), c, p, np.zeros((1, 2, 1)), np.eye(2), 1e-20, none)
+
+
+def test_the_gain_that_runs_is_the_one_that_is_proved() -> None:
+    """In discrete time and with a P that is nearly singular: W = P K no longer tells K."""
+    axes = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
+    p = (axes * [1.0, 1.0, 1e-10]) @ axes.T
+    p = 0.5 * (p + p.T)
+    k, c = axes[:, 2:], axes[:, 2:].T
+    one = audit(
+        0.3 * np.eye(3)[None], np.zeros((1, 3, 3)), c, p, k[None], np.eye(3), 0.1,
+        np.zeros((1, 0), complex), "discrete",
+    )  # fmt: skip
+    assert not np.allclose(np.linalg.solve(p, p @ k), k, rtol=1e-8, atol=1e-8)
+    whole = -discrete_inequality(0.3 * np.eye(3) - k @ c, np.zeros((3, 3)), p, np.eye(3), 0.1)
+    assert one.margin == pytest.approx(least(whole)[0], rel=1e-12)
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-12])

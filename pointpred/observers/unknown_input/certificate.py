@@ -89,12 +89,19 @@ def inequality(
     return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
 
 
-def _sizes(
-    gamma_i: FloatArray, c: FloatArray, p: FloatArray, w_i: FloatArray, force: FloatArray, sigma: float
+def _terms(
+    gamma_i: FloatArray,
+    t_i: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    k_i: FloatArray,
+    force: FloatArray,
+    sigma: float,
 ) -> FloatArray:
-    """The size of each entry of the diagonal of (27c), summed over its terms before they cancel."""
-    upper = 2.0 * np.abs(p) @ np.abs(gamma_i) + 2.0 * np.abs(w_i) @ np.abs(c) + sigma * np.abs(p)
-    return np.concatenate([np.diag(upper), np.diag(force)])
+    """The size of each entry of (27c) with W = P K, summed over its terms before they cancel."""
+    half = np.abs(p) @ (np.abs(gamma_i) + np.abs(k_i) @ np.abs(c))
+    side = np.abs(p) @ np.abs(t_i)
+    return np.block([[half + half.T + sigma * np.abs(p), side], [side.T, np.abs(force)]])
 
 
 def discrete_inequality(
@@ -112,10 +119,22 @@ def discrete_inequality(
     return whole
 
 
-def _discrete_sizes(n_i: FloatArray, p: FloatArray, force: FloatArray, sigma: float) -> FloatArray:
+def _discrete_terms(
+    gamma_i: FloatArray,
+    t_i: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    k_i: FloatArray,
+    force: FloatArray,
+    sigma: float,
+) -> FloatArray:
     """The same for the discrete inequality."""
-    upper = np.abs(n_i).T @ np.abs(p) @ np.abs(n_i) + exp(-sigma) * np.abs(p)
-    return np.concatenate([np.diag(upper), np.diag(force)])
+    onward = np.hstack([np.abs(gamma_i) + np.abs(k_i) @ np.abs(c), np.abs(t_i)])
+    whole: FloatArray = onward.T @ np.abs(p) @ onward
+    n = len(p)
+    whole[:n, :n] += exp(-sigma) * np.abs(p)
+    whole[n:, n:] += np.abs(force)
+    return whole
 
 
 def audit(
@@ -123,7 +142,7 @@ def audit(
     ts: FloatArray,
     c: FloatArray,
     p: FloatArray,
-    ws: FloatArray,
+    ks: FloatArray,
     force: FloatArray,
     sigma: float,
     zeros: NDArray[np.complex128],
@@ -133,8 +152,9 @@ def audit(
 
     Raises CertificateError naming the one that fails.
 
-    ``gammas``, ``ts`` and ``ws`` hold one matrix per vertex, ``force`` is F of the theorem; gamma is its
-    largest eigenvalue. Multiplying P, W and F by one positive number does not change the result.
+    ``gammas``, ``ts`` and the gains ``ks`` hold one matrix per vertex, ``force`` is F of the theorem; gamma
+    is its largest eigenvalue. W = P K is computed: the gains that run are the ones that are proved.
+    Multiplying P and F by one positive number does not change the result.
     """
     if not (sigma > 0.0 and np.isfinite(sigma)):
         raise ParameterError(
@@ -155,7 +175,7 @@ def audit(
                 field=name,
             )
     with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-        largest, vertex = _largest(gammas, ts, c, p, ws, force, sigma, time)
+        largest, vertex = _largest(gammas, ts, c, p, ks, force, sigma, time)
     if not largest < 0.0:
         raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
     gamma = float(np.linalg.eigvalsh(force)[-1])
@@ -167,29 +187,32 @@ def _largest(
     ts: FloatArray,
     c: FloatArray,
     p: FloatArray,
-    ws: FloatArray,
+    ks: FloatArray,
     force: FloatArray,
     sigma: float,
     time: str,
 ) -> tuple[float, int]:
     """The largest eigenvalue of the inequality over the vertices, and its vertex."""
     largest, vertex = -np.inf, 0
-    for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
+    for i, (gamma_i, t_i, k_i) in enumerate(zip(gammas, ts, ks, strict=True)):
         if time == "discrete":
-            n_i = gamma_i - np.linalg.solve(p, w_i) @ c
-            whole = -discrete_inequality(n_i, t_i, p, force, sigma)
-            sizes = _discrete_sizes(np.abs(gamma_i) + np.abs(n_i), p, force, sigma)
+            whole = -discrete_inequality(gamma_i - k_i @ c, t_i, p, force, sigma)
+            terms = _discrete_terms(gamma_i, t_i, c, p, k_i, force, sigma)
         else:
-            whole = -inequality(gamma_i, t_i, c, p, w_i, force, sigma)
-            sizes = _sizes(gamma_i, c, p, w_i, force, sigma)
-        if not (np.isfinite(whole).all() and np.isfinite(sizes).all()):
+            whole = -inequality(gamma_i, t_i, c, p, p @ k_i, force, sigma)
+            terms = _terms(gamma_i, t_i, c, p, k_i, force, sigma)
+        if not (np.isfinite(whole).all() and np.isfinite(terms).all()):
             raise CertificateError(
                 f"(27c) holds numbers that are too large to compute with at vertex {i}: check the largest "
                 "entries of the gains, of P and of F"
             )
+        sizes = np.diag(terms)
         value, relative = least(whole, sizes)
-        # What rounding of the terms could make of it does not count as negative.
-        eigenvalue = -value if relative > ROUNDING else max(-value, 0.0)
+        # What rounding of the terms could make of it does not count as negative. Entries off the diagonal
+        # may be small differences of larger terms: those of a lightly damped pair are.
+        d = 1.0 / np.sqrt(sizes)
+        spread = float(np.linalg.norm(terms * d * d[:, None], 2))
+        eigenvalue = -value if relative > ROUNDING * spread else max(-value, 0.0)
         if not eigenvalue <= largest:
             largest, vertex = eigenvalue, i
     return largest, vertex

@@ -119,9 +119,8 @@ class UnknownInputObserver:
         ks = [outward(one @ rows.T, x, y, t) for one in inner_ks]
         # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
         p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
-        ws = np.array([p @ one for one in ks])
         try:
-            certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros, system.time)
+            certificate = audit(gammas, ts, system.c, p, np.array(ks), force, sigma, zeros, system.time)
         except CertificateError as failure:
             raise UndecidedError(
                 f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
@@ -150,10 +149,8 @@ class UnknownInputObserver:
         system = system.weighted(box)
         gammas, ts = system.at_vertices(box)
         model = TakagiSugeno(box, gains)
-        with np.errstate(all="ignore"):  # what overflows is not finite, and the audit refuses it
-            ws = np.array([P @ one for one in model.matrices])
         zeros = zeros_over(system, box)
-        certificate = audit(gammas, ts, system.c, P, ws, force, sigma, zeros, system.time)
+        certificate = audit(gammas, ts, system.c, P, model.matrices, force, sigma, zeros, system.time)
         return cls(system, box, msgspec.structs.replace(certificate, gap=gap), model)
 
     def audited(self) -> Self:
