@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from typing import Any
 
 import msgspec
@@ -12,6 +13,7 @@ import pytest
 from pointpred.cli.observer_tables import print_audit, print_design, summary
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers import (
+    Generator,
     Persidskii,
     audit,
     design_full_order,
@@ -57,6 +59,26 @@ def test_a_margin_within_rounding_is_said_to_be_that() -> None:
     assert "difference has the eigenvalue 3.9968e-14, which is 2e-14 of its terms" in words
     with pytest.raises(CertificateError, match=r"P > 0 has the eigenvalue .* of its terms"):
         problem.check({"P": np.array([[1.0, 1.0 - 1e-14], [1.0 - 1e-14, 1.0]])})
+
+
+def test_the_rounding_of_p_m_counts_where_p_is_nearly_singular() -> None:
+    """With U = P M as it is computed the inequality holds, with the M that runs it fails in exact numbers."""
+    small = 1e-11
+    p = np.array([[1.0, 1.0 - small], [1.0 - small, 1.0]])
+
+    def energy(m: float) -> tuple[Fraction, Fraction]:
+        """What the gain takes along (1, -1), as it is and as computed."""
+        u = [Fraction(float(one)) for one in p @ [m, -m]]
+        return 4 * Fraction(m) * (1 - Fraction(float(p[0, 1]))), 2 * (u[0] - u[1])
+
+    gains = np.random.default_rng(8).uniform(0.5, 1.0, 100).tolist()
+    m = max(gains, key=lambda one: float(energy(one)[1] / energy(one)[0]))
+    theta = float(sum(energy(m)) / 2)
+    assert energy(m)[0] < theta < energy(m)[1]
+    plant = Persidskii(-small * np.ones((2, 2)), None, None, "sin", C0=[1.0, -1.0])
+    values = {"P": p, "Theta": theta * np.eye(2), "Gamma": np.array([[1e14]]), "Xi": 1e14 * np.eye(2)}
+    with pytest.raises(CertificateError, match="the LMI has the eigenvalue"):
+        interconnected.certified_design(plant, Generator(plant.A0), np.eye(2), [[m], [-m]], values)
 
 
 def test_a_print_may_lie_on_either_side_of_the_edge() -> None:

@@ -75,6 +75,7 @@ class Unknowns:
     def __init__(self) -> None:
         self.listed: list[Unknown] = []
         self._kept: dict[str, tuple[Block, FloatArray, FloatArray]] = {}
+        self._terms: dict[str, FloatArray] = {}
 
     def add(self, unknown: Unknown) -> None:
         """Add one; raises ParameterError for a name in use."""
@@ -177,8 +178,18 @@ class Unknowns:
     def sizes(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """The size of each entry of a block's diagonal, summed over its terms before they cancel."""
         constant, slopes = self.coefficients(name, block)
-        terms: FloatArray = np.abs(np.diagonal(slopes, axis1=1, axis2=2)).T @ np.abs(numbers)
+        largest = np.abs(numbers)
+        for one in self.listed:
+            if one.name in self._terms:
+                start = self.place(one.name)
+                own = largest[start : start + one.count]
+                own[:] = np.maximum(own, one.numbers(self._terms[one.name]))
+        terms: FloatArray = np.abs(np.diagonal(slopes, axis1=1, axis2=2)).T @ largest
         return np.abs(np.diag(constant)) + terms
+
+    def computed(self, name: str, terms: FloatArray) -> None:
+        """Give the sizes of the terms of a matrix that is computed, of which it may be a small difference."""
+        self._terms[name] = terms
 
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """A block as a symmetric matrix; raises ParameterError if it is not."""
