@@ -313,6 +313,37 @@ def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
         result.plot(tmp_path / "cart.bmp")
 
 
+SCHEDULES: list[tuple[Any, str]] = [
+    (lambda t: {"k": 1.0}, r"function of t and x .* it fails at t = 0: TypeError"),
+    (lambda t, x: {"q": 1.0}, "schedule lacks k, received q"),
+    (lambda t, x: 1.0, r"schedule must return a dict of k, received 1\.0 at t = 0"),
+    (lambda t, x: {"k": 1.0 / t}, "it fails at t = 0: ZeroDivisionError"),
+    (lambda t, x: {"k": np.nan if t > 0.05 else 1.5}, r"a finite number for k, .* received nan at t = 0\.0"),
+    ({"k": "a"}, r"a finite number for k, .* received 'a' at t = 0"),
+    ({"k": lambda t: None}, "a finite number for k, .* received None at t = 0"),
+    ({"k": lambda: 1.0}, "it fails at t = 0: TypeError"),
+]
+
+
+@pytest.mark.parametrize(("given", "words"), SCHEDULES, ids=[row[1][:30] for row in SCHEDULES])
+def test_a_schedule_that_fails_is_named_with_its_time(given: Any, words: str) -> None:
+    with pytest.raises(ParameterError, match=words) as refused:
+        o.simulate(kept.WING, kept.design("unknown input"), times=TIMES[:20], schedule=given)
+    assert refused.value.field == "schedule"
+
+
+def test_a_variable_that_only_the_plant_needs_is_named() -> None:
+    plant = o.ParameterVaryingSystem(
+        lambda p: kept.WING.a(p) + p["ice"] * np.zeros((2, 2)), kept.WING.f, kept.WING.c
+    )
+    asked: dict[str, Any] = {"times": TIMES[:20], "schedule": {"k": 1.5}}
+    with pytest.raises(ParameterError, match="lacks the variable 'ice' of the plant, received k") as refused:
+        o.simulate(plant, kept.design("unknown input"), **asked)
+    assert refused.value.field == "schedule"
+    asked["schedule"] = {"k": np.array([1.5]), "ice": lambda t: 0.0}
+    assert np.isfinite(o.simulate(plant, kept.design("unknown input"), **asked).state).all()
+
+
 FAILING: list[tuple[Any, str]] = [
     (lambda: 1.0, "it fails at t = 0: TypeError: .* takes 0 positional arguments"),
     (lambda t: 1.0 / t, "it fails at t = 0: ZeroDivisionError"),
