@@ -6,11 +6,14 @@ from math import ceil, nan
 from typing import NamedTuple
 
 import msgspec
+import numpy as np
 
 from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
+from pointpred.camera.model import SCHEDULED, C
 from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
 from pointpred.columns import Columns, FloatArray
 from pointpred.compiled import law
+from pointpred.errors import ParameterError
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.parameter import option, parameter
 from pointpred.rows import Row
@@ -171,9 +174,9 @@ class DepthObserver(CameraStage):
     accelerometer is needed. Without an image x and y keep their last values.
 
     Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
-    that is bridged; ``observer``, a design whose sigma and box define the flags: without one sigma is 0 and
-    ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``, DepthColumns from ``run``.
-    Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
+    that is bridged; ``observer``, a design for ``camera_system`` whose sigma and box define the flags:
+    without one sigma is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
+    DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
 
     Reference: Benyoucef et al. 2021, equations (12), (15) to (18), the signs corrected.
 
@@ -206,7 +209,8 @@ class DepthObserver(CameraStage):
         """The beginning of the memory."""
         box = [0.0] * 10
         if self.observer is not None:
-            box = [bound for pair in list(self.observer.box.bounds.values())[:5] for bound in pair]
+            bounds = _camera_bounds(self.observer)
+            box = [bound for name in SCHEDULED[:5] for bound in bounds[name]]
         start = [float(self.start_chi), float(self.start_eta)]
         return [float(self.focal_px), self.half_sigma, *start, float(self.gap_s), *box]
 
@@ -218,3 +222,20 @@ class DepthObserver(CameraStage):
     def run(self, columns: CameraColumns) -> DepthColumns:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
         return DepthColumns(self.table(columns))
+
+
+def _camera_bounds(observer: UnknownInputObserver) -> dict[str, tuple[float, float]]:
+    """The box of a design for the camera, by name; raises ParameterError for any other design."""
+    if not isinstance(observer, UnknownInputObserver):
+        raise ParameterError(
+            f"observer must be an UnknownInputObserver for camera_system, received {observer!r:.60}",
+            field="observer",
+        )
+    system, bounds = observer.system, observer.box.bounds
+    if set(bounds) != set(SCHEDULED) or system.time != "continuous" or not np.array_equal(system.c, C):
+        raise ParameterError(
+            f"observer must be a design for camera_system in a box of {', '.join(SCHEDULED)}, as camera_box "
+            f"makes it, received one of {system.c.shape[1]} states in a box of {', '.join(bounds)}",
+            field="observer",
+        )
+    return bounds

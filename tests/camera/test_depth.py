@@ -17,7 +17,10 @@ from pointpred.camera import (
     model,
     simulate,
 )
+from pointpred.errors import ParameterError
+from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 
 FOCAL = 800.0
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
@@ -127,6 +130,11 @@ def test_flags_of_a_receding_camera(design: UnknownInputObserver) -> None:
     depth = observer(1.0, -0.3, observer=design).run(samples)
     assert depth.detectable.all()
     assert depth.certified.all()
+    # The box by its names, in whatever order they are.
+    turned = UnknownInputObserver.design(
+        camera_system(), Box(dict(reversed(design.box.bounds.items()))), design.certificate.sigma
+    )
+    assert observer(1.0, -0.3, observer=turned).settings() == observer(1.0, -0.3, observer=design).settings()
     assert not observer(1.0, -0.3).run(samples).certified.any()
 
 
@@ -164,3 +172,22 @@ def test_a_camera_that_meets_the_point_is_lost_not_clipped() -> None:
         depth = stage.update(CameraSample(i / 100, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert np.isnan([depth.chi, depth.eta, depth.zero]).all()
     assert not depth.detectable
+
+
+def test_a_design_for_another_plant_is_refused(design: UnknownInputObserver) -> None:
+    system = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), np.eye(2, 1), np.eye(1, 2)
+    )
+    other = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), 1.0)
+    wider = UnknownInputObserver.design(
+        camera_system(), Box({**design.box.bounds, "x": (-1.0, 1.0)}), design.certificate.sigma
+    )
+    cases = (
+        (other, "of 2 states in a box of k"),
+        (wider, "dw_y, x$"),
+        (3, "UnknownInputObserver .* received 3"),
+    )
+    for wrong, words in cases:
+        with pytest.raises(ParameterError, match=words) as refused:
+            observer(observer=wrong)
+        assert refused.value.field == "observer"
