@@ -176,7 +176,8 @@ class DepthObserver(CameraStage):
     Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
     that is bridged; ``observer``, a design for ``camera_system`` whose sigma and box define the flags:
     without one sigma is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
-    DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
+    DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and
+    ``run``.
 
     Reference: Benyoucef et al. 2021, equations (12), (15) to (18), the signs corrected.
 

@@ -161,10 +161,11 @@ def audit(design: Any) -> dict[str, float]:
     functions = functions_of(getattr(design, "observer", design)) | functions_of(design)
     try:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            # A system of functions need not have matrices at the corners, which a document needs.
-            itself = isinstance(design, UnknownInputObserver)
-            again = design.audited() if itself else _document(design).made(functions)
-            margins = margins_of(again)
+            if isinstance(design, UnknownInputObserver):
+                # A system of functions need not have matrices at the corners, which a document needs.
+                margins = margins_of(design.audited())
+            else:
+                margins = margins_of(_document(design).made(functions))
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise CertificateError("the design's numbers are too large or too small to compute with") from failure
     if not margins:
