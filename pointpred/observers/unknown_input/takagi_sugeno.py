@@ -59,7 +59,7 @@ class TakagiSugeno:
     >>> TakagiSugeno.of(lambda p: np.array([[p["a"] ** 2]]), box)
     Traceback (most recent call last):
     pointpred.errors.ParameterError: the matrix must be affine in each variable; it is off by 0.25 in row 1, \
-column 1: make an expression that is not a variable of its own
+column 1: make an expression that is not a variable of its own, and 0 of what is only rounding
     """
 
     def __init__(self, box: Box, matrices: FloatArray) -> None:
@@ -90,7 +90,8 @@ column 1: make an expression that is not a variable of its own
             row, column, error = place
             raise ParameterError(
                 f"{name} must be affine in each variable; it is off by {error:.3g} in row {row + 1}, "
-                f"column {column + 1}: make an expression that is not a variable of its own",
+                f"column {column + 1}: make an expression that is not a variable of its own, and 0 of "
+                "what is only rounding",
                 field=name,
             )
         return model
