@@ -63,6 +63,7 @@ def _interconnected(observer: ObserverDesign) -> ErrorSystem:
         {"v": -(g.G + m), "eps": -m, "w": np.eye(g.q)},
         slopes=plant.slopes,
         time=plant.time,
+        domain=plant.domain,
     )
 
 
@@ -80,6 +81,7 @@ def _invariant(observer: InvariantObserver) -> ErrorSystem:
         slopes=plant.slopes,
         time=plant.time,
         through={"v": now.R},
+        domain=plant.domain,
     )
 
 

@@ -18,13 +18,18 @@ from pointpred.observers import (
     ParameterVaryingSystem,
     Persidskii,
     UnknownInputObserver,
+    assumption_3_2_2,
     certify_decay,
+    design_full_order,
     design_observer,
     design_reduced_order,
+    design_regulator,
+    design_state_feedback,
     error_system,
     l2_gain,
     trajectory,
 )
+from pointpred.observers.documents.files import decoded, encoded
 from pointpred.observers.error_systems.h_infinity import h_infinity
 from pointpred.observers.error_systems.system import sloped_system
 
@@ -249,3 +254,38 @@ def test_what_cannot_be_is_named() -> None:
         error_system("observer")
     with pytest.raises(InfeasibleError, match="eigenvalue 0"):
         l2_gain(linear(np.zeros((1, 1)), np.eye(1), np.eye(1)))
+
+
+@pytest.mark.parametrize("slopes", [(1.0, 1.0), (0.7, 1.0)])
+def test_every_proof_with_slopes_of_a_domain_is_local(slopes: tuple[float, float]) -> None:
+    """Equal bounds leave one corner, outside the domain the slopes are others: there 4 is not attracted."""
+    domain = 1.0 if slopes == (1.0, 1.0) else 0.5
+    f = "saturation" if slopes == (1.0, 1.0) else "tanh"
+    plant = Persidskii([[1.0]], [-3.0], [1.0], f, [1.0], None, [1.0], slopes=slopes, domain=domain)
+    assert plant.field(0.0, [4.0])[0] > 0.0
+    observer, regulator = design_full_order(plant), design_regulator(plant)
+    system = error_system(observer)
+    local = [
+        assumption_3_2_2(plant),
+        system,
+        certify_decay(system),
+        certify_decay(system, domain=2.0 * domain),
+        l2_gain(system.disturbed_by("v")),
+        error_system(design_reduced_order(_with_speed(plant), decay=0.5, injection=True)),
+        design_state_feedback(plant, L1=[[0.0]]).certificate,
+        decoded(encoded(design_regulator(plant, L1=[[0.0]]))).feedback.certificate,
+        regulator.observer.plant,
+    ]
+    assert [one.domain for one in local] == [domain] * len(local)
+    assert certify_decay(system, domain=0.1 * domain).domain == 0.1 * domain
+    with pytest.raises(ParameterError, match="domain"):
+        certify_decay(system, domain=float("nan"))
+    cancelled = design_state_feedback(plant, L1=[[3.0]]).certificate
+    assert cancelled.domain == cancelled.system.domain == np.inf
+
+
+def _with_speed(plant: Persidskii) -> Persidskii:
+    """A second state, not measured, upon which f of the first acts."""
+    return Persidskii(
+        [[-1.0, 1.0], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.3], plant.f, C0=[1.0, 0.0], domain=plant.domain
+    )

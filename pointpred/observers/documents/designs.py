@@ -224,8 +224,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         system = closed_system(plant, l0, l1)
         numbers = tuple(f"bound_{i}" for i in range(len(system.disturbances)))
         values = _matrices(self.feedback.certificate, {"P": (plant.n, plant.n)}, numbers)
-        domain = plant.domain if len(system.names) > 1 else np.inf
-        proof = certified_decay(system, values, self.feedback.decay, domain)
+        proof = certified_decay(system, values, self.feedback.decay)
         return RegulatorDesign(
             plant, regulator, pi, observer, StateFeedback(l0, l1, proof), self._equations(plant)
         )

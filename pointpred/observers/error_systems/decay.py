@@ -10,7 +10,8 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, UndecidedError
+from pointpred.differentiators.sampling import is_number
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound, eigenvalues
 from pointpred.observers.error_systems.system import ErrorSystem
@@ -25,7 +26,7 @@ SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
 class DecayCertificate(msgspec.Struct, frozen=True):
     """V = e'Pe decays at every corner: P, the ``margins`` recomputed from it, and the ``bound`` of abs(e).
 
-    Holds while the arguments of f stay within ``domain``.
+    Holds while the arguments of f stay within ``domain``, that of the ``system``.
     """
 
     P: FloatArray
@@ -33,7 +34,7 @@ class DecayCertificate(msgspec.Struct, frozen=True):
     margins: dict[str, float]
     bound: ErrorBound
     system: ErrorSystem
-    domain: float = float("inf")
+    domain: float = np.inf
 
 
 def decay_inequalities(system: ErrorSystem, decay: float, **bounds: float) -> MatrixInequalities:
@@ -81,8 +82,9 @@ def certify_decay(
     Assumes one P for all corners, which is conservative where there are several: a refusal does not say that
     some f keeps the error from decaying.
 
-    Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's; ``margin`` and
-    ``kappa`` as for ``MatrixInequalities``. Raises InfeasibleError naming an eigenvalue that does not decay
+    Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's; ``domain`` > 0
+    if the corners hold within a smaller one than the system's; ``margin`` and ``kappa`` as for
+    ``MatrixInequalities``. Raises InfeasibleError naming an eigenvalue that does not decay
     before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
     >>> import numpy as np
@@ -96,11 +98,14 @@ def certify_decay(
     """
     if decay is not None:
         positive("decay", decay)
+    if not is_number(domain) or not domain > 0.0:
+        raise ParameterError(f"domain must lie above 0, received {domain!r}", field="domain", value=domain)
     slowest = instance("system", system, ErrorSystem).slowest()
+    system = msgspec.structs.replace(system, domain=min(float(domain), system.domain))
     rates = [-share * slowest for share in SHARES] if decay is None else [decay]
     for rate in rates:
         try:
-            return _certified(system, rate, domain, solver, bounds)
+            return _certified(system, rate, solver, bounds)
         except (InfeasibleError, UndecidedError) as failure:
             if rate == rates[-1]:
                 unit = "1/step" if system.time == "discrete" else "1/s"
@@ -108,9 +113,7 @@ def certify_decay(
     raise AssertionError
 
 
-def _certified(
-    system: ErrorSystem, decay: float, domain: float, solver: str, bounds: dict[str, float]
-) -> DecayCertificate:
+def _certified(system: ErrorSystem, decay: float, solver: str, bounds: dict[str, float]) -> DecayCertificate:
     """The certificate in the user's units, from a problem in balanced ones."""
     units = balanced(system.A, driven=system.B, rates=(decay,), time=system.time)
     x, t = units.states, units.seconds
@@ -130,11 +133,11 @@ def _certified(
     for i, size in enumerate(sizes):
         values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
     with answer_of_a_search():
-        return certified_decay(system, values, decay, domain, **bounds)
+        return certified_decay(system, values, decay, **bounds)
 
 
 def certified_decay(
-    system: ErrorSystem, values: dict[str, Any], decay: float, domain: float = np.inf, **bounds: float
+    system: ErrorSystem, values: dict[str, Any], decay: float, **bounds: float
 ) -> DecayCertificate:
     """The certificate that matrices from any source are: P and bound_i of each disturbance, audited.
 
@@ -147,4 +150,4 @@ def certified_decay(
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
     gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))
     bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))
-    return DecayCertificate(values["P"], values, margins, bound, system, domain)
+    return DecayCertificate(values["P"], values, margins, bound, system, system.domain)

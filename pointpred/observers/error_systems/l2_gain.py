@@ -26,7 +26,8 @@ class L2Gain(msgspec.Struct, frozen=True):
 
     For a linear system it is the H-infinity norm. ``lower`` is the largest H-infinity norm of a corner,
     reached at ``frequency`` in rad/s (rad/step) at ``corner``. ``upper`` is proved for every f with these
-    slopes, also for slopes that change, by ``P`` with the recomputed ``margins``.
+    slopes, also for slopes that change, by ``P`` with the recomputed ``margins``, while the arguments of f
+    stay within ``domain``.
     """
 
     lower: float
@@ -35,6 +36,7 @@ class L2Gain(msgspec.Struct, frozen=True):
     corner: str
     P: FloatArray
     margins: dict[str, float]
+    domain: float = np.inf
 
 
 def gain_inequalities(system: ErrorSystem, gain: Any = None, **bounds: float) -> MatrixInequalities:
@@ -92,7 +94,8 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
     worst = max(range(len(norms)), key=lambda i: norms[i][0])
     lower, frequency = norms[worst]
     if lower == 0.0:
-        return L2Gain(0.0, 0.0, 0.0, system.names[worst], np.zeros((system.n, system.n)), {})
+        none = np.zeros((system.n, system.n))
+        return L2Gain(0.0, 0.0, 0.0, system.names[worst], none, {}, system.domain)
     units = balanced(system.A, seen=system.C, driven=system.B, time=system.time)
     x, t = units.states, units.seconds
     plain = np.ones(system.B.shape[2])
@@ -110,4 +113,4 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
     p = form(found["P"], x) * (lower / size) ** 2 * t
     with answer_of_a_search():
         margins = gain_inequalities(system, upper, **bounds).check({"P": p})
-    return L2Gain(lower, upper, frequency, system.names[worst], p, margins)
+    return L2Gain(lower, upper, frequency, system.names[worst], p, margins, system.domain)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import pairwise
+from math import inf
 from typing import Any
 
 import msgspec
@@ -21,7 +22,8 @@ class ErrorSystem(msgspec.Struct, frozen=True):
 
     In discrete time e' is the next e. ``A`` (corners, n, n), ``B`` (corners, n, m), ``C`` (outputs, n);
     ``names`` of the corners, "" for a linear system's only one; ``disturbances`` names the parts of delta and
-    their widths, in the order of B's columns.
+    their widths, in the order of B's columns. The corners hold while the arguments of f stay within
+    ``domain``, and so does every proof that is made of them.
     """
 
     A: FloatArray
@@ -30,6 +32,7 @@ class ErrorSystem(msgspec.Struct, frozen=True):
     names: tuple[str, ...]
     disturbances: dict[str, int]
     time: str
+    domain: float = inf
 
     @property
     def n(self) -> int:
@@ -73,12 +76,14 @@ def sloped_system(
     slopes: tuple[tuple[float, float], ...] | None,
     time: str,
     through: Mapping[str, FloatArray] | None = None,
+    domain: float = inf,
 ) -> ErrorSystem:
     """The error system e' = A e + F (f(s + H e + R delta) - f(s)) + B delta for every f with these slopes.
 
     By the mean value theorem the difference is D (H e + R delta) with D diagonal between the slopes.
-    ``through`` are the R of some of the disturbances. Raises ParameterError where f matters and its slopes
-    are missing or not bounded.
+    ``through`` are the R of some of the disturbances. ``domain`` bounds the arguments within which the slopes
+    hold: the system has it wherever f matters, also where the bounds of a slope are equal. Raises
+    ParameterError where f matters and its slopes are missing or not bounded.
 
     >>> system = sloped_system(
     ...     -np.eye(1), np.ones((1, 1)), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 0.5),), time="continuous"
@@ -99,4 +104,5 @@ def sloped_system(
         tuple(f"D = diag({name})" for name in corners),
         widths,
         time,
+        domain,
     )

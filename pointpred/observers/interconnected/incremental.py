@@ -39,7 +39,7 @@ def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any
             a0 = a0 - pi @ g.G @ one.C0
             a1 = without_rounding(a1 - pi @ g.G @ one.C1, a1, pi @ g.G @ one.C1)
             disturbances |= {"w": -pi, "v": pi @ g.G}
-    return sloped_system(a0, a1, one.H, disturbances, slopes=one.slopes, time=one.time)
+    return sloped_system(a0, a1, one.H, disturbances, slopes=one.slopes, time=one.time, domain=one.domain)
 
 
 def assumption_3_2_2(
@@ -77,8 +77,7 @@ def assumption_3_2_2(
 left of 0
     """
     system = incremental_system(plant, generator, Pi)
-    domain = as_plant(plant).domain if len(system.names) > 1 else np.inf
     try:
-        return certify_decay(system, decay=decay, domain=domain, solver=solver, **bounds)
+        return certify_decay(system, decay=decay, solver=solver, **bounds)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 3.2.2: {failure}") from failure

@@ -76,9 +76,7 @@ def design_state_feedback(
     fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)
     _require_stabilisable(one, fixed)
     l0, l1 = _gains(one, ROOM * decay, fixed, solver, bounds)
-    closed = closed_system(one, l0, l1)
-    domain = one.domain if len(closed.names) > 1 else np.inf
-    certificate = certify_decay(closed, decay=decay, domain=domain, solver=solver, **bounds)
+    certificate = certify_decay(closed_system(one, l0, l1), decay=decay, solver=solver, **bounds)
     return StateFeedback(l0, l1, certificate)
 
 
@@ -92,6 +90,7 @@ def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSys
         {"d": np.eye(plant.n)},
         slopes=plant.slopes,
         time=plant.time,
+        domain=plant.domain,
     )
 
 
