@@ -22,13 +22,16 @@ class Persidskii:
 
     In discrete time x' is the next x.
 
-    Assumes only the ``slopes`` of f: those of a name are compared with its true ones, those of a function
-    with its differences at sample points, which is no proof.
+    Assumes of f only its ``slopes``, and that it is elementwise where it has any: component i depends upon
+    argument i alone. Those of a name are compared with its true ones. A function is compared at sample points
+    within ``domain``: its differences with its slopes, and each component with itself while another argument
+    moves, which is no proof.
 
     Parameters: ``A0`` (n, n), ``A1`` (n, k), ``H`` (r, n), ``B`` (n, m), ``Q`` (n, z), ``C0`` (p, n), ``C1``
     (p, k); each an array or a function of t in s (of the index where ``time`` is ``"discrete"``), ``None``
     for zero; ``f`` a name, a name for each component (then r = k), or a function from R^r to R^k, not needed
-    without A1; ``slopes`` the interval of each component's slope, ``None`` for the global ones of a named f;
+    without A1; ``slopes`` the interval of each component's slope (then r = k and f is elementwise), ``None``
+    for the global ones of a named f;
     ``domain`` the bound of abs(Hx) within which the slopes hold, infinite if they hold everywhere.
     Raises ParameterError (a ValueError) naming a matrix of the wrong shape, with NaN, inf or complex entries,
     and slopes that f does not keep within ``domain``, with the true ones.
@@ -84,9 +87,26 @@ class Persidskii:
             raise ParameterError(
                 f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}", field="H"
             )
+        if self.k and self.f.slopes is not None:
+            self._require_elementwise_sizes(len(self.f.slopes))
         if self.k and self.f.checked < self.domain:
             require_slopes(self.f, self.k, self.r, self.domain)
             self.f = msgspec.structs.replace(self.f, checked=self.domain)
+
+    def _require_elementwise_sizes(self, components: int) -> None:
+        """Raise ParameterError unless f has a slope and an argument for each component."""
+        if components != self.k:
+            raise ParameterError(
+                f"f has {components} components, needs {self.k}: one for each column of A1", field="f"
+            )
+        if self.r != self.k:
+            raise ParameterError(
+                "slopes are those of an f whose components each depend upon their own argument: f has "
+                f"{self.k} components (columns of A1) and {self.r} arguments (rows of H); write it with as "
+                "many arguments as components, or leave out slopes",
+                field="slopes",
+                value=self.f.slopes,
+            )
 
     A0: FloatArray
     A1: FloatArray

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers import Persidskii
+from pointpred.observers import Persidskii, design_full_order
 from pointpred.observers.documents.files import decoded, encoded
 from pointpred.observers.nonlinearity import KNOWN, value
 from pointpred.observers.slopes import true_slopes
@@ -102,3 +102,55 @@ def test_another_function_of_a_file_must_fit_its_slopes() -> None:
     narrow = encoded(plant("tanh", (-0.5, 1.0))).replace(b"-0.5", b"0.5")
     with pytest.raises(ParameterError, match="'tanh', must hold everywhere"):
         decoded(narrow)
+
+
+def rotation(s: Any) -> Any:
+    return np.array([np.tanh(s[0] + 1e-6 * s[1]), np.tanh(s[1])])
+
+
+MIXED = [
+    (lambda s: s[::-1], (1.0, 1.0), np.inf, "component 1 may depend upon argument 1 only"),
+    (lambda s: s[::-1], (1.0, 1.0), 1e-9, "as argument 0 moves from"),
+    (rotation, (0.0, 1.1), np.inf, "component 0 may depend upon argument 0 only"),
+    (lambda s: s * np.array([1.0, np.cos(s[0] * s[1] - s[1] ** 2)]), (-9.0, 9.0), 1.0, "component 1 may"),
+    (lambda s: s.mean() * np.array([1.0, 1e12]), (0.0, 1e13), 2.0, "component 0|component 1"),
+]
+
+
+@pytest.mark.parametrize(("f", "slopes", "domain", "words"), MIXED)
+def test_slopes_of_a_function_that_mixes_its_arguments_are_refused(
+    f: Any, slopes: Any, domain: float, words: str
+) -> None:
+    """Corner proofs take f for diagonal; with f = (s2, s1) x' = -x + A1 f(x) was proved, and x grows."""
+    with pytest.raises(ParameterError, match=words) as wrong:
+        Persidskii(-np.eye(2), [[0.0, 5.0], [-5.0, 0.0]], np.eye(2), f, slopes=slopes, domain=domain)
+    assert wrong.value.field == "f"
+    assert Persidskii(-np.eye(2), np.eye(2), np.eye(2), f).slopes is None
+
+
+def test_a_function_with_slopes_is_called_within_its_domain_only_and_seldom() -> None:
+    seen: list[Any] = []
+
+    def f(s: Any) -> Any:
+        seen.append(s.copy())
+        s[:] = np.arcsin(s)  # in place: what f does to its argument is its own affair
+        return s
+
+    Persidskii(-np.eye(3), np.eye(3), np.eye(3), f, slopes=(1.0, 2e4), domain=0.999)
+    assert np.abs(seen).max() <= 0.999
+    assert len(seen) < 200
+
+
+@pytest.mark.parametrize(("k", "f"), [(1, lambda s: s[:1] * s[1:]), (3, lambda s: np.full(3, s.sum()))])
+def test_slopes_need_as_many_arguments_as_components(k: int, f: Any) -> None:
+    def made(slopes: Any) -> Persidskii:
+        return Persidskii(-np.eye(2), np.ones((2, k)), np.eye(2), f, C0=[1.0, 0.0], slopes=slopes)
+
+    with pytest.raises(ParameterError, match=f"{k} components .* and 2 arguments") as wrong:
+        made((0.0, 1.0))
+    assert wrong.value.field == "slopes"
+    with pytest.raises(ParameterError, match="a design needs slopes"):
+        design_full_order(made(None))
+    one = plant("tanh", None)
+    with pytest.raises(ParameterError, match="f has 1 components, needs 2"):
+        Persidskii(-np.eye(2), np.eye(2), np.eye(2), one.f)
