@@ -93,7 +93,8 @@ def of_design(name: str, design: Any) -> list[Fact]:
     """The facts of a design by Theorem 3.2.1."""
     v = {name: exact(one) for name, one in design.values.items()}
     c, p = least_ratio(v["Theta"], v["P"]), values(v["P"])
-    noise = mpmath.sqrt(values(v["Gamma"])[-1] / (c * p[0]))
+    ways = 2 if design.generator.G.any() else 1  # noise of Y reaches the error through M, and through G
+    noise = mpmath.sqrt(ways * values(v["Gamma"])[-1] / (c * p[0]))
     return [
         (name, "rate, 1/s", design.bound.rate, c / 2),
         (name, "overshoot", design.bound.overshoot, mpmath.sqrt(p[-1] / p[0])),

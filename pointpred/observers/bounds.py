@@ -61,16 +61,23 @@ def interconnection_bound(
     *,
     time: str = "continuous",
     sharp: bool = False,
+    G: Any = None,
 ) -> ErrorBound:
-    """The bound of Theorem 3.2.1 for the disturbances v, eps (v~ in print) and w.
+    """The bound of Theorem 3.2.1 for v, noise of Y, eps, the distance of the outputs from their model, and w.
 
-    With c = min Theta / max P (eigenvalues): V' <= -c V + ..., so that abs(e) <= sqrt(max P / min P)
-    exp(-c t / 2) abs(e0) + sqrt(max Gamma / (c min P)) (abs(v) + abs(eps)) + sqrt(max Xi / (c min P)) abs(w).
-    ``sharp`` takes the least generalised eigenvalue of (Theta, P) for c, which is never smaller. In discrete
-    time the decay of V is 1 - c each step.
+    Y disturbs the error twice: through G of the generator as v, and through M as v~ = v + eps. With c = min
+    Theta / max P (eigenvalues): V' <= -c V + max Gamma (abs(v)^2 + abs(v~)^2) + max Xi abs(w)^2, so that
+    abs(e) <= sqrt(max P / min P) exp(-c t / 2) abs(e0) + sqrt(max Gamma / (c min P)) (sqrt(2) abs(v) +
+    abs(eps)) + sqrt(max Xi / (c min P)) abs(w), without sqrt(2) if G = 0.
 
-    >>> interconnection_bound([[1.0]], [[2.0]], [[8.0]], [[2.0]])(1.0, 1.0, v=0.5)  # exp(-1) + 2 * 0.5
+    Parameters: ``G`` (q, p) of the generator, by default any; ``sharp`` takes the least generalised
+    eigenvalue of (Theta, P) for c, which is never smaller. In discrete time the decay of V is 1 - c each
+    step.
+
+    >>> interconnection_bound([[1.0]], [[2.0]], [[8.0]], [[2.0]])(1.0, 1.0, eps=0.5)  # exp(-1) + 2 * 0.5
     1.3678794411714423
+    >>> interconnection_bound([[1.0]], [[2.0]], [[8.0]], [[2.0]], G=[[0.0]]).gains
+    (2.0, 2.0, 1.0)
     """
     one_of("time", time, TIMES)
     p, theta = eigenvalues("P", P), eigenvalues("Theta", Theta)
@@ -79,8 +86,9 @@ def interconnection_bound(
     if sharp:
         c = max(c, least_ratio(P, Theta))
     speed = -log(max(1.0 - c, 1e-300)) if time == "discrete" else c
-    noise, drive = sqrt(gamma[-1] / (c * p[0])), sqrt(xi[-1] / (c * p[0]))
-    return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (noise, noise, drive), ("v", "eps", "w"))
+    once, drive = sqrt(gamma[-1] / (c * p[0])), sqrt(xi[-1] / (c * p[0]))
+    twice = once if G is not None and not matrix("G", G).any() else sqrt(2.0) * once
+    return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (twice, once, drive), ("v", "eps", "w"))
 
 
 def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:

@@ -18,11 +18,13 @@ from pointpred.observers import (
     SeededSignal,
     convergence_bound,
     design_observer,
+    error_system,
     interconnection_bound,
     observer_stage,
     theorem_3_2_1,
     trajectory,
 )
+from pointpred.observers.interconnected.design import certified_design
 
 
 def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Generator, Any]:
@@ -103,10 +105,45 @@ def test_the_error_stays_within_its_bound(seed: int) -> None:
     times = np.arange(0.0, 4.0, 0.1)
     both = trajectory(field, start, times, step_s=0.01)
     errors = np.linalg.norm(both[:, :q] - both[:, q:], axis=1)
-    noise, drive = 0.05, 0.05 * np.sqrt(q)
-    bounds = [design.bound(t, errors[0], v=noise, eps=noise, w=drive) for t in times]
+    bounds = [design.bound(t, errors[0], v=0.05, w=0.05 * np.sqrt(q)) for t in times]
     assert (errors <= np.array(bounds) + 1e-9).all()
     assert design.bound.rate >= 0.1 - 1e-6
+
+
+def test_noise_acts_through_g_and_through_the_gain() -> None:
+    """e' = -2 e - 2 v + w, V' <= -2 V + (v^2 + v~^2) (1 + 1e-6) + ...: constant noise ends at abs(e) = v."""
+    plant = Persidskii([[-2.0]], None, None, "sin", [1.0], None, [1.0])
+    generator = Generator([[-1.0]], G=[1.0], L0=[2.0])
+    values = {"P": [[1.0]], "Theta": [[2.0 - 1e-6]], "Gamma": [[1.0 + 1e-6]], "Xi": [[1e8]]}
+    design = certified_design(plant, generator, [[1.0]], [[1.0]], values)
+    system = error_system(design)
+    assert np.allclose(system.A, -2.0)
+    assert np.allclose(system.B, [[[-2.0, -1.0, 1.0]]])
+    stage = observer_stage(design, start=[1.0])
+    for t in np.arange(0.0, 12.0, 0.1):  # the generator at rest at 0, but for the noise that the stage reads
+        error = abs(float(stage.update(t, [0.25])[0]))
+        assert error <= design.bound(t, 1.0, v=0.25)
+    assert error == pytest.approx(0.25, rel=1e-6)
+    assert design.bound(12.0, 1.0, v=0.25) < 0.2501
+    assert design.bound.gains[0] == pytest.approx(np.sqrt(2.0) * design.bound.gains[1])
+    without = Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0])
+    filtered = design_observer(without, Generator([[-1.0]], L0=[0.0]), [[1.0]])
+    assert filtered.bound.gains[0] == filtered.bound.gains[1]
+
+
+@given(st.integers(0, 2**31), st.sampled_from(["continuous", "discrete"]))
+@settings(max_examples=12)
+def test_every_gain_covers_what_a_constant_disturbance_leaves(seed: int, time: str) -> None:
+    plant, generator, pi = random_pair(seed, time=time)
+    try:
+        design = design_observer(plant, generator, pi)
+    except InfeasibleError:
+        return
+    for name, gain in zip(design.bound.disturbances, design.bound.gains, strict=True):
+        system = error_system(design).disturbed_by(name)
+        for a, b in zip(system.A, system.B, strict=True):
+            rest = np.linalg.solve(a if time == "continuous" else np.eye(len(a)) - a, b)
+            assert np.linalg.norm(rest, 2) <= gain * (1.0 + 1e-9)
 
 
 def test_two_solvers_agree_on_a_design() -> None:

@@ -232,7 +232,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
     (
         o.interconnection_bound,
-        {"P": [[1.0]], "Theta": [[1.0]], "Gamma": [[1.0]], "Xi": [[1.0]], "time": "continuous"},
+        {"P": [[1.0]], "Theta": [[1.0]], "Gamma": [[1.0]], "Xi": [[1.0]], "time": "continuous", "G": [[1.0]]},
     ),
 ]
 

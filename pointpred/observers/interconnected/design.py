@@ -29,6 +29,8 @@ MAP = 1e-6
 class ObserverDesign(msgspec.Struct, frozen=True):
     """A gain with its certificate: matrices by name, ``margins`` by inequality, ``bound`` of the error.
 
+    The disturbances of ``bound`` are v, the noise of Y, eps, by which the outputs differ from those of x = Pi
+    w, and w of the generator's equation, as in ``error_system``.
     ``gap``: how far the least bound of Gamma and Xi in balanced units could lie below that of this design,
     relative to it; infinite if nothing is proved.
     """
@@ -176,7 +178,7 @@ def certified_design(
     theorem.unknowns.computed("U", np.abs(values["P"]) @ np.abs(m))
     theorem.check(values, printed=False)
     bound = interconnection_bound(
-        values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
+        values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True, G=g.G
     )
     return ObserverDesign(m, values, margins, bound, plant, g, connection.pi, gap)
 

@@ -22,7 +22,7 @@ class RegulatorDesign(msgspec.Struct, frozen=True):
     """A regulator for ``regulator_stage``, and what proves that x follows Pi w.
 
     ``observer`` certifies z = x - Pi w: z' = (A0 - Pi G C0) z + (A1 - Pi G C1) df + d - Pi G v, its bound's
-    ``w`` being d and its ``eps`` v. ``feedback`` certifies Pi w, driven by Pi G (C0 z + C1 df + v): a
+    ``w`` being d and its ``v`` the noise v. ``feedback`` certifies Pi w, driven by Pi G (C0 z + C1 df + v): a
     cascade, so that both approach their steady state. With a reference, the last states of w are the
     reference's, and ``equations`` are those that they satisfy.
     """
