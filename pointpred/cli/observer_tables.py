@@ -17,6 +17,7 @@ from pointpred.observers import (
     Simulation,
     UnknownInputObserver,
 )
+from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.documents.designs import margins_of
 
 DISTURBANCES = {
@@ -34,19 +35,38 @@ KNOWN = 10.0
 """A larger gap says nothing: the least objective is then not bounded from below by anything of its size."""
 
 
+ERROR, ESTIMATE = "x - Pi w", "Pi w"
+"""The two parts of a plant under its regulator that are bounded: x is their sum."""
+ABOUT = {
+    ERROR: f"proved of {ERROR}, the error of the estimate",
+    ESTIMATE: f"proved of {ESTIMATE}, the estimate, which {ERROR} and v drive as d",
+}
+
+
+class ProvedBound(msgspec.Struct, frozen=True):
+    """A norm decays at ``rate``, 1/s (1/step), from ``overshoot`` times its start; ``gains`` by disturbance."""
+
+    rate: float
+    overshoot: float
+    gains: dict[str, float]
+
+
 class DesignDocument(msgspec.Struct, frozen=True):
     """What ``design --json`` and ``audit --json`` write; ``gap`` is null where nothing is proved.
 
-    An audit does not compute ``gap`` again: it is the one that the file holds.
+    ``bounds`` by what they bound: the "error", or "x - Pi w" and "Pi w" of a regulator, of which x is the
+    sum. ``rate``, ``overshoot`` and ``gains`` are those of the error; a regulator has no one bound, and null
+    there. An audit does not compute ``gap`` again: it is the one that the file holds.
     """
 
     version: int
     observer: str
-    rate: float
-    overshoot: float
-    gains: dict[str, float]
+    rate: float | None
+    overshoot: float | None
+    gains: dict[str, float] | None
     gap: float | None
     margins: dict[str, float]
+    bounds: dict[str, ProvedBound]
 
 
 class StateErrors(msgspec.Struct, frozen=True):
@@ -69,15 +89,17 @@ class SimulationDocument(msgspec.Struct, frozen=True):
 
 def summary(design: Any) -> DesignDocument:
     """The numbers that a certificate proves of the error."""
-    rate, overshoot, gains, gap = _proved(design)
+    bounds, gap = _proved(design)
+    one = bounds.get("error")
     return DesignDocument(
         1,
         type(design).__name__,
-        rate,
-        overshoot,
-        gains,
+        one and one.rate,
+        one and one.overshoot,
+        one and one.gains,
         float(gap) if gap <= KNOWN else None,
         margins_of(design),
+        bounds,
     )
 
 
@@ -85,7 +107,8 @@ def print_design(kind: str, design: Any) -> None:
     """What was designed, and what is proved of it."""
     screen, one = results(), summary(design)
     screen.print(f"{kind} observer" if kind != "regulator" else "regulator", style="bold", markup=False)
-    screen.print(_table(design, one))
+    for table in _tables(design, one):
+        screen.print(table)
     for name, matrix in _gains(design).items():
         screen.print(f"{name} = {np.array2string(matrix, precision=6, separator=', ')}", markup=False)
 
@@ -101,7 +124,8 @@ def print_audit(design: Any, margins: dict[str, float]) -> None:
         table.add_row(name, f"{margin / size:.4g}")
     screen = results()
     screen.print(table, markup=False)
-    screen.print(_table(design, summary(design), stored=True))
+    for bounded in _tables(design, summary(design), stored=True):
+        screen.print(bounded)
 
 
 def errors_document(result: Simulation) -> SimulationDocument:
@@ -128,36 +152,41 @@ def print_errors(result: Simulation) -> None:
     screen.print(table)
 
 
-def _table(design: Any, one: DesignDocument, *, stored: bool = False) -> Table:
-    table = Table(box=None, pad_edge=False)
-    table.add_column("proved of the error")
-    table.add_column("", justify="right")
+def _tables(design: Any, one: DesignDocument, *, stored: bool = False) -> list[Table]:
+    """A table for each bound, the gap below the first, whose gain is the one that was minimised."""
+    tables = []
     unit = "1/step" if _discrete(design) else "1/s"
-    table.add_row(f"decays at least at [{unit}]".replace("[", "\\["), f"{one.rate:.6g}")
-    table.add_row("overshoot at most", f"{one.overshoot:.4g}")
-    for name, gain in one.gains.items():
-        table.add_row(f"gain of {DISTURBANCES.get(name, name)} at most", f"{gain:.4g}")
+    for part, bound in one.bounds.items():
+        table = Table(box=None, pad_edge=False)
+        table.add_column(ABOUT.get(part, "proved of the error"))
+        table.add_column("", justify="right")
+        table.add_row(f"decays at least at [{unit}]".replace("[", "\\["), f"{bound.rate:.6g}")
+        table.add_row("overshoot at most", f"{bound.overshoot:.4g}")
+        for name, gain in bound.gains.items():
+            table.add_row(f"gain of {DISTURBANCES.get(name, name)} at most", f"{gain:.4g}")
+        tables.append(table)
     label = "gap to the best, as stored, not recomputed" if stored else "gap to the best"
-    table.add_row(label, "not known" if one.gap is None else f"{one.gap:.2%}")
-    return table
+    tables[0].add_row(label, "not known" if one.gap is None else f"{one.gap:.2%}")
+    return tables
 
 
-def _proved(design: Any) -> tuple[float, float, dict[str, float], float]:
-    """Rate, overshoot, gains by disturbance, and gap."""
+def _proved(design: Any) -> tuple[dict[str, ProvedBound], float]:
+    """What is bounded, and the gap."""
     if isinstance(design, RegulatorDesign):
-        feedback, gap = design.feedback.certificate.bound, design.observer.gap
-        slower = min(feedback, design.observer.bound, key=lambda bound: bound.rate)
-        return slower.rate, slower.overshoot, _named(slower), gap
+        # The generator of this observer is the plant itself, and what disturbs it, w, is the plant's d.
+        error = _bound(design.observer.bound, w="d")
+        return {ERROR: error, ESTIMATE: _bound(design.feedback.certificate.bound)}, design.observer.gap
     if isinstance(design, UnknownInputObserver):
         proof = design.certificate
-        return 0.5 * proof.sigma, proof.phi1, {"delta": proof.phi2}, proof.gap
+        return {"error": ProvedBound(0.5 * proof.sigma, proof.phi1, {"delta": proof.phi2})}, proof.gap
     if isinstance(design, InterlacedObserver):
         shown = design.certificate
-        return shown.rate, shown.overshoot, {"noise": shown.noise_gain}, shown.gap
+        found = ProvedBound(shown.rate, shown.overshoot, {"noise": shown.noise_gain})
+        return {"error": found}, shown.gap
     if isinstance(design, ReducedOrderDesign):
-        return (*_bound(design.certificate.bound), design.gap)
+        return {"error": _bound(design.certificate.bound)}, design.gap
     assert isinstance(design, ObserverDesign)
-    return (*_bound(design.bound), design.gap)
+    return {"error": _bound(design.bound)}, design.gap
 
 
 def _sizes(design: Any) -> dict[str, float]:
@@ -174,12 +203,10 @@ def _sizes(design: Any) -> dict[str, float]:
     return {name: float(np.linalg.norm(np.atleast_2d(p), 2)) for name, p in found.items()}
 
 
-def _bound(bound: Any) -> tuple[float, float, dict[str, float]]:
-    return bound.rate, bound.overshoot, _named(bound)
-
-
-def _named(bound: Any) -> dict[str, float]:
-    return dict(zip(bound.disturbances, bound.gains, strict=True))
+def _bound(bound: ErrorBound, **others: str) -> ProvedBound:
+    """A bound with its gains by disturbance; ``others`` are other names of some."""
+    names = [others.get(name, name) for name in bound.disturbances]
+    return ProvedBound(bound.rate, bound.overshoot, dict(zip(names, bound.gains, strict=True)))
 
 
 def _gains(design: Any) -> dict[str, Any]:

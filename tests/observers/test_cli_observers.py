@@ -108,6 +108,28 @@ def test_every_kind_is_designed_and_simulated(
     )
 
 
+def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_path: Path) -> None:
+    """Neither bounds x: the table had those of the slower one as if they bounded it."""
+    plant = o.Persidskii([[0.0, 1.0], [-1.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
+    design = o.design_regulator(plant, decay=1.0, observer_decay=3.0)
+    o.save(design, tmp_path / "design.json")
+    written = json.loads(command("observers", "audit", tmp_path / "design.json", "--json", "-").out)
+    error, estimate = design.observer.bound, design.feedback.certificate.bound
+    assert list(written["bounds"]) == ["x - Pi w", "Pi w"]
+    for name, bound in (("x - Pi w", error), ("Pi w", estimate)):
+        one = written["bounds"][name]
+        assert (one["rate"], one["overshoot"]) == (bound.rate, bound.overshoot)
+        assert tuple(one["gains"].values()) == bound.gains
+    assert (written["rate"], written["overshoot"], written["gains"]) == (None, None, None)
+    shown = " ".join(command("observers", "audit", tmp_path / "design.json").out.split())
+    for words in ("proved of x - Pi w", "proved of Pi w", f"{error.rate:.6g}", f"{estimate.rate:.6g}"):
+        assert words in shown
+    alone = o.design_full_order(plant, decay=1.0)
+    o.save(alone, tmp_path / "alone.json")
+    written = json.loads(command("observers", "audit", tmp_path / "alone.json", "--json", "-").out)
+    assert written["bounds"]["error"] == {key: written[key] for key in ("rate", "overshoot", "gains")}
+
+
 def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
     for name in ("oven", "heating", "spring", "oscillator"):
         command("observers", "example", name, "--out", tmp_path / f"{name}.json")
