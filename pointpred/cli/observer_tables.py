@@ -44,7 +44,7 @@ ABOUT = {
 
 
 class ProvedBound(msgspec.Struct, frozen=True):
-    """A norm decays at ``rate``, 1/s (1/step), from ``overshoot`` times its start; ``gains`` by disturbance."""
+    """A norm decays at ``rate``, 1/s (1/step), from ``overshoot`` times the first; ``gains`` by name."""
 
     rate: float
     overshoot: float

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers import (
     Generator,
     ObserverDesign,
@@ -196,6 +196,10 @@ def test_the_region_keeps_every_argument_in_the_domain() -> None:
     assert np.abs(plant.H @ edge).max() == pytest.approx(1.5, rel=1e-3)
     ball = radius * circle
     assert np.einsum("ia,ij,ja->a", ball, design.values["P"], ball).max() == pytest.approx(level, rel=1e-3)
+    assert design.region([0.5]) == (level, radius)
+    for wrong in (float("nan"), -1.0, [-0.5], "far", None, [0.5, 0.5]):
+        with pytest.raises(ParameterError, match="reach must be"):
+            design.region(wrong)
     with pytest.raises(CertificateError, match="the trajectory reaches 2, the slopes hold within 2 only"):
         design.region(2.0)
     everywhere = Persidskii(plant.A0, plant.A1, plant.H, "sin", C0=plant.C0)

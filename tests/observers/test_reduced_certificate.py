@@ -80,6 +80,9 @@ def test_the_margins_are_those_of_the_matrices() -> None:
     e *= np.sqrt(level / (e @ p @ e))
     assert abs(float(now.J[0] @ e)) == pytest.approx(1.0)  # from reach 1 to the domain 2
     assert radius == pytest.approx(np.sqrt(level / np.linalg.eigvalsh(p)[-1]))
+    for wrong in (float("nan"), -1.0, "far", None):
+        with pytest.raises(ParameterError, match="reach must be"):
+            found.region(wrong)
     with pytest.raises(CertificateError, match=r"reaches 2\.5, the slopes hold within 2 only"):
         found.region(2.5)
 

@@ -242,6 +242,24 @@ def test_another_plant_than_the_design_shows_what_a_wrong_model_does() -> None:
     assert (right.bound.size, wrong.bound.size) == (len(TIMES), 0)  # nothing is proved of another plant
 
 
+@pytest.mark.parametrize("name", ["full order", "reduced order, linear"])
+def test_nothing_is_proved_of_a_plant_that_varies(name: str) -> None:
+    """Its matrices agree with those of the design at 0 only."""
+    design = kept.design(name)
+    known = getattr(design, "observer", design).plant
+    given = {one: known.given(one) for one in ("A0", "A1", "H", "B", "Q", "C0", "C1")}
+    a0 = known.A0
+
+    def growing(t: float) -> Any:
+        return a0 + 3.0 * t * np.diag([0.0, 1.0])
+
+    constant = o.Persidskii(f=known.f, **given)
+    varying = o.Persidskii(f=known.f, **{**given, "A0": growing})
+    times = np.arange(0.0, 1.0, 0.01)
+    assert o.simulate(constant, design, times=times).bound.size == len(times)
+    assert not o.simulate(varying, design, times=times).bound.size
+
+
 def test_noise_is_seeded_and_as_large_as_asked() -> None:
     design = kept.design("reduced order, linear")
     first, second = (

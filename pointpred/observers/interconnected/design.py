@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
@@ -18,7 +19,7 @@ from pointpred.observers.interconnected.generator import Fitted, Generator
 from pointpred.observers.interconnected.interconnection import Interconnection, theorem_3_2_1
 from pointpred.observers.interconnected.steady_state import relative_residuals
 from pointpred.observers.linear_systems import Plant
-from pointpred.observers.matrices import matrix, positive
+from pointpred.observers.matrices import matrix, positive, vector
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.stationary import cover, filter_start, middle
 
@@ -45,16 +46,20 @@ class ObserverDesign(msgspec.Struct, frozen=True):
     gap: float = np.inf
 
     def region(self, reach: Any) -> tuple[float, float]:
-        """The region of validity, if abs(Jw) stays within ``reach`` on the true trajectory.
+        """The region of validity, if abs(Jw) stays within ``reach`` >= 0 (one, or r) on the true trajectory.
 
         Returns the level c of the ellipsoid e'Pe <= c that keeps every argument within the plant's domain,
         and the radius of the largest ball of initial errors in it; both infinite if the domain is.
-        Raises CertificateError if the trajectory itself leaves the domain.
+        Raises CertificateError if the trajectory itself leaves the domain, ParameterError for a ``reach``
+        that is no bound.
         """
+        j = self.plant.H @ self.Pi
+        reaches = vector("reach", np.full(len(j), reach) if is_number(reach) else reach, len(j))
+        for one in reaches.tolist():
+            positive("reach", one, zero=True)
         if np.isinf(self.plant.domain):
             return np.inf, np.inf
-        j = self.plant.H @ self.Pi
-        room = self.plant.domain - np.broadcast_to(np.asarray(reach, np.float64), (len(j),))
+        room = self.plant.domain - reaches
         if (room <= 0.0).any():
             raise CertificateError(
                 f"the trajectory reaches {np.max(reach):g}, the slopes hold within {self.plant.domain:g} only"

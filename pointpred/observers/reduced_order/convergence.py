@@ -11,6 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError
 from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound
+from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection
 
@@ -34,12 +35,14 @@ class Convergence(msgspec.Struct, frozen=True):
     gap: float = np.inf
 
     def region(self, reach: float) -> tuple[float, float]:
-        """The region of validity, if abs(H x) stays within ``reach`` on the true trajectory.
+        """The region of validity, if abs(H x) stays within ``reach``, not below 0, on the true trajectory.
 
         Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
         domain, and the radius of the largest ball of initial errors in it; infinite if the domain is. Raises
-        CertificateError if the trajectory itself leaves the domain.
+        CertificateError if the trajectory itself leaves the domain, ParameterError for a ``reach`` that is
+        no bound.
         """
+        reach = positive("reach", reach, zero=True)
         if np.isinf(self.domain) or not self.J.any():
             return np.inf, np.inf
         room = self.domain - reach

@@ -192,7 +192,12 @@ def _like(plant: Any, known: Persidskii) -> Persidskii:
 
 
 def _same(plant: Persidskii, known: Persidskii) -> bool:
-    """Whether a plant is the one that a certificate speaks of, whose inputs may stand in B or in Q."""
+    """Whether a plant is the one that a certificate speaks of, whose inputs may stand in B or in Q.
+
+    Certificates are of constant matrices: one that varies is another plant, also where both agree at 0.
+    """
+    if plant.varying or known.varying:
+        return False
     left, right = plant.matrices(0.0), known.matrices(0.0)
     for one in (left, right):
         one["inputs"] = np.hstack([one.pop("B"), one.pop("Q")])
