@@ -199,7 +199,10 @@ def simulate(
         ),
     ] = None,
     seconds: Annotated[float | None, typer.Option(help="Length, s (10).")] = None,
-    step_s: Annotated[float | None, typer.Option(metavar="S", help="Time between samples, s (0.01).")] = None,
+    step_s: Annotated[
+        float | None,
+        typer.Option(metavar="S", help="Time between samples, s (0.01); a regulator's u is held so long."),
+    ] = None,
     steps: Annotated[
         int | None, typer.Option(help="Length of a discrete plant's simulation, in steps (1000).")
     ] = None,

@@ -260,8 +260,16 @@ def regulator_stage(plant: Plant, regulator: Generator, **settings: Any) -> Pers
 
     A missing input keeps its last value. Raises ParameterError if the regulator has no J.
     """
+    return regulator_with_estimate(plant, regulator, None, **settings)
+
+
+def regulator_with_estimate(
+    plant: Plant, regulator: Generator, Pi: Any, **settings: Any
+) -> PersidskiiObserver:
+    """The stage of a regulator that also returns Pi w, behind u; u alone for ``None``."""
     plant = as_plant(plant)
     g = fitted(regulator, plant, "regulator")
+    pi = np.zeros((0, g.q)) if Pi is None else matrix("Pi", Pi, plant.n, g.q)
     if g.J is None:
         raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
     return PersidskiiObserver(
@@ -270,8 +278,8 @@ def regulator_stage(plant: Plant, regulator: Generator, **settings: Any) -> Pers
         g.J,
         np.hstack([g.G, g.E]),
         plant.f if regulator.f is None else regulator.f,
-        R0=g.L0,
-        R1=g.L1,
+        R0=np.vstack([g.L0, pi]),
+        R1=np.vstack([g.L1, np.zeros((len(pi), g.L1.shape[1]))]),
         time=plant.time,
         **settings,
     )

@@ -10,7 +10,11 @@ from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
-from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver, observer_stage
+from pointpred.observers.interconnected.persidskii_observer import (
+    PersidskiiObserver,
+    observer_stage,
+    regulator_with_estimate,
+)
 from pointpred.observers.interconnected.regulator import RegulatorDesign
 from pointpred.observers.interconnected.steady_state import steady_state_map
 from pointpred.observers.interconnected.tracking import closed_loop
@@ -21,7 +25,7 @@ from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.invariant_stage import invariant_stage
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, held, run, sampled
+from pointpred.observers.simulations.signals import Setting, run, sampled
 
 UNUSED = ("unknown_input", "schedule")
 
@@ -107,7 +111,7 @@ def _driven(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation:
 
 
 def regulated(design: RegulatorDesign, plant: Any, setting: Setting) -> Simulation:
-    """A plant under its regulator, in continuous time without sampling."""
+    """A plant under its regulator."""
     return _closed(_like(plant, design.plant), design.regulator, design.Pi, setting)
 
 
@@ -118,24 +122,33 @@ def driven_by(regulator: Generator, plant: Any, setting: Setting) -> Simulation:
 
 
 def _closed(plant: Persidskii, regulator: Generator, pi: FloatArray, setting: Setting) -> Simulation:
+    """The stage of the regulator gives u at each sample, and the plant moves on with it until the next."""
     setting.refuse("a plant under a regulator", *UNUSED)
     discrete, g = plant.time == "discrete", fitted(regulator, plant, "regulator")
     times = setting.samples(discrete)
-    used = _generator(g, plant.H @ pi if g.J is None else g.J)
+    j = plant.H @ pi if g.J is None else g.J
+    used = Generator(g.S0, g.S1, j, g.G, g.L0, g.L1, g.E, regulator.f)
+    stage = regulator_with_estimate(plant, used, pi, start=setting.begin(g.q, "estimate", 0.0))
     rho, d = setting.signal("input", plant.z), setting.signal("disturbance", plant.n)
-    noise = setting.measured(np.zeros((len(times), plant.p)))
-    v = held(noise, times)
+    outputs, known = setting.measured(np.zeros((len(times), plant.p))), sampled(rho, times)
+    state, answers = np.empty((len(times), plant.n)), np.empty((len(times), plant.m + plant.n))
+    state[0] = setting.begin(plant.n)
+    for i, t in enumerate(times.tolist()):
+        outputs[i] += plant.output(t, state[i])
+        try:
+            answers[i] = stage.update(t, np.concatenate([outputs[i], known[i]]))
+        except EventError as far:
+            raise _too_far(times) from far
+        if i + 1 < len(times):
+            u = answers[i, : plant.m]
 
-    def field(t: float, both: FloatArray) -> FloatArray:
-        return closed_loop(plant, used, t, both, rho=rho(t), d=d(t), v=v(t))
+            def field(t: float, x: FloatArray, u: FloatArray = u) -> FloatArray:
+                return plant.field(t, x, u, rho(t), d(t))
 
-    start = np.concatenate([setting.begin(plant.n), setting.begin(g.q, "estimate", 0.0)])
-    both = run(field, start, times, discrete)
-    state, w = both[:, : plant.n], both[:, plant.n :]
-    u = np.array([used.output(one, f=plant.f) for one in w])
-    outputs = _outputs(plant, times, state) + noise
-    inputs = np.hstack([u, sampled(rho, times)])
-    return _simulation(plant, times, state, w @ pi.T, outputs, inputs, "plant under its regulator")
+            state[i + 1] = run(field, state[i], times[i : i + 2], discrete)[-1]
+    u, estimate = np.split(answers, [plant.m], axis=1)
+    inputs = np.hstack([u, known])
+    return _simulation(plant, times, state, estimate, outputs, inputs, "plant under its regulator")
 
 
 def _open_loop(
@@ -165,11 +178,15 @@ def _walked(
     try:
         return stage.walk(np.zeros(len(table), np.bool_), table)
     except EventError as far:
-        raise ParameterError(
-            f"times: samples lie {np.diff(times).max():g} s apart, more than 1e5 steps of the observer, "
-            "which is that fast: they must lie closer together (--step-s), or the design needs less decay",
-            field="times",
-        ) from far
+        raise _too_far(times) from far
+
+
+def _too_far(times: FloatArray) -> ParameterError:
+    return ParameterError(
+        f"times: samples lie {np.diff(times).max():g} s apart, more than 1e5 steps of the observer, "
+        "which is that fast: they must lie closer together (--step-s), or the design needs less decay",
+        field="times",
+    )
 
 
 def _is_copy(design: ObserverDesign) -> bool:

@@ -112,11 +112,6 @@ def run(field: Field, start: FloatArray, times: FloatArray, discrete: bool) -> F
     return trajectory(field, start, times, integrator="stiff", step_s=longest / 100.0, tolerance=TOLERANCE)
 
 
-def held(values: FloatArray, times: FloatArray) -> Signal:
-    """Values of samples as a signal that keeps each until the next."""
-    return lambda t: values[max(0, int(np.searchsorted(times, t, "right")) - 1)]
-
-
 def sampled(signal: Signal, times: FloatArray) -> FloatArray:
     """A signal at the samples, (N, size)."""
     return np.array([signal(float(t)) for t in times])

@@ -41,7 +41,8 @@ def simulate(
     """A plant and its observer from their starts on, with arrays of every signal and ``plot``.
 
     The plant is integrated by an adaptive method, the observer is the stage that a program runs, sample by
-    sample. The plant need not be the one of the design: give another to see what a wrong model does.
+    sample; a regulator is ``regulator_stage``, whose u at a sample acts until the next. The plant need not be
+    the one of the design: give another to see what a wrong model does.
 
     ========================================= ============================ ==========================
     observer                                  plant                        ``start`` of the plant
