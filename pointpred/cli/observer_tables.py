@@ -94,9 +94,9 @@ def summary(design: Any) -> DesignDocument:
     return DesignDocument(
         1,
         type(design).__name__,
-        one and one.rate,
-        one and one.overshoot,
-        one and one.gains,
+        None if one is None else one.rate,
+        None if one is None else one.overshoot,
+        None if one is None else one.gains,
         float(gap) if gap <= KNOWN else None,
         margins_of(design),
         bounds,
