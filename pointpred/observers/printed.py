@@ -9,14 +9,11 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.equalities import TOLERANCE, row_terms
 from pointpred.observers.interconnected.generator import Generator, fitted
-from pointpred.observers.interconnected.steady_state import residuals
+from pointpred.observers.interconnected.steady_state import equality_terms, residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, positive
-from pointpred.observers.persidskii import Persidskii
-
-EXACT = 1e-9
-"""A residual below this share of the largest entry is rounding of the computation."""
 
 Residuals = Callable[[dict[str, FloatArray]], dict[str, FloatArray]]
 
@@ -32,6 +29,7 @@ def check_map(
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[-3.0]], None, None, "sin", B=[1.0])
     >>> generator = Generator([[0.0]], L0=[1.0])
     >>> found = check_map(plant, generator, [[0.333]], rounding=5e-4)
@@ -46,7 +44,10 @@ entries rounded by 0.025 explain at most 0.075
     g = fitted(generator, one)
     pi = matrix("Pi", Pi, one.n, g.q)
     return _audited(
-        lambda given: residuals(one, generator, given["Pi"], relaxed=relaxed), {"Pi": pi}, (one, g), rounding
+        lambda given: residuals(one, generator, given["Pi"], relaxed=relaxed),
+        equality_terms(one, generator, pi, relaxed=relaxed),
+        {"Pi": pi},
+        rounding,
     )
 
 
@@ -65,6 +66,7 @@ def check_observer(
 
     Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2; its C0, C1 are D0, D1.
 
+    >>> from pointpred.observers import Persidskii
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
     >>> check_observer(plant, [[0.0, 1.0]], [[-3.0]], {"S0": [[-4.0]], "O": [[1.0]]})
     {'Upsilon C1': 0.0, 'S0 Z + B C0 - Z A0': 0.0, 'O - Z (B Q)': 0.0}
@@ -90,53 +92,70 @@ def check_observer(
         )
     given = {name: matrix(name, value, *shapes[name]) for name, value in printed.items()}
 
-    def left(now: dict[str, FloatArray]) -> dict[str, FloatArray]:
-        s0, b, onto = now.get("S0"), now.get("B"), z @ one.A0
-        parts = {"Upsilon C1": upsilon @ one.C1}
-        if s0 is not None or b is not None:
-            if b is None:
-                b = (onto - np.asarray(s0) @ z) @ np.linalg.pinv(one.C0)
-            if s0 is None:
-                s0 = (onto - b @ one.C0) @ np.linalg.pinv(z)
-            parts["S0 Z + B C0 - Z A0"] = s0 @ z + b @ one.C0 - onto
-        if "S1" in now:
-            if b is None and one.C1.any():
-                raise ParameterError("S1 depends on B where C1 is not 0: print S0 or B too", field="printed")
-            parts["S1 - Z A1 + B C1"] = now["S1"] - z @ one.A1 + (0.0 if b is None else b @ one.C1)
-        if "J" in now:
-            parts["J Z - H"] = now["J"] @ z - one.H
-        if "O" in now:
-            parts["O - Z (B Q)"] = now["O"] - z @ inputs
-        return parts
+    if "S1" in given and not {"S0", "B"} & set(given) and one.C1.any():
+        raise ParameterError("S1 depends on B where C1 is not 0: print S0 or B too", field="printed")
 
-    return _audited(left, given, (one, upsilon, pi), rounding)
+    def dynamics(now: dict[str, FloatArray]) -> dict[str, FloatArray]:
+        """The matrices, with the best S0 or B where only the other one is printed."""
+        s0, b, onto = now.get("S0"), now.get("B"), z @ one.A0
+        if b is None and s0 is not None:
+            return {**now, "B": (onto - s0 @ z) @ np.linalg.pinv(one.C0)}
+        if s0 is None and b is not None:
+            return {**now, "S0": (onto - b @ one.C0) @ np.linalg.pinv(z)}
+        return now
+
+    def parts(whole: dict[str, FloatArray], part: Any, minus: float) -> dict[str, FloatArray]:
+        """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
+        whole = {name: part(value) for name, value in whole.items()}
+        a0, a1, h, c0, c1 = (part(value) for value in (one.A0, one.A1, one.H, one.C0, one.C1))
+        onto = part(pi) + part(upsilon) @ c0
+        listed = {"Upsilon C1": part(upsilon) @ c1}
+        if "S0" in whole:
+            listed["S0 Z + B C0 - Z A0"] = whole["S0"] @ onto + whole["B"] @ c0 + minus * (onto @ a0)
+        if "S1" in whole:
+            listed["S1 - Z A1 + B C1"] = whole["S1"] + minus * (onto @ a1)
+            if "B" in whole:
+                listed["S1 - Z A1 + B C1"] = listed["S1 - Z A1 + B C1"] + whole["B"] @ c1
+        if "J" in whole:
+            listed["J Z - H"] = whole["J"] @ onto + minus * h
+        if "O" in whole:
+            listed["O - Z (B Q)"] = whole["O"] + minus * (onto @ part(inputs))
+        return listed
+
+    terms = parts(dynamics(given), np.abs, 1.0)
+    return _audited(lambda now: parts(dynamics(now), np.asarray, -1.0), terms, given, rounding)
 
 
 def _audited(
-    left: Residuals, given: dict[str, FloatArray], sizes: tuple[Any, ...], rounding: float
+    left: Residuals, terms: dict[str, FloatArray], given: dict[str, FloatArray], rounding: float
 ) -> dict[str, float]:
-    """The residuals; raises CertificateError for those that neither rounding explains."""
+    """The residuals; raises CertificateError for an entry that neither rounding explains.
+
+    What is rounding of the computation is a share of the row's own terms.
+    """
     rounding = positive("rounding", rounding, zero=True)
     found = left(given)
-    effect = _effect(left, given, rounding) if rounding else dict.fromkeys(found, 0.0)
-    scale = EXACT * max(1.0, *(_largest(one) for one in (*sizes, *given.values())))
-    worst = {name: float(np.abs(one).max(initial=0.0)) for name, one in found.items()}
+    none = {name: np.zeros_like(one) for name, one in found.items()}
+    effect = _effect(left, given, rounding) if rounding else none
     failed = []
-    for name, one in worst.items():
-        if one > scale + effect[name]:
+    for name, one in found.items():
+        excess = np.abs(one) - effect[name] - TOLERANCE * row_terms(terms[name])
+        if not (excess <= 0.0).all():
+            place = np.unravel_index(int(np.argmax(excess)), excess.shape)
             excuse = (
-                f"entries rounded by {rounding:g} explain at most {effect[name]:.6g}"
+                f"entries rounded by {rounding:g} explain at most {effect[name][place]:.6g}"
                 if rounding
                 else "nothing is rounded"
             )
-            failed.append(f"{name} = 0 fails, its residual is {one:.6g}, {excuse}")
+            failed.append(f"{name} = 0 fails, its residual is {abs(one[place]):.6g}, {excuse}")
+    worst = {name: float(np.abs(one).max(initial=0.0)) for name, one in found.items()}
     if failed:
         raise CertificateError("; ".join(failed), field="printed", value=worst)
     return worst
 
 
-def _effect(left: Residuals, given: dict[str, FloatArray], rounding: float) -> dict[str, float]:
-    """How much each residual moves at most, to first order, if every printed entry moves by the rounding."""
+def _effect(left: Residuals, given: dict[str, FloatArray], rounding: float) -> dict[str, FloatArray]:
+    """How much each entry of a residual moves at most, to first order, where printed entries are rounded."""
     total: dict[str, FloatArray] = {}
     for name, value in given.items():
         for place in np.ndindex(value.shape):
@@ -145,14 +164,4 @@ def _effect(left: Residuals, given: dict[str, FloatArray], rounding: float) -> d
             up, down = left({**given, name: value + step}), left({**given, name: value - step})
             for equality, one in up.items():
                 total[equality] = total.get(equality, np.zeros_like(one)) + 0.5 * np.abs(one - down[equality])
-    return {equality: float(one.max(initial=0.0)) for equality, one in total.items()}
-
-
-def _largest(one: Any) -> float:
-    if isinstance(one, Persidskii):
-        return max(float(np.abs(part).max(initial=0.0)) for part in one.matrices(0.0).values())
-    if isinstance(one, np.ndarray):
-        return float(np.abs(one).max(initial=0.0))
-    return max(
-        float(np.abs(getattr(one, name)).max(initial=0.0)) for name in ("S0", "S1", "G", "L0", "L1", "E")
-    )
+    return total

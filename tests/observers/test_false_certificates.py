@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 import pointpred.observers as o
-from pointpred.errors import CertificateError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.bounds import least_ratio
 from pointpred.observers.documents.files import decoded, encoded
 from pointpred.observers.inequalities.definite import least
 from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
+from tests.observers import kept_designs as kept
 
 
 def pendulum(push: float = 1.0) -> o.Persidskii:
@@ -144,3 +145,44 @@ def test_in_small_units_a_wrong_j_is_not_near_h_pi() -> None:
     generator = o.Generator([[-2.0]], [1.0], J=[[3e-7]])
     with pytest.raises(ParameterError, match="J must be H Pi"):
         o.theorem_3_2_1(plant, generator, [[1.0]])
+
+
+@pytest.mark.parametrize("unit", [1e-10, 1.0, 1e10])
+def test_an_upsilon_that_meets_c1_proves_nothing_in_any_unit(unit: float) -> None:
+    """w = Pi x + Upsilon y contains f here; small units of w once hid it below an absolute tolerance."""
+    plant = o.Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 0.1], [-3.0, 1.0], "tanh", C0=[1.0, 0.0], C1=[-0.1])
+    with pytest.raises((CertificateError, InfeasibleError), match="Upsilon C1 = 0"):
+        o.certify_convergence(o.invariant_observer(plant, [[0.0, unit]], [[-3.0 * unit]]))
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_rounding_in_upsilon_is_no_failure(unit: float) -> None:
+    """The first output holds f, and Upsilon holds rounding where it must not use it."""
+    plant = o.Persidskii(
+        [[0.0, 1.0], [0.0, -1.0]], [0.0, -0.1], [-1.0, 1.0], "tanh",
+        C0=[[0.0, unit], [1.0, 0.0]], C1=[[unit], [0.0]],
+    )  # fmt: skip
+    observer = o.invariant_observer(plant, [[0.0, 1.0]], [[1e-17 / unit, -1.0]])
+    assert observer.at(0.0).shares["Upsilon C1"] == 0.0
+    observer = o.invariant_observer(plant, [[0.0, 1.0]], [[1e-12 / unit, -1.0]])
+    assert observer.at(0.0).shares["Upsilon C1"] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("place", "change"), [("Pi", 1.001), ("L0", 1.001), ("F", 0.5)], ids=["map", "input", "followed"]
+)
+def test_equations_of_a_file_are_computed_again(place: str, change: float) -> None:
+    file = json.loads(encoded(kept.design("servo")))
+    assert "residuals" not in file["equations"]
+    file["equations"][place] = (change * np.array(file["equations"][place])).tolist()
+    with pytest.raises(CertificateError, match=r"the regulator equations do not hold: .* is left in "):
+        decoded(json.dumps(file))
+
+
+def test_the_regulator_of_a_file_applies_its_equations() -> None:
+    file = json.loads(encoded(kept.design("servo")))
+    lead = np.array(file["regulator"]["L0"])
+    lead[:, -1] += 1.0
+    file["regulator"]["L0"] = lead.tolist()
+    with pytest.raises((CertificateError, InfeasibleError)):
+        decoded(json.dumps(file))

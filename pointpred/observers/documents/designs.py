@@ -7,12 +7,12 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
+from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.documents.entries import (
     Document,
     Functions,
     Rows,
-    array,
     entries,
     finite,
     gap_of,
@@ -23,17 +23,21 @@ from pointpred.observers.documents.plants import (
     PlantDocument,
 )
 from pointpred.observers.documents.symbolic_plants import SteadyStateDocument
+from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.error_systems.decay import certified_decay
 from pointpred.observers.interconnected.design import ObserverDesign, certified_design, require_map
+from pointpred.observers.interconnected.generator import Fitted
 from pointpred.observers.interconnected.regulator import RegulatorDesign
-from pointpred.observers.interconnected.regulator_equations import RegulatorEquations
+from pointpred.observers.interconnected.regulator_equations import (
+    RegulatorEquations,
+    checked_equations,
+)
 from pointpred.observers.interconnected.state_feedback import StateFeedback, closed_system
 from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign
 from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
 from pointpred.observers.reduced_order.reversed_connection import (
-    TOLERANCE,
     InvariantObserver,
     invariant_observer,
 )
@@ -157,13 +161,13 @@ class Feedback(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Equations(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """``RegulatorEquations`` as they were solved; the regulator's own map is checked."""
+    """``RegulatorEquations``: the matrices, of which everything else is computed again."""
 
     Pi: Rows
     L0: Rows
     L1: Rows | None
-    residuals: dict[str, float]
-    nullity: int
+    R: Rows
+    F: Rows
 
 
 class RegulatorDocument(Document, tag="regulator", frozen=True):
@@ -197,8 +201,8 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
                 Pi=entries(solved.Pi),
                 L0=entries(solved.L0),
                 L1=entries(solved.L1),
-                residuals=solved.residuals,
-                nullity=solved.nullity,
+                R=entries(solved.R),
+                F=entries(solved.F),
             ),
         )
 
@@ -226,15 +230,25 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         values = _matrices(self.feedback.certificate, {"P": (plant.n, plant.n)}, numbers)
         proof = certified_decay(system, values, self.feedback.decay)
         return RegulatorDesign(
-            plant, regulator, pi, observer, StateFeedback(l0, l1, proof), self._equations(plant)
+            plant, regulator, pi, observer, StateFeedback(l0, l1, proof), self._equations(plant, g, l0)
         )
 
-    def _equations(self, plant: Any) -> RegulatorEquations | None:
+    def _equations(self, plant: Persidskii, g: Fitted, l0: FloatArray) -> RegulatorEquations | None:
+        """The equations, checked: the reference's states are the last ones of the regulator."""
         solved = self.equations
         if solved is None:
             return None
-        l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else array(solved.L1)
-        return RegulatorEquations(array(solved.Pi), array(solved.L0), l1, solved.residuals, solved.nullity)
+        s0 = g.S0[plant.n :, plant.n :]
+        l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else solved.L1
+        checked = checked_equations(plant, s0, solved.Pi, solved.L0, l1, solved.R, solved.F)
+        straight = g.L0[:, plant.n :]
+        terms = np.abs(straight) + np.abs(checked.L0) + np.abs(l0) @ np.abs(checked.Pi)
+        if not share_of_terms(straight - checked.L0 + l0 @ checked.Pi, terms) <= TOLERANCE:
+            raise CertificateError(
+                "L0 of the regulator does not apply the L0 and Pi of its equations: design it again",
+                field="equations.L0",
+            )
+        return checked
 
 
 def _require_plant(observer: ObserverDesign, plant: Persidskii) -> None:

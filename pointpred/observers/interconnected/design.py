@@ -13,6 +13,7 @@ from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
+from pointpred.observers.equalities import TOLERANCE
 from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted, Generator
@@ -22,9 +23,6 @@ from pointpred.observers.linear_systems import Plant
 from pointpred.observers.matrices import matrix, positive, vector
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.stationary import cover, filter_start, middle
-
-MAP = 1e-6
-"""The largest residual of a steady-state map, beside its terms."""
 
 
 class ObserverDesign(msgspec.Struct, frozen=True):
@@ -191,16 +189,20 @@ def certified_design(
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
     """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual.
 
-    What is small beside its own terms or beside the matrices is rounding.
+    Each row must hold to ``TOLERANCE`` of its own terms: a large entry elsewhere, such as a B for inputs in
+    small units, says nothing about it.
     """
-    parts = (plant.A0, plant.A1, plant.B, plant.Q, generator.S0, Pi)
-    size = max(float(np.abs(one).max(initial=0.0)) for one in parts)
     for relaxed in (True, False):
         left = relative_residuals(plant, generator, Pi, relaxed=relaxed)
-        name = max(left, key=lambda one: min(left[one][0] / (size or 1.0), left[one][1]))
-        if min(left[name][0] / (size or 1.0), left[name][1]) <= MAP:
+        failed = {name: (worst, part) for name, (worst, part) in left.items() if not part <= TOLERANCE}
+        if not failed:
             return
-    raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {left[name][0]:.6g}")
+    name = max(failed, key=lambda one: failed[one][1])
+    worst, part = failed[name]
+    raise InfeasibleError(
+        f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its row's terms: "
+        "take Pi from steady_state_map, with all digits"
+    )
 
 
 class _Attributes:

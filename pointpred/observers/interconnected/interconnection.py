@@ -14,6 +14,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
+from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -42,8 +43,8 @@ class Interconnection:
         g = self.g
         if g.J is not None and g.J.shape == self.j.shape:
             # A share of its own terms: in small units any J would be near H Pi.
-            terms = np.abs(plant.H) @ np.abs(self.pi)
-            if not (np.abs(g.J - self.j) <= 1e-6 * terms.max(axis=1, initial=0.0, keepdims=True)).all():
+            terms = np.abs(plant.H) @ np.abs(self.pi) + np.abs(g.J)
+            if not share_of_terms(g.J - self.j, terms) <= TOLERANCE:
                 raise ParameterError(f"J must be H Pi, differs by {np.abs(g.J - self.j).max():.3g}")
         self.shown: FloatArray = plant.C1
         self.sloped = bool(g.S1.any() or plant.C1.any())

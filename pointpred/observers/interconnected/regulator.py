@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
@@ -87,11 +88,14 @@ def design_regulator(
     equations = regulator_equations(one, reference, following=following)
     cancelling = equations.L1 if L1 is None else L1
     feedback = design_state_feedback(one, decay=decay, L1=cancelling, solver=solver, **bounds)
-    left = np.abs(one.A1 + one.B @ feedback.L1).max(initial=0.0)
-    if left > 1e-9 * np.abs(one.A1).max(initial=0.0):
+    left, terms = (
+        one.A1 + one.B @ feedback.L1,
+        np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),
+    )
+    if not share_of_terms(left, terms) <= TOLERANCE:
         raise InfeasibleError(
-            f"a reference needs A1 + B L1 = 0, its residual is {left:.6g}: f is not cancelled, and the "
-            "steady state is not linear in r"
+            f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not cancelled, "
+            "and the steady state is not linear in r"
         )
     regulator, pi = _servo(one, observer.gain, feedback, reference, equations)
     return RegulatorDesign(one, regulator, pi, observer, feedback, equations)

@@ -8,21 +8,20 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.eigenvalues import number_text
+from pointpred.observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
 
-TOLERANCE = 1e-9
-
 
 class RegulatorEquations(msgspec.Struct, frozen=True):
     """Pi, L0 and L1 such that x = Pi w solves the plant under u = L0 w + L1 f(H Pi w), and R Pi = F.
 
-    ``residuals`` by equality; ``nullity``: how many independent directions of (Pi, L0, L1) change no
-    equality.
+    ``R`` (any, n) and ``F`` (as many, q) are zero where nothing is to be followed. ``residuals`` by equality;
+    ``nullity``: how many independent directions of (Pi, L0, L1) change no equality.
     """
 
     Pi: FloatArray
@@ -30,6 +29,8 @@ class RegulatorEquations(msgspec.Struct, frozen=True):
     L1: FloatArray
     residuals: dict[str, float]
     nullity: int
+    R: FloatArray
+    F: FloatArray
 
 
 def regulator_equations(
@@ -48,7 +49,7 @@ def regulator_equations(
     Assumes a generator without G (its L0 and L1 are not used) and constant matrices.
 
     Parameters: ``following`` R (any, n) and F (as many, q); ``tolerance`` of a residual, (0, 1), relative to
-    the largest of its terms. Raises InfeasibleError naming the equality that cannot hold and, where
+    the largest of its row's own terms. Raises InfeasibleError naming the equality that cannot hold and, where
     it is one, the zero of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
 
     Reference: Khalin 2022, (3.3) with G = 0; Francis and Wonham 1976.
@@ -66,50 +67,104 @@ def regulator_equations(
     if g.G.any():
         raise ParameterError("the regulator equations need a generator without G, received one with G")
     tolerance = share("tolerance", tolerance)
-    n, m, q, k = one.n, one.m, g.q, one.k
-    r, f = ([[0.0] * n], [[0.0] * q]) if following is None else _pair(following)
-    rows, wanted = matrix("R", r, None, n), matrix("F", f, len(matrix("R", r, None, n)), q)
+    r, f = ([[0.0] * one.n], [[0.0] * g.q]) if following is None else _pair(following)
+    rows, wanted = matrix("R", r, None, one.n), matrix("F", f, len(matrix("R", r, None, one.n)), g.q)
+    problem = _Problem(one, g.S0, g.S1, rows, wanted)
+    cleaned, raw = nearest_solutions(problem.stacked, problem.slope())
+    name = problem.failing(cleaned, tolerance)
+    if name is None:
+        return problem.solved(cleaned)
+    if problem.failing(raw, tolerance) is None:
+        return problem.solved(raw)
+    residual = problem.residuals(cleaned)[name]
+    raise InfeasibleError(
+        f"the regulator equations cannot hold: the least residual leaves {residual:.6g} in {name}"
+        f"{_zeros(one, g.S0, None if following is None else rows)}"
+    )
 
-    def left(numbers: FloatArray) -> dict[str, FloatArray]:
-        pi, l0, l1 = _split(numbers, n, m, q, k)
+
+def checked_equations(
+    plant: Persidskii, S0: FloatArray, Pi: Any, L0: Any, L1: Any, R: Any, F: Any
+) -> RegulatorEquations:
+    """The equations of given matrices, such as those of a file, for a generator w' = S0 w + E rho.
+
+    Residuals and nullity are computed. Raises CertificateError naming an equality that does not hold to
+    ``TOLERANCE`` of its rows' own terms; ParameterError for a shape.
+    """
+    q = len(S0)
+    rows = matrix("R", R, None, plant.n)
+    problem = _Problem(plant, S0, np.zeros((q, plant.k)), rows, matrix("F", F, len(rows), q))
+    given = (
+        matrix("Pi", Pi, plant.n, q),
+        matrix("L0", L0, plant.m, q),
+        matrix("L1", L1, plant.m, plant.k),
+    )
+    numbers = np.concatenate([one.ravel() for one in given])
+    name = problem.failing(numbers, TOLERANCE)
+    if name is not None:
+        raise CertificateError(
+            f"the regulator equations do not hold: {problem.residuals(numbers)[name]:.6g} is left in {name}; "
+            "design the regulator again",
+            field=name,
+        )
+    return problem.solved(numbers)
+
+
+class _Problem(msgspec.Struct, frozen=True):
+    """The equalities for a plant, S0, S1, R and F, as functions of the numbers of Pi, L0 and L1."""
+
+    plant: Persidskii
+    s0: FloatArray
+    s1: FloatArray
+    rows: FloatArray
+    wanted: FloatArray
+
+    def split(self, numbers: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Pi, L0 and L1."""
+        n, m, q, k = self.plant.n, self.plant.m, len(self.s0), self.plant.k
+        pi, l0, l1 = np.split(numbers, [n * q, n * q + m * q])
+        return pi.reshape(n, q), l0.reshape(m, q), l1.reshape(m, k)
+
+    def left(self, numbers: FloatArray, part: Any = np.asarray, minus: float = -1.0) -> dict[str, FloatArray]:
+        """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
+        pi, l0, l1 = self.split(part(numbers))
+        a0, a1, b = (part(one) for one in (self.plant.A0, self.plant.A1, self.plant.B))
         return {
-            "A0 Pi + B L0 - Pi S0": one.A0 @ pi + one.B @ l0 - pi @ g.S0,
-            "A1 + B L1 - Pi S1": one.A1 + one.B @ l1 - pi @ g.S1,
-            "R Pi - F": rows @ pi - wanted,
+            "A0 Pi + B L0 - Pi S0": a0 @ pi + b @ l0 + minus * (pi @ part(self.s0)),
+            "A1 + B L1 - Pi S1": a1 + b @ l1 + minus * (pi @ part(self.s1)),
+            "R Pi - F": part(self.rows) @ pi + minus * part(self.wanted),
         }
 
-    def stacked(numbers: FloatArray) -> FloatArray:
-        return np.concatenate([part.ravel() for part in left(numbers).values()])
+    def stacked(self, numbers: FloatArray) -> FloatArray:
+        """Every residual."""
+        return np.concatenate([one.ravel() for one in self.left(numbers).values()])
 
-    count = n * q + m * (q + k)
-    start = stacked(np.zeros(count))
-    slope = np.array([stacked(unit) - start for unit in np.eye(count)]).T
-    size = np.where(slope.any(axis=0), np.abs(slope).max(axis=0, initial=0.0), 1.0)
-    numbers = np.linalg.lstsq(slope / size, -start, rcond=None)[0] / size
-    residuals = {name: float(np.abs(part).max(initial=0.0)) for name, part in left(numbers).items()}
-    pi, l0, l1 = _split(numbers, n, m, q, k)
-    terms = {
-        "A0 Pi + B L0 - Pi S0": np.abs(one.A0) @ np.abs(pi) + np.abs(one.B) @ np.abs(l0),
-        "A1 + B L1 - Pi S1": np.abs(one.A1) + np.abs(one.B) @ np.abs(l1),
-        "R Pi - F": np.abs(wanted) + np.abs(rows) @ np.abs(pi),
-    }
-    shares = {
-        name: residual / (float(terms[name].max(initial=0.0)) or 1.0) for name, residual in residuals.items()
-    }
-    worst = max(shares, key=lambda name: shares[name])
-    if shares[worst] > tolerance:
-        raise InfeasibleError(
-            f"the regulator equations cannot hold: the least residual leaves {residuals[worst]:.6g} in "
-            f"{worst}"
-            f"{_zeros(one, g.S0, rows if following is not None else None)}"
+    def slope(self) -> FloatArray:
+        """The derivative of the residuals."""
+        count = (self.plant.n + self.plant.m) * len(self.s0) + self.plant.m * self.plant.k
+        start = self.stacked(np.zeros(count))
+        return np.array([self.stacked(unit) - start for unit in np.eye(count)]).T
+
+    def residuals(self, numbers: FloatArray) -> dict[str, float]:
+        """The largest residual of each equality."""
+        return {name: float(np.abs(one).max(initial=0.0)) for name, one in self.left(numbers).items()}
+
+    def failing(self, numbers: FloatArray, tolerance: float) -> str | None:
+        """The equality that fails most, if one leaves more than this share of its rows' own terms."""
+        terms = self.left(numbers, np.abs, 1.0)
+        shares = {name: share_of_terms(one, terms[name]) for name, one in self.left(numbers).items()}
+        failed = [name for name, part in shares.items() if not part <= tolerance]
+        return max(failed, key=lambda name: shares[name]) if failed else None
+
+    def solved(self, numbers: FloatArray) -> RegulatorEquations:
+        """The matrices of these numbers, with what they leave."""
+        slope = self.slope()
+        size = np.where(slope.any(axis=0), np.abs(slope).max(axis=0, initial=0.0), 1.0)
+        rank = int(np.linalg.matrix_rank(slope / size))
+        pi, l0, l1 = self.split(numbers)
+        return RegulatorEquations(
+            pi, l0, l1, self.residuals(numbers), len(numbers) - rank, self.rows, self.wanted
         )
-    rank = int(np.linalg.matrix_rank(slope / size))
-    return RegulatorEquations(pi, l0, l1, residuals, count - rank)
-
-
-def _split(numbers: FloatArray, n: int, m: int, q: int, k: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-    pi, l0, l1 = np.split(numbers, [n * q, n * q + m * q])
-    return pi.reshape(n, q), l0.reshape(m, q), l1.reshape(m, k)
 
 
 def _pair(following: Any) -> tuple[Any, Any]:

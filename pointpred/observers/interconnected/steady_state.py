@@ -10,12 +10,19 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.equalities import (
+    TOLERANCE,
+    nearest_solutions,
+    row_and_column_rounding,
+    share_of_terms,
+)
 from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.riccati import invariant_graphs, refined
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, moments, share
 
-TOLERANCE = 1e-9
+SHARED = "H Pi - J"
+"""The equality of the arguments of f."""
 
 
 class SteadyState(msgspec.Struct, frozen=True):
@@ -55,17 +62,32 @@ def residuals(
 def relative_residuals(
     plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
 ) -> dict[str, tuple[float, float]]:
-    """The largest residual of each equality, and the largest share that one has of its terms.
+    """The largest residual of each equality, and the largest share that an entry has of its row's terms.
 
-    The share does not depend on the units of states, inputs, outputs and time.
+    The share does not depend on the units of states, inputs, outputs and time: 1 where a row fails
+    completely, however large the entries of other rows and equalities are.
     """
     left = residuals(plant, generator, Pi, relaxed=relaxed)
-    sizes = _equalities(plant, generator, Pi, relaxed, np.abs, 1.0)
-    largest = {}
-    for name, one in left.items():
-        shares = np.abs(one) / np.maximum(sizes[name], 1e-300)
-        largest[name] = (float(np.abs(one).max()), float(shares.max()))
-    return largest
+    terms = equality_terms(plant, generator, Pi, relaxed=relaxed)
+    # Rows of the plant's states go through all equalities but that of J: they show together what is rounding.
+    states = [name for name in terms if name != SHARED]
+    wide = row_and_column_rounding(np.hstack([terms[name] for name in states]))
+    ends = np.cumsum([terms[name].shape[1] for name in states])[:-1]
+    rounding = dict(zip(states, np.split(wide, ends, axis=1), strict=True))
+    return {
+        name: (
+            float(np.abs(one).max()),
+            share_of_terms(one, terms[name], rounding=rounding.get(name)),
+        )
+        for name, one in left.items()
+    }
+
+
+def equality_terms(
+    plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
+) -> dict[str, FloatArray]:
+    """The sizes of each equality's terms before they cancel, in the shapes of ``residuals``."""
+    return _equalities(plant, generator, Pi, relaxed, np.abs, 1.0)
 
 
 def _equalities(
@@ -89,7 +111,7 @@ def _equalities(
         nonlinear = {"A1 + B L1 - Pi (S1 + G C1)": a1 + b @ l1 + minus * (pi @ (s1 + gain @ c1))}
         if generator.J is not None:
             j = part(matrix("J", generator.J, plant.r, g.q))
-            nonlinear["H Pi - J"] = h @ pi + minus * j
+            nonlinear[SHARED] = h @ pi + minus * j
     left = {"A0 Pi - Pi G C0 Pi - Pi S0 + B L0": linear, **nonlinear, "Q - Pi E": q + minus * (pi @ e)}
     return {name: one for name, one in left.items() if one.size}
 
@@ -112,10 +134,10 @@ def steady_state_map(
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
-    Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest entry of A0, A1, B L0, B L1, Q,
-    S0 and G C0 (of H and J too where J is given), for matrices rounded in print; ``times`` in s (indices in
-    discrete time). Raises InfeasibleError naming the violated equality and its residual, ParameterError,
-    UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
+    Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest of its row's own terms, for
+    matrices rounded in print; ``times`` in s (indices in discrete time). Raises InfeasibleError naming the
+    violated equality and its residual, ParameterError, UndecidedError where a Riccati equation has no
+    isolated solution that satisfies the rest.
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
@@ -145,52 +167,34 @@ def steady_state_map(
         parts = left(numbers.reshape(plant.n, g.q)).values()
         return np.concatenate([one.ravel() for part in parts for one in part])
 
-    shared = () if relaxed or generator.J is None else (plants[0].H, generator.J)
-    size = max(
-        np.abs(one).max(initial=0.0)
-        for now in plants
-        for one in (now.A0, now.A1, now.B @ g.L0, now.B @ g.L1, now.Q, g.S0, g.G @ now.C0, *shared)
-    )
-    limit = tolerance * (float(size) or 1.0)
     linear = not any((g.G @ one.C0).any() for one in plants)
     if linear:
         slope = _jacobian(stacked, np.zeros(plant.n * g.q))
-        candidates = [_least(stacked, slope)]
+        candidates = list(nearest_solutions(stacked, slope))
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
         candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
 
-    def share_left(pi: FloatArray) -> float:
+    def shares_left(pi: FloatArray) -> dict[str, float]:
         each = [relative_residuals(one, generator, pi, relaxed=relaxed) for one in plants]
-        return max(part for one in each for _, part in one.values())
+        return {name: float(np.max([one[name][1] for one in each])) for name in each[0]}
 
-    # What is small beside its own terms is rounding, also where another unit makes another entry larger.
+    shape = plant.n, g.q
     solved = [
         one
         for one in candidates
-        if np.abs(stacked(one)).max(initial=0.0) <= limit
-        or share_left(one.reshape(plant.n, g.q)) <= tolerance
+        if all(part <= tolerance for part in shares_left(one.reshape(shape)).values())
     ]
     if not solved:
-        _refuse(left, candidates, (plant.n, g.q), limit, linear=linear)
+        if linear:
+            _name_first(left, shares_left, shape, tolerance)
+        _refuse(left, [one.reshape(shape) for one in candidates])
     distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
     distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
     pi = distinct[0]
     basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
     worst = {name: _largest(parts) for name, parts in left(pi).items()}
     return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
-
-
-def _least(stacked: Any, slope: FloatArray) -> FloatArray:
-    """The least-squares solution of linear equalities, of least norm, with rows and columns scaled to 1."""
-    left = stacked(np.zeros(slope.shape[1]))
-    columns = np.abs(slope).max(axis=0, initial=0.0)
-    columns[columns == 0.0] = 1.0
-    rows = np.abs(slope / columns).max(axis=1, initial=0.0)
-    rows[rows == 0.0] = 1.0
-    scaled = slope / columns / rows[:, None]
-    numbers: FloatArray = np.linalg.lstsq(scaled, -left / rows, rcond=None)[0] / columns
-    return numbers
 
 
 def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:
@@ -220,13 +224,9 @@ def _distinct(maps: list[FloatArray]) -> list[FloatArray]:
     return distinct
 
 
-def _refuse(
-    left: Any, candidates: list[FloatArray], shape: tuple[int, int], limit: float, *, linear: bool
-) -> None:
-    if linear:
-        _name_first(left, candidates[0], shape, limit)
+def _refuse(left: Any, candidates: list[FloatArray]) -> None:
     worst = min(
-        ({name: _largest(parts) for name, parts in left(one.reshape(shape)).items()} for one in candidates),
+        ({name: _largest(parts) for name, parts in left(one).items()} for one in candidates),
         key=lambda norms: max(norms.values()),
     )
     name = max(worst, key=lambda one: worst[one])
@@ -236,17 +236,20 @@ def _refuse(
     )
 
 
-def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int], limit: float) -> None:
+def _name_first(left: Any, shares_left: Any, shape: tuple[int, int], tolerance: float) -> None:
     """Raise InfeasibleError for the first equality that cannot hold together with those before it."""
-    names = list(left(zero.reshape(shape)))
+    names, zero = list(left(np.zeros(shape))), np.zeros(shape[0] * shape[1])
     for count in range(1, len(names) + 1):
 
         def some(numbers: FloatArray, first: list[str] = names[:count]) -> FloatArray:
             errors = left(numbers.reshape(shape))
             return np.concatenate([one.ravel() for name in first for one in errors[name]])
 
-        residual = float(np.abs(some(_least(some, _jacobian(some, np.zeros_like(zero))))).max())
-        if residual > limit or count == len(names):
+        nearest = nearest_solutions(some, _jacobian(some, zero))
+        each = [shares_left(one.reshape(shape)) for one in nearest]
+        held = any(all(one[name] <= tolerance for name in names[:count]) for one in each)
+        if not held or count == len(names):
+            residual = min(float(np.abs(some(one)).max()) for one in nearest)
             beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
             reason = f"{names[count - 1]} = 0 cannot hold{beside}"
             raise InfeasibleError(f"{reason}: the least residual is {residual:.6g}")

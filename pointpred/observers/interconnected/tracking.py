@@ -9,11 +9,12 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.equalities import TOLERANCE
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
 from pointpred.observers.interconnected.regulated import Followed, Regulated
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred.observers.interconnected.steady_state import TOLERANCE, relative_residuals
+from pointpred.observers.interconnected.steady_state import relative_residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, share, vector
 
@@ -83,8 +84,8 @@ def certify_tracking(
     is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
 
     Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
-    of the equalities, a share of their terms or of the matrices; ``margin`` and ``kappa`` as for
-    ``MatrixInequalities``.
+    of the equalities, a share of their rows' own terms, for matrices rounded in print; ``margin`` and
+    ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
     UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
 
@@ -99,9 +100,8 @@ def certify_tracking(
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     instance("regulator", regulator, Generator)
-    scale = max(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0))
     for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
-        if part > tolerance and worst > tolerance * scale:
+        if not part <= tolerance:
             raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)

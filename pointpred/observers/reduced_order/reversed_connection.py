@@ -10,10 +10,17 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import dimensions, instance, matrix, share, without_rounding
+from pointpred.observers.matrices import (
+    ROUNDING,
+    dimensions,
+    instance,
+    matrix,
+    share,
+    without_rounding,
+)
 
-TOLERANCE = 1e-9
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""
 
@@ -207,16 +214,18 @@ class InvariantObserver:
         size = max(1.0, *largest)
         residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
         _demand(residuals, self.tolerance, size, t)
-        shares = {name: one / size for name, one in residuals.items()}
         # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        shares["S0 Z + B C0 - Z A0 - Z'"] = _relative(
-            left["S0 Z + B C0 - Z A0 - Z'"], terms + np.abs(change), z, now["C0"]
-        )
+        units = column_units(np.vstack([z, now["C0"]]))
+        name = "S0 Z + B C0 - Z A0 - Z'"
+        shares = {
+            "Upsilon C1": _share_before_f(upsilon, now["C0"], now["C1"]),
+            name: share_of_terms(left[name], terms + np.abs(change), units),
+            "R C1": _share_before_f(r, now["C0"], now["C1"]),
+        }
         if s1.any():
+            name = "J (Pi + Upsilon C0) - H"
             inner = np.abs(j) @ np.abs(z) + np.abs(r) @ np.abs(now["C0"]) + np.abs(now["H"])
-            shares["J (Pi + Upsilon C0) - H"] = _relative(
-                left["J (Pi + Upsilon C0) - H"], inner, z, now["C0"]
-            )
+            shares[name] = share_of_terms(left[name], inner, units)
         rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
         free = given is None and rank < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
@@ -318,17 +327,19 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     return answer
 
 
-def _relative(residual: FloatArray, terms: FloatArray, z: FloatArray, c: FloatArray) -> float:
-    """The largest entry relative to the terms of its row, in the units of the states that Z and C0 have."""
-    stacked = np.abs(np.vstack([z, c]))
-    columns = (stacked / _or_one(stacked.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0)
-    columns = _or_one(columns)
-    rows = _or_one((terms / columns).max(axis=1, initial=0.0))
-    return float(np.abs(residual / columns / rows[:, None]).max(initial=0.0))
+def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
+    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling.
 
-
-def _or_one(sizes: FloatArray) -> FloatArray:
-    return np.where(sizes > 0.0, sizes, 1.0)
+    An entry of the gain that is rounding beside its row, with each output in a unit of its own, stands for 0.
+    """
+    outputs = or_one(
+        np.maximum(
+            (np.abs(c0) / column_units(c0)).max(axis=1, initial=0.0), np.abs(c1).max(axis=1, initial=0.0)
+        )
+    )
+    largest = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
+    rounding = ROUNDING * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
+    return share_of_terms(gain @ c1, np.abs(gain) @ np.abs(c1), rounding=rounding)
 
 
 def _demand(residuals: dict[str, float], tolerance: float, size: float, t: float) -> None:

@@ -1,0 +1,108 @@
+"""Equalities of matrices in floating point: what is left of each, as a share of its own terms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.observers.matrices import ROUNDING, without_rounding
+
+TOLERANCE = 1e-9
+"""The largest residual of an equality of computed matrices, as a share of the terms of its row."""
+
+
+def share_of_terms(
+    residual: FloatArray,
+    terms: FloatArray,
+    units: FloatArray | None = None,
+    *,
+    rounding: FloatArray | None = None,
+) -> float:
+    """The largest entry of a residual, as a share of its row's largest term: 0 holds, 1 fails completely.
+
+    No entry of another row, another equality or another unit may hide that a row fails. The columns of a row
+    are compared in ``units`` that belong to them, so that a small unit of a column hides nothing either.
+
+    Parameters: ``residual`` (rows, columns); ``terms`` of the same shape, the sums of the absolute values of
+    the terms before they cancel; ``units`` (columns,) by default those that the terms show; ``rounding`` of
+    the same shape, the size below which an entry of the residual is rounding of the matrices. NaN where an
+    entry is not finite.
+
+    >>> share_of_terms(np.array([[0.0, 4e-7]]), np.array([[1e7, 4e-7]]))
+    1.0
+    >>> share_of_terms(np.array([[0.0], [1e-16]]), np.array([[2.0], [4.0]])) < 1e-15
+    True
+    """
+    if not residual.size:
+        return 0.0
+    left = np.abs(residual)
+    if rounding is not None:
+        left = np.where(left <= rounding, 0.0, left)
+    return float((left / or_one(row_terms(terms, units))).max())
+
+
+def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
+    """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms.
+
+    >>> row_terms(np.array([[1e7, 4e-7], [0.0, 8e-7]])).tolist()
+    [[10000000.0, 8e-07], [10000000.0, 8e-07]]
+    """
+    columns = column_units(terms) if units is None else units
+    return np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
+
+
+def column_units(stacked: FloatArray) -> FloatArray:
+    """A unit for each column of rows that have units of their own: its largest share of a row, 1 if none.
+
+    >>> column_units(np.array([[2e6, 4.0], [1.0, 0.0]])).tolist()
+    [1.0, 2e-06]
+    """
+    sizes = np.abs(stacked)
+    return or_one((sizes / or_one(sizes.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0))
+
+
+def row_and_column_rounding(terms: FloatArray) -> FloatArray:
+    """What is rounding of each entry of matrices that are given: a share of its row and its column.
+
+    A matrix from a computation holds 1e-17 where 0 is meant. Beside its own term, which is 1e-17 too, that is
+    everything; beside the largest terms of its row and of its column, in their units, it is nothing.
+
+    >>> row_and_column_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17
+    True
+    """
+    return ROUNDING * row_terms(terms)
+
+
+def nearest_solutions(
+    stacked: Callable[[FloatArray], FloatArray], slope: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """The least-squares solution of linear equalities, of least norm, without and with its rounding.
+
+    Rows and columns are scaled to 1, and what the first solution leaves is solved for again: then the
+    residual of a row is small beside the row's own terms, not only beside those of the largest row. Numbers
+    that are rounding beside the largest one are 0 in the first solution; beside numbers in much smaller units
+    they may be more than rounding, and the second solution keeps them.
+
+    Parameters: ``stacked`` the residuals (rows,) at given numbers (columns,), affine in them, and ``slope``
+    its derivative (rows, columns).
+
+    >>> stacked = lambda numbers: np.array([2.0 * numbers[0] - 6.0, 1e6 * numbers[1]])
+    >>> nearest_solutions(stacked, np.array([[2.0, 0.0], [0.0, 1e6]]))[0].round(12).tolist()
+    [3.0, 0.0]
+    """
+    columns = or_one(np.abs(slope).max(axis=0, initial=0.0))
+    rows = or_one(np.abs(slope / columns).max(axis=1, initial=0.0))
+    scaled = slope / columns / rows[:, None]
+    numbers: FloatArray = np.zeros(slope.shape[1])
+    for _ in range(2):
+        left = -stacked(numbers / columns) / rows
+        numbers = numbers + np.linalg.lstsq(scaled, left, rcond=None)[0]
+    largest = np.full(numbers.shape, np.abs(numbers).max(initial=0.0))
+    return without_rounding(numbers, largest) / columns, numbers / columns
+
+
+def or_one(sizes: FloatArray) -> FloatArray:
+    """Sizes to divide by: 1 in place of 0."""
+    return np.where(sizes > 0.0, sizes, 1.0)
