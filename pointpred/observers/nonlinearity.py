@@ -104,6 +104,13 @@ cube, received 'sine'
     return Nonlinearity(function, codes, bounds or tuple((part.low, part.high) for part in parts))
 
 
+def same(one: Nonlinearity, other: Nonlinearity) -> bool:
+    """Whether two are the same by their names, or the same Python function."""
+    if one.codes is None or other.codes is None:
+        return one.codes == other.codes and one.function is other.function
+    return one.codes == other.codes
+
+
 def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     """One (low, high) for each component; a single pair applies to all."""
     try:

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.equalities import TOLERANCE, row_terms
-from pointpred.observers.interconnected.generator import Generator, fitted
+from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.interconnected.steady_state import equality_terms, residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, positive
@@ -43,6 +43,8 @@ entries rounded by 0.025 explain at most 0.075
     one = as_plant(plant)
     g = fitted(generator, one)
     pi = matrix("Pi", Pi, one.n, g.q)
+    if not relaxed:
+        require_same_nonlinearity(one, generator)
     return _audited(
         lambda given: residuals(one, generator, given["Pi"], relaxed=relaxed),
         equality_terms(one, generator, pi, relaxed=relaxed),

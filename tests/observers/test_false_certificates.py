@@ -186,3 +186,62 @@ def test_the_regulator_of_a_file_applies_its_equations() -> None:
     file["regulator"]["L0"] = lead.tolist()
     with pytest.raises((CertificateError, InfeasibleError)):
         decoded(json.dumps(file))
+
+
+PLANT = o.Persidskii([[-1.0]], [0.0], [1.0], "sin", [1.0], None, [1.0])
+FOLLOWED = o.Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+OTHER = o.Generator([[-0.5]], [0.3], [1.0], None, [0.5], [0.3], None, "cube")
+
+
+def regulator(f: Any) -> o.Generator:
+    return o.Generator([[-3.0]], [-2.0], [1.0], [2.0], [0.0], [-1.0], None, f)
+
+
+@pytest.mark.parametrize(
+    "prove",
+    [
+        lambda: o.design_observer(PLANT, OTHER, [[1.0]]),
+        lambda: o.theorem_3_2_1(PLANT, OTHER, [[1.0]]),
+        lambda: o.check_map(PLANT, OTHER, [[1.0]]),
+        lambda: o.certify_tracking(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: o.theorem_3_2_2(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: o.theorem_3_2_3(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: o.closed_loop(FOLLOWED, regulator("cube"), 0.0, [1.0, 1.0]),
+        lambda: o.regulator_equations(PLANT, OTHER),
+        lambda: o.design_observer(
+            o.Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0]), OTHER, [[1.0]]
+        ),
+    ],
+)
+def test_no_proof_for_one_f_speaks_of_another(prove: Any) -> None:
+    with pytest.raises(ParameterError, match="has an f of its own, cube, and the plant") as refused:
+        prove()
+    assert refused.value.field == "f"
+
+
+def test_an_f_of_its_own_may_be_that_of_the_plant() -> None:
+    certificate = o.certify_tracking(FOLLOWED, regulator("tanh"), [[1.0]])
+    assert min(certificate.margins.values()) > 0.0
+
+
+@pytest.mark.parametrize(("name", "value"), [("f", "cube"), ("J", [[0.5, 0.0]])])
+def test_a_regulator_of_a_file_has_the_f_and_the_j_of_its_proof(name: str, value: Any) -> None:
+    mass = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])
+    file = json.loads(encoded(o.design_regulator(mass)))
+    file["regulator"][name] = value
+    with pytest.raises(ParameterError, match=r"an f of its own|J must be H Pi") as refused:
+        decoded(json.dumps(file))
+    assert refused.value.field == name
+
+
+def test_j_is_h_pi_also_where_f_cancels() -> None:
+    """A1 = 0 and S1 = B L1: the relaxed equalities hold for any J, the proof speaks of J = H Pi."""
+    generator = o.Generator([[-2.0]], [1.0], [0.5], None, [-1.0], [1.0])
+    with pytest.raises(ParameterError, match="J must be H Pi"):
+        o.design_observer(PLANT, generator, [[1.0]])
+
+
+def test_a_reference_is_linear() -> None:
+    reference = o.Generator([[0.0]], [1.0], [1.0])
+    with pytest.raises(ParameterError, match="a reference is linear"):
+        o.design_regulator(PLANT, reference=reference, following=([[1.0]], [[1.0]]))

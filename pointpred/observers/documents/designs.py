@@ -26,7 +26,7 @@ from pointpred.observers.documents.symbolic_plants import SteadyStateDocument
 from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.error_systems.decay import certified_decay
 from pointpred.observers.interconnected.design import ObserverDesign, certified_design, require_map
-from pointpred.observers.interconnected.generator import Fitted
+from pointpred.observers.interconnected.generator import Fitted, require_same_nonlinearity
 from pointpred.observers.interconnected.regulator import RegulatorDesign
 from pointpred.observers.interconnected.regulator_equations import (
     RegulatorEquations,
@@ -211,6 +211,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         plant, regulator = self.plant.made(functions), self.regulator.made(functions)
         observer, pi = self.observer.made(functions), matrix("Pi", self.Pi, plant.n, regulator.q)
         _require_plant(observer, plant)
+        require_same_nonlinearity(plant, regulator, pi, "regulator")
         require_map(plant, regulator, pi)
         l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
         l1 = (

@@ -9,10 +9,11 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.observers.equalities import TOLERANCE, column_units, share_of_terms
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix
-from pointpred.observers.nonlinearity import nonlinearity
-from pointpred.observers.persidskii import column
+from pointpred.observers.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
+from pointpred.observers.persidskii import Persidskii, column
 
 
 class Fitted(msgspec.Struct, frozen=True):
@@ -67,7 +68,8 @@ class Generator:
         self.E = None if E is None else column("E", E, self.q)
         self.L0 = None if L0 is None else matrix("L0", L0, None, self.q)
         self.L1 = None if L1 is None else matrix("L1", L1, None if self.L0 is None else len(self.L0))
-        self.f = None if f is None else nonlinearity(f, 1 if self.S1 is None else self.S1.shape[1])
+        values = [one.shape[1] for one in (self.S1, self.L1) if one is not None]
+        self.f = None if f is None else nonlinearity(f, values[0] if values else 1)
 
     def beside(self, plant: Plant) -> Fitted:
         """Every matrix in the shape that the plant needs, zero where it was left out.
@@ -77,7 +79,8 @@ class Generator:
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
         given, plant, q = plant, as_plant(plant), self.q
-        k = plant.k if self.f is None or self.S1 is None else self.S1.shape[1]
+        own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
+        k = own[0] if own else plant.k
         needed = {
             "S1": (q, k),
             "G": (q, plant.p),
@@ -127,6 +130,47 @@ def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
     pointpred.errors.ParameterError: regulator must be a Generator, received None
     """
     return instance(name, generator, Generator).beside(plant)
+
+
+def require_same_nonlinearity(
+    plant: Persidskii, generator: Generator, Pi: FloatArray | None = None, name: str = "generator"
+) -> None:
+    """Raise ParameterError unless generator and plant share f and its arguments, as every proof assumes.
+
+    The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
+    where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
+
+    >>> from pointpred.observers import Persidskii
+    >>> plant = Persidskii([[-1.0]], [1.0], [1.0], "sin")
+    >>> require_same_nonlinearity(plant, Generator([[0.0]], [1.0], f="cube"))
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: the generator has an f of its own, cube, and the plant sin: a proof \
+needs one f for both, leave out that of the generator
+    """
+    used = [one for one in (generator.S1, generator.L1) if one is not None]
+    if generator.f is not None and used:
+        widths = {one.shape[1] for one in used}
+        if widths != {plant.k} or (any(one.any() for one in used) and not same(generator.f, plant.f)):
+            raise ParameterError(
+                f"the {name} has an f of its own, {_text(generator.f)}, and the plant {_text(plant.f)}: a "
+                f"proof needs one f for both, leave out that of the {name}",
+                field="f",
+            )
+    if Pi is None or generator.J is None:
+        return
+    needed = plant.H @ Pi
+    j = matrix("J", generator.J, *needed.shape)
+    terms = np.abs(plant.H) @ np.abs(Pi) + np.abs(j)
+    units = column_units(np.abs(plant.A0) @ np.abs(Pi) + np.abs(Pi) @ np.abs(generator.S0))
+    if not share_of_terms(j - needed, terms, units) <= TOLERANCE:
+        raise ParameterError(f"J must be H Pi, differs by {np.abs(j - needed).max():.3g}", field="J")
+
+
+def _text(f: Nonlinearity) -> str:
+    """The names of f, or that it is a function."""
+    if f.codes is None:
+        return "a function"
+    return ", ".join(dict.fromkeys(NAMED[code] for code in f.codes)) or "none"
 
 
 def _shaped(name: str, value: FloatArray | None, shape: tuple[int, int]) -> FloatArray:

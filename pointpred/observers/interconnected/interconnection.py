@@ -14,9 +14,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
-from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Generator, fitted
+from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
 
@@ -26,7 +25,8 @@ class Interconnection:
 
     ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none if the blocks do not
     depend on f, and then no ``slopes`` either.
-    Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
+    Raises ParameterError where the generator's own J is not H Pi or its own f not the plant's, or where the
+    slopes are not bounded.
     """
 
     def __init__(self, plant: Plant, generator: Generator, Pi: Any) -> None:
@@ -40,12 +40,8 @@ class Interconnection:
         self.pi = matrix("Pi", Pi, plant.n, self.g.q)
         self.j: FloatArray = plant.H @ self.pi
         self.output: FloatArray = plant.C0 @ self.pi
+        require_same_nonlinearity(plant, generator, self.pi)
         g = self.g
-        if g.J is not None and g.J.shape == self.j.shape:
-            # A share of its own terms: in small units any J would be near H Pi.
-            terms = np.abs(plant.H) @ np.abs(self.pi) + np.abs(g.J)
-            if not share_of_terms(g.J - self.j, terms) <= TOLERANCE:
-                raise ParameterError(f"J must be H Pi, differs by {np.abs(g.J - self.j).max():.3g}")
         self.shown: FloatArray = plant.C1
         self.sloped = bool(g.S1.any() or plant.C1.any())
         self.slopes = plant.slopes if self.sloped else None

@@ -85,6 +85,10 @@ def design_regulator(
         return RegulatorDesign(
             one, _regulator(one, observer.gain, feedback), np.eye(one.n), observer, feedback
         )
+    if reference.S1 is not None and reference.S1.any():
+        raise ParameterError(
+            "a reference is linear, r' = Sr r + Er rho, received one with S1 other than 0", field="S1"
+        )
     equations = regulator_equations(one, reference, following=following)
     cancelling = equations.L1 if L1 is None else L1
     feedback = design_state_feedback(one, decay=decay, L1=cancelling, solver=solver, **bounds)

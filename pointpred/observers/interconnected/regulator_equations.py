@@ -11,7 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.eigenvalues import number_text
 from pointpred.observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
-from pointpred.observers.interconnected.generator import Generator, fitted
+from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
@@ -64,6 +64,7 @@ def regulator_equations(
     if one.varying:
         raise ParameterError(f"the regulator equations need constant matrices; {', '.join(one.varying)} vary")
     g = fitted(generator, one)
+    require_same_nonlinearity(one, generator)
     if g.G.any():
         raise ParameterError("the regulator equations need a generator without G, received one with G")
     tolerance = share("tolerance", tolerance)

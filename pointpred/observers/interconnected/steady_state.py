@@ -12,6 +12,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.equalities import (
     TOLERANCE,
+    column_units,
     nearest_solutions,
     row_and_column_rounding,
     share_of_terms,
@@ -74,10 +75,12 @@ def relative_residuals(
     wide = row_and_column_rounding(np.hstack([terms[name] for name in states]))
     ends = np.cumsum([terms[name].shape[1] for name in states])[:-1]
     rounding = dict(zip(states, np.split(wide, ends, axis=1), strict=True))
+    # The columns of J belong to the generator's states, whose units the first equality shows.
+    units = {SHARED: column_units(terms[states[0]])}
     return {
         name: (
             float(np.abs(one).max()),
-            share_of_terms(one, terms[name], rounding=rounding.get(name)),
+            share_of_terms(one, terms[name], units.get(name), rounding=rounding.get(name)),
         )
         for name, one in left.items()
     }

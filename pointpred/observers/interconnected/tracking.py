@@ -11,12 +11,18 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.equalities import TOLERANCE
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
+from pointpred.observers.interconnected.generator import (
+    Fitted,
+    Generator,
+    fitted,
+    require_same_nonlinearity,
+)
 from pointpred.observers.interconnected.regulated import Followed, Regulated
 from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
 from pointpred.observers.interconnected.steady_state import relative_residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, share, vector
+from pointpred.observers.persidskii import Persidskii
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -46,8 +52,8 @@ def theorem_3_2_2(
     Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
     plant = as_plant(plant)
-    g = fitted(regulator, plant, "regulator")
-    return Regulated.of(plant, g, matrix("Pi", Pi, plant.n, g.q)).inequalities(**bounds)
+    g, pi = _shared(plant, regulator, Pi)
+    return Regulated.of(plant, g, pi).inequalities(**bounds)
 
 
 def theorem_3_2_3(
@@ -63,9 +69,9 @@ def theorem_3_2_3(
     A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
     plant = as_plant(plant)
-    g = fitted(regulator, plant, "regulator")
+    g, pi = _shared(plant, regulator, Pi)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
-    return Followed.of(plant, g, matrix("Pi", Pi, plant.n, g.q), bound).inequalities(**bounds)
+    return Followed.of(plant, g, pi, bound).inequalities(**bounds)
 
 
 def certify_tracking(
@@ -99,10 +105,11 @@ def certify_tracking(
     True
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
-    instance("regulator", regulator, Generator)
+    require_same_nonlinearity(plant, instance("regulator", regulator, Generator), name="regulator")
     for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
         if not part <= tolerance:
             raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+    # With a larger tolerance J is checked to that share of its terms, above.
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
@@ -126,6 +133,14 @@ def certify_tracking(
     margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
     margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
     return TrackingCertificate(first, second, margins, plant.domain)
+
+
+def _shared(plant: Persidskii, regulator: Any, Pi: Any) -> tuple[Fitted, FloatArray]:
+    """The regulator's matrices and Pi, once it is known to share f and its arguments with the plant."""
+    g = fitted(regulator, plant, "regulator")
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    require_same_nonlinearity(plant, regulator, pi, "regulator")
+    return g, pi
 
 
 def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
@@ -152,6 +167,7 @@ def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signa
     """The derivative of (x, w) under the regulator; ``rho``, ``v``, ``d`` and ``w`` are signals at t."""
     plant = as_plant(plant)
     g: Fitted = fitted(regulator, plant, "regulator")
+    require_same_nonlinearity(plant, regulator, name="regulator")
     if unknown := set(signals) - {"rho", "v", "d", "w"}:
         raise ParameterError(f"the signals are rho, v, d and w, received {', '.join(sorted(unknown))}")
     sizes = {"rho": plant.z, "v": plant.p, "d": plant.n, "w": g.q}

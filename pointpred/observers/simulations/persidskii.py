@@ -9,7 +9,12 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import Fitted, Generator, fitted
+from pointpred.observers.interconnected.generator import (
+    Fitted,
+    Generator,
+    fitted,
+    require_same_nonlinearity,
+)
 from pointpred.observers.interconnected.persidskii_observer import (
     PersidskiiObserver,
     observer_stage,
@@ -125,6 +130,7 @@ def _closed(plant: Persidskii, regulator: Generator, pi: FloatArray, setting: Se
     """The stage of the regulator gives u at each sample, and the plant moves on with it until the next."""
     setting.refuse("a plant under a regulator", *UNUSED)
     discrete, g = plant.time == "discrete", fitted(regulator, plant, "regulator")
+    require_same_nonlinearity(plant, regulator, name="regulator")
     times = setting.samples(discrete)
     j = plant.H @ pi if g.J is None else g.J
     used = Generator(g.S0, g.S1, j, g.G, g.L0, g.L1, g.E, regulator.f)
