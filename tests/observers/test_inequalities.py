@@ -20,6 +20,7 @@ from pointpred.errors import (
 )
 from pointpred.observers.inequalities import matrix_inequalities
 from pointpred.observers.inequalities.affine import Affine, scaled
+from pointpred.observers.inequalities.audit import Inequalities
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.proof import largest_margin, reach
 from pointpred.observers.inequalities.rescaling import rescaled
@@ -295,3 +296,19 @@ def test_numbers_that_overflow_are_too_large_rather_than_not_affine() -> None:
         pytest.raises(ParameterError, match="block holds numbers that are too large"),
     ):
         problem.check({"P": [[1.0]]})
+
+
+@pytest.mark.parametrize("size", [1.0, 1e8])
+def test_an_equality_is_judged_by_its_own_terms(size: float) -> None:
+    """Gamma = 1e8 is no excuse for a printed F that is off, nor is a first row of 1e8 for the second."""
+    scale = np.diag([size, 1.0])
+
+    def off(by: float) -> Inequalities:
+        problem = Inequalities("print").symmetric("P", 2).symmetric("Gamma", 1)
+        return problem.equal("P S - F", lambda v: scale @ v.P @ [[1.0], [3.0]] - scale @ [[1.0], [3.0 + by]])
+
+    values = {"P": np.eye(2), "Gamma": [[size]]}
+    assert off(0.0).check(values)["P S - F"] >= 0.0
+    assert off(1e-10).check(values)["P S - F"] >= 0.0
+    with pytest.raises(CertificateError, match=r"P S - F fails by 9\.[0-9]+e-07"):
+        off(1e-6).check(values)

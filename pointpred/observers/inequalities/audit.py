@@ -14,6 +14,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, ParameterError, UndecidedError
+from pointpred.observers.equalities import TOLERANCE, row_terms
 from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
 
@@ -107,7 +108,10 @@ class Inequalities:
         return self.below(name, lambda v: -np.asarray(block(v)), strict=strict)
 
     def equal(self, name: str, block: Block) -> Self:
-        """Require block(v) = 0 for a block of any shape; solved exactly before any solver runs."""
+        """Require block(v) = 0 for a block of any shape; solved exactly before any solver runs.
+
+        ``check`` accepts a residual of 1e-9 of the terms of its row.
+        """
         self._equalities[name] = block
         return self
 
@@ -123,9 +127,8 @@ class Inequalities:
         for name, block in self.blocks.items():
             margins[name] = self._least(name, block, numbers)[0]
         for name, block in self._equalities.items():
-            error = float(np.abs(np.asarray(block(named))).max())
-            size = max(1.0, float(np.abs(numbers).max()))
-            margins[name] = 1e-8 * size - error
+            left, terms = self.unknowns.equality(name, block, numbers)
+            margins[name] = float((TOLERANCE * row_terms(terms) - np.abs(left)).min(initial=np.inf))
         return margins
 
     def check(

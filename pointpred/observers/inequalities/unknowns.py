@@ -191,6 +191,13 @@ class Unknowns:
         """Give the sizes of the terms of a matrix that is computed, of which it may be a small difference."""
         self._terms[name] = terms
 
+    def equality(self, name: str, block: Block, numbers: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """A block of any shape as rows, and the size of each entry's terms before they cancel."""
+        constant, slopes = self._probed(name, block)
+        terms = np.abs(constant) + np.tensordot(np.abs(numbers), np.abs(slopes), 1)
+        left = np.asarray(block(self.matrices(numbers)), np.float64)
+        return np.atleast_2d(left), np.atleast_2d(terms)
+
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """A block as a symmetric matrix; raises ParameterError if it is not."""
         return symmetric(name, block(self.matrices(numbers)))
