@@ -31,8 +31,8 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
 
     zoh: (Ad Nd; 0 I) = exp(step_s (A0 N; 0 0)) with N = (A1 B Q) or (S1 G E).
 
-    Parameters: ``step_s`` in s, > 0. Raises ParameterError for a plant that is discrete or whose matrices
-    vary.
+    Parameters: ``step_s`` in s, > 0. Raises ParameterError for a plant or a generator that is discrete, and
+    for matrices that vary.
 
     >>> held = c2d(Persidskii([[-1.0]], None, None, "sin", B=[1.0]), 0.1)
     >>> held.A0.round(6).tolist(), held.B.round(6).tolist(), held.time
@@ -41,6 +41,8 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
     step_s = positive("step_s", step_s)
     one_of("method", method, METHODS)
     if isinstance(system, Generator):
+        if system.time == "discrete":
+            raise ParameterError("c2d needs a continuous generator, received a discrete one", field="system")
         parts = [np.zeros((system.q, 0)) if one is None else one for one in (system.S1, system.G, system.E)]
         s0, (s1, g, e) = _sampled(system.S0, parts, step_s, method)
         return Generator(
@@ -52,6 +54,7 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
             system.L1,
             e if system.E is not None else None,
             system.f,
+            time="discrete",
         )
     plant = as_plant(system)
     if plant.time == "discrete":

@@ -46,8 +46,8 @@ def share_of_terms(
 def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
     """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms.
 
-    >>> row_terms(np.array([[1e7, 4e-7], [0.0, 8e-7]])).tolist()
-    [[10000000.0, 8e-07], [10000000.0, 8e-07]]
+    >>> row_terms(np.array([[4.0, 2.0], [0.5, 1.0]])).tolist()
+    [[4.0, 4.0], [1.0, 1.0]]
     """
     columns = column_units(terms) if units is None else units
     return np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
@@ -69,7 +69,7 @@ def row_and_column_rounding(terms: FloatArray) -> FloatArray:
     A matrix from a computation holds 1e-17 where 0 is meant. Beside its own term, which is 1e-17 too, that is
     everything; beside the largest terms of its row and of its column, in their units, it is nothing.
 
-    >>> row_and_column_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17
+    >>> bool(row_and_column_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17)
     True
     """
     return ROUNDING * row_terms(terms)

@@ -8,6 +8,7 @@ from scipy import signal
 
 from pointpred.errors import ParameterError
 from pointpred.observers import Generator, Persidskii, c2d, residuals, steady_state_map, trajectory
+from pointpred.observers.documents.files import decoded, encoded
 
 A0 = np.array([[0.0, 1.0], [-2.0, -0.3]])
 PLANT = Persidskii(A0, [0.0, -0.5], [1.0, 0.0], "sin", [0.0, 1.0], [1.0, 0.0], [1.0, 0.0])
@@ -80,3 +81,17 @@ def test_what_cannot_be_sampled_is_named(arguments: tuple, message: str) -> None
         c2d(*arguments)
     with pytest.raises(ParameterError, match="method must be 'zoh' or 'euler'"):
         c2d(PLANT, 0.1, method="tustin")
+
+
+def test_a_generator_of_another_time_is_refused() -> None:
+    generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
+    sampled = c2d(generator, 0.1)
+    assert sampled.time == "discrete"
+    with pytest.raises(ParameterError, match="a continuous generator, received a discrete one"):
+        c2d(sampled, 0.1)
+    with pytest.raises(ParameterError, match="the generator is discrete and the plant continuous"):
+        steady_state_map(PLANT, sampled)
+    with pytest.raises(ParameterError, match="the generator is continuous and the plant discrete"):
+        steady_state_map(c2d(PLANT, 0.1), Generator([[0.0]], time="continuous"))
+    assert decoded(encoded(sampled)).time == "discrete"
+    assert decoded(encoded(generator)).time is None

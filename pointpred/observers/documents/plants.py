@@ -82,6 +82,7 @@ class GeneratorDocument(Document, tag="generator", frozen=True):
     L1: Rows | None = None
     E: Rows | None = None
     f: str | tuple[str, ...] | PythonFunction | None = None
+    time: Time | None = None
 
     @classmethod
     def of(cls, thing: Generator | Fitted) -> Self:
@@ -92,12 +93,13 @@ class GeneratorDocument(Document, tag="generator", frozen=True):
         return cls(
             **kept,
             f=None if own is None else _named(own),
+            time=getattr(thing, "time", None),
         )
 
     def made(self, functions: Functions) -> Generator:
         """The generator."""
         own = None if self.f is None else restored("generator.f", self.f, functions)
-        return Generator(**{name: getattr(self, name) for name in MATRICES}, f=own)
+        return Generator(**{name: getattr(self, name) for name in MATRICES}, f=own, time=self.time)
 
 
 class Corner(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

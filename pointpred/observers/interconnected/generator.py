@@ -11,7 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.equalities import TOLERANCE, column_units, share_of_terms
 from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import instance, matrix
+from pointpred.observers.matrices import TIMES, instance, matrix, one_of
 from pointpred.observers.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
 from pointpred.observers.persidskii import Persidskii, column
 
@@ -36,7 +36,7 @@ class Generator:
 
     Parameters: ``S0`` (q, q), ``S1`` (q, k), ``J`` (r, q) or ``None`` for the plant's, J = H Pi; ``G`` (q,
     p), ``L0`` (m, q), ``L1`` (m, k), ``E`` (q, z), ``None`` for zero; ``f`` the generator's own nonlinearity,
-    ``None`` for the plant's.
+    ``None`` for the plant's; ``time`` ``"continuous"`` or ``"discrete"``, ``None`` for the plant's.
     Raises ParameterError (a ValueError) naming the matrix.
 
     Reference: Khalin 2022, (3.2), (3.8).
@@ -56,7 +56,10 @@ class Generator:
         L1: Any = None,
         E: Any = None,
         f: Any = None,
+        *,
+        time: str | None = None,
     ) -> None:
+        self.time = None if time is None else one_of("time", time, TIMES)
         self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))
         self.q = len(self.S0)
         if not self.q:
@@ -74,11 +77,17 @@ class Generator:
     def beside(self, plant: Plant) -> Fitted:
         """Every matrix in the shape that the plant needs, zero where it was left out.
 
-        Raises ParameterError naming the matrix, its shape and the shape needed.
+        Raises ParameterError naming the matrix, its shape and the shape needed, and where the generator is
+        discrete and the plant is not, or the other way round.
         """
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
         given, plant, q = plant, as_plant(plant), self.q
+        if self.time not in (None, plant.time):
+            raise ParameterError(
+                f"the generator is {self.time} and the plant {plant.time}: sample the continuous one, c2d",
+                field="time",
+            )
         own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
         k = own[0] if own else plant.k
         needed = {
