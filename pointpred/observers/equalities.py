@@ -10,7 +10,7 @@ from pointpred.columns import FloatArray
 from pointpred.observers.matrices import ROUNDING, without_rounding
 
 TOLERANCE = 1e-9
-"""The largest residual of an equality of computed matrices, as a share of the terms of its row."""
+"""The largest residual of an equality of computed matrices, as a share of its own terms."""
 
 
 def share_of_terms(
@@ -20,27 +20,44 @@ def share_of_terms(
     *,
     rounding: FloatArray | None = None,
 ) -> float:
-    """The largest entry of a residual, as a share of its row's largest term: 0 holds, 1 fails completely.
+    """The largest share that an entry of a residual has of its own terms: 0 holds, 1 fails completely.
 
-    No entry of another row, another equality or another unit may hide that a row fails. The columns of a row
-    are compared in ``units`` that belong to them, so that a small unit of a column hides nothing either.
+    Entry by entry, so that no other row, column or equality hides that one fails, and no unit. What lies
+    within ``rounding`` counts as 0: a computed matrix holds 1e-17 where 0 is meant, which is all of its own
+    term and nothing beside the terms of its row, from which it was computed.
 
     Parameters: ``residual`` (rows, columns); ``terms`` of the same shape, the sums of the absolute values of
-    the terms before they cancel; ``units`` (columns,) by default those that the terms show; ``rounding`` of
-    the same shape, the size below which an entry of the residual is rounding of the matrices. NaN where an
-    entry is not finite.
+    the terms before they cancel; ``rounding`` of the same shape, by default that of the terms in ``units``
+    (columns,). NaN where an entry is not finite.
 
     >>> share_of_terms(np.array([[0.0, 4e-7]]), np.array([[1e7, 4e-7]]))
     1.0
-    >>> share_of_terms(np.array([[0.0], [1e-16]]), np.array([[2.0], [4.0]])) < 1e-15
-    True
+    >>> share_of_terms(np.array([[1e-16, 0.0], [0.0, 1e-17]]), np.array([[1e-16, 2.0], [4.0, 3.0]]))
+    0.0
     """
     if not residual.size:
         return 0.0
     left = np.abs(residual)
-    if rounding is not None:
-        left = np.where(left <= rounding, 0.0, left)
-    return float((left / or_one(row_terms(terms, units))).max())
+    beside = row_rounding(terms, units) if rounding is None else rounding
+    return float((np.where(left <= beside, 0.0, left) / or_one(terms)).max())
+
+
+def allowed(terms: FloatArray) -> FloatArray:
+    """How much may be left of each entry: ``TOLERANCE`` of its own terms, and what is rounding.
+
+    >>> allowed(np.array([[2.0, 0.0]])).round(16).tolist()
+    [[2.00002e-09, 2e-14]]
+    """
+    return TOLERANCE * terms + row_rounding(terms)
+
+
+def row_rounding(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
+    """What is rounding of each entry: a share of the largest term of its row, in the unit of its column.
+
+    >>> bool(row_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17)
+    True
+    """
+    return ROUNDING * row_terms(terms, units)
 
 
 def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
@@ -61,18 +78,6 @@ def column_units(stacked: FloatArray) -> FloatArray:
     """
     sizes = np.abs(stacked)
     return or_one((sizes / or_one(sizes.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0))
-
-
-def row_and_column_rounding(terms: FloatArray) -> FloatArray:
-    """What is rounding of each entry of matrices that are given: a share of its row and its column.
-
-    A matrix from a computation holds 1e-17 where 0 is meant. Beside its own term, which is 1e-17 too, that is
-    everything; beside the largest terms of its row and of its column, in their units, it is nothing.
-
-    >>> bool(row_and_column_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17)
-    True
-    """
-    return ROUNDING * row_terms(terms)
 
 
 def nearest_solutions(

@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.equalities import TOLERANCE, row_terms
+from pointpred.observers.equalities import allowed
 from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.interconnected.steady_state import equality_terms, residuals
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -133,7 +133,7 @@ def _audited(
 ) -> dict[str, float]:
     """The residuals; raises CertificateError for an entry that neither rounding explains.
 
-    What is rounding of the computation is a share of the row's own terms.
+    What is rounding of the computation is a share of the entry's own terms.
     """
     rounding = positive("rounding", rounding, zero=True)
     found = left(given)
@@ -141,7 +141,7 @@ def _audited(
     effect = _effect(left, given, rounding) if rounding else none
     failed = []
     for name, one in found.items():
-        excess = np.abs(one) - effect[name] - TOLERANCE * row_terms(terms[name])
+        excess = np.abs(one) - effect[name] - allowed(terms[name])
         if not (excess <= 0.0).all():
             place = np.unravel_index(int(np.argmax(excess)), excess.shape)
             excuse = (

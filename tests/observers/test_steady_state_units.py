@@ -45,7 +45,7 @@ def test_a_wrong_map_is_refused_however_large_an_entry_is_elsewhere(unit: float)
     plant = Persidskii([[-1.0]], None, None, "sin", B=[unit], C0=[1.0])
     generator = Generator([[0.0]], L0=[1.0 / unit])
     with pytest.raises(
-        InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* residual is 4, 0\.7 of its row's"
+        InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* residual is 4, 0\.7 of its terms"
     ):
         design_observer(plant, generator, [[5.0]])
     with pytest.raises(CertificateError, match="residual is 4, nothing is rounded"):
@@ -60,7 +60,7 @@ def test_one_row_of_a_map_does_not_hide_another(unit: float) -> None:
     generator = Generator([[0.0]], L0=[1.0])
     right = np.array([[1.0], [unit]])
     assert steady_state_map(plant, generator).Pi == pytest.approx(right)
-    with pytest.raises(InfeasibleError, match=r"0\.0005 of its row's terms"):
+    with pytest.raises(InfeasibleError, match=r"0\.0005 of its terms"):
         design_observer(plant, generator, right * [[1.0], [1.001]])
 
 
@@ -79,3 +79,14 @@ def test_rounding_in_a_map_of_the_caller_is_no_failure() -> None:
     )
     generator = Generator([[0.0, 1.0], [-2.0, -3.0]], [1e-17, -2.0], None, None, np.array([[1e-17, 0.0]]))
     assert min(design_observer(plant, generator, np.eye(2) + 1e-17).margins.values()) > 0.0
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e11])
+def test_one_column_of_a_map_does_not_hide_another(unit: float) -> None:
+    """The first state follows the second signal wrongly, whose unit may be that of the second state."""
+    plant = Persidskii(np.diag([-1.0, -1.0]), None, None, "sin", np.eye(2), None, np.eye(2))
+    right = np.array([[1e4, 4e-4 * unit], [0.0, 8e-4 * unit]])
+    generator = Generator(np.zeros((2, 2)), L0=right)
+    assert min(design_observer(plant, generator, right).margins.values()) > 0.0
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* 0\.3 of its terms"):
+        design_observer(plant, generator, right * [[1.0, 2.0], [1.0, 1.0]])

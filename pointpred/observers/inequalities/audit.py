@@ -14,7 +14,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, ParameterError, UndecidedError
-from pointpred.observers.equalities import TOLERANCE, row_terms
+from pointpred.observers.equalities import allowed
 from pointpred.observers.inequalities.definite import ROUNDING, least
 from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
 
@@ -110,7 +110,7 @@ class Inequalities:
     def equal(self, name: str, block: Block) -> Self:
         """Require block(v) = 0 for a block of any shape; solved exactly before any solver runs.
 
-        ``check`` accepts a residual of 1e-9 of the terms of its row.
+        ``check`` accepts a residual of 1e-9 of its own terms.
         """
         self._equalities[name] = block
         return self
@@ -128,7 +128,7 @@ class Inequalities:
             margins[name] = self._least(name, block, numbers)[0]
         for name, block in self._equalities.items():
             left, terms = self.unknowns.equality(name, block, numbers)
-            margins[name] = float((TOLERANCE * row_terms(terms) - np.abs(left)).min(initial=np.inf))
+            margins[name] = float((allowed(terms) - np.abs(left)).min(initial=np.inf))
         return margins
 
     def check(

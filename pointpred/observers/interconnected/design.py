@@ -189,7 +189,7 @@ def certified_design(
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
     """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual.
 
-    Each row must hold to ``TOLERANCE`` of its own terms: a large entry elsewhere, such as a B for inputs in
+    Each entry must hold to ``TOLERANCE`` of its own terms: a large entry elsewhere, such as a B for inputs in
     small units, says nothing about it.
     """
     for relaxed in (True, False):
@@ -200,7 +200,7 @@ def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None
     name = max(failed, key=lambda one: failed[one][1])
     worst, part = failed[name]
     raise InfeasibleError(
-        f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its row's terms: "
+        f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its terms: "
         "take Pi from steady_state_map, with all digits"
     )
 

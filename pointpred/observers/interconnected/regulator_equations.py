@@ -49,7 +49,7 @@ def regulator_equations(
     Assumes a generator without G (its L0 and L1 are not used) and constant matrices.
 
     Parameters: ``following`` R (any, n) and F (as many, q); ``tolerance`` of a residual, (0, 1), relative to
-    the largest of its row's own terms. Raises InfeasibleError naming the equality that cannot hold and, where
+    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where
     it is one, the zero of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
 
     Reference: Khalin 2022, (3.3) with G = 0; Francis and Wonham 1976.
@@ -90,7 +90,7 @@ def checked_equations(
     """The equations of given matrices, such as those of a file, for a generator w' = S0 w + E rho.
 
     Residuals and nullity are computed. Raises CertificateError naming an equality that does not hold to
-    ``TOLERANCE`` of its rows' own terms; ParameterError for a shape.
+    ``TOLERANCE`` of its own terms; ParameterError for a shape.
     """
     q = len(S0)
     rows = matrix("R", R, None, plant.n)
@@ -151,7 +151,7 @@ class _Problem(msgspec.Struct, frozen=True):
         return {name: float(np.abs(one).max(initial=0.0)) for name, one in self.left(numbers).items()}
 
     def failing(self, numbers: FloatArray, tolerance: float) -> str | None:
-        """The equality that fails most, if one leaves more than this share of its rows' own terms."""
+        """The equality that fails most, if one leaves more than this share of its own terms."""
         terms = self.left(numbers, np.abs, 1.0)
         shares = {name: share_of_terms(one, terms[name]) for name, one in self.left(numbers).items()}
         failed = [name for name, part in shares.items() if not part <= tolerance]

@@ -14,7 +14,7 @@ from pointpred.observers.equalities import (
     TOLERANCE,
     column_units,
     nearest_solutions,
-    row_and_column_rounding,
+    row_rounding,
     share_of_terms,
 )
 from pointpred.observers.interconnected.generator import Generator, fitted
@@ -63,16 +63,16 @@ def residuals(
 def relative_residuals(
     plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
 ) -> dict[str, tuple[float, float]]:
-    """The largest residual of each equality, and the largest share that an entry has of its row's terms.
+    """The largest residual of each equality, and the largest share that an entry has of its own terms.
 
-    The share does not depend on the units of states, inputs, outputs and time: 1 where a row fails
-    completely, however large the entries of other rows and equalities are.
+    The share does not depend on the units of states, inputs, outputs and time: 1 where an entry fails
+    completely, however large those of other rows, columns and equalities are.
     """
     left = residuals(plant, generator, Pi, relaxed=relaxed)
     terms = equality_terms(plant, generator, Pi, relaxed=relaxed)
     # Rows of the plant's states go through all equalities but that of J: they show together what is rounding.
     states = [name for name in terms if name != SHARED]
-    wide = row_and_column_rounding(np.hstack([terms[name] for name in states]))
+    wide = row_rounding(np.hstack([terms[name] for name in states]))
     ends = np.cumsum([terms[name].shape[1] for name in states])[:-1]
     rounding = dict(zip(states, np.split(wide, ends, axis=1), strict=True))
     # The columns of J belong to the generator's states, whose units the first equality shows.
@@ -137,8 +137,8 @@ def steady_state_map(
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
-    Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest of its row's own terms, for
-    matrices rounded in print; ``times`` in s (indices in discrete time). Raises InfeasibleError naming the
+    Parameters: ``tolerance`` of a residual, (0, 1), relative to its own terms, for matrices rounded in
+    print; ``times`` in s (indices in discrete time). Raises InfeasibleError naming the
     violated equality and its residual, ParameterError, UndecidedError where a Riccati equation has no
     isolated solution that satisfies the rest.
 

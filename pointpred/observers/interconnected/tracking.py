@@ -90,7 +90,7 @@ def certify_tracking(
     is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
 
     Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
-    of the equalities, a share of their rows' own terms, for matrices rounded in print; ``margin`` and
+    of the equalities, a share of their own terms, for matrices rounded in print; ``margin`` and
     ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
     UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
