@@ -35,7 +35,7 @@ from pointpred.observers.examples import (
 )
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
-from pointpred.observers.unknown_input.gains import ROOM
+from pointpred.observers.unknown_input.gains import ROOMS
 
 DIGITS = 40
 Fact = tuple[str, str, float, float]
@@ -218,7 +218,7 @@ def camera() -> list[Fact]:
     facts: list[Fact] = []
     for sigma in (0.01, 0.05, 0.09, 0.092, 0.095):
         box = camera_box((-2.0, -0.07), turn=(-0.02, 0.02), a_z=(-0.1, 0.1), w=(-0.06, 0.06), dw=(-0.1, 0.1))
-        gamma = UnknownInputObserver.design(camera_system(), box, sigma).certificate.gamma / ROOM
+        gamma = UnknownInputObserver.design(camera_system(), box, sigma).certificate.gamma / ROOMS[0].factor
         facts.append(("camera", f"least gamma, sigma = {sigma:g} 1/s", gamma, minimum(sigma, box.bounds)))
     return facts
 

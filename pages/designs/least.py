@@ -7,7 +7,7 @@ from typing import Any
 
 import mpmath
 
-from pointpred.observers.unknown_input.gains import MODEST
+from pointpred.observers.unknown_input.gains import ROOMS
 
 
 def least_gamma(p: mpmath.mpf, sigma: mpmath.mpf, bounds: dict[str, Any]) -> mpmath.mpf:
@@ -28,13 +28,13 @@ def least_gamma(p: mpmath.mpf, sigma: mpmath.mpf, bounds: dict[str, Any]) -> mpm
 
 
 def minimum(sigma: float, bounds: dict[str, tuple[float, float]]) -> mpmath.mpf:
-    """The gamma at the least gamma + MODEST trace P, which is convex in p, by golden sections in log p."""
+    """The gamma at the least gamma + 0.01 trace P, which is convex in p, by golden sections in log p."""
     exact = {name: tuple(mpmath.mpf(str(round(one, 12))) for one in pair) for name, pair in bounds.items()}
     s, ratio = mpmath.mpf(str(sigma)), (mpmath.sqrt(5) - 1) / 2
 
     def value(log_p: mpmath.mpf) -> mpmath.mpf:
         p = mpmath.exp(log_p)
-        return least_gamma(p, s, exact) + MODEST * (p + 1)
+        return least_gamma(p, s, exact) + ROOMS[0].weight * (p + 1)
 
     low, high = mpmath.mpf(0), mpmath.mpf(14)
     for _ in range(50):

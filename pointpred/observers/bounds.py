@@ -27,16 +27,45 @@ class ErrorBound(msgspec.Struct, frozen=True):
     disturbances: tuple[str, ...]
 
     def __call__(self, t: float, initial: float, **largest: float) -> float:
-        """The bound at t for an initial error and the largest norm of each disturbance that is present."""
+        """The bound at t for an initial error and the largest norm of each disturbance that is present.
+
+        Raises ParameterError for numbers below 0 or not finite, and for another disturbance.
+        """
         foreign = set(largest) - set(self.disturbances)
         if foreign:
             raise ParameterError(
                 f"the disturbances are {', '.join(self.disturbances)}, received {', '.join(sorted(foreign))}"
             )
+        t, initial = positive("t", t, zero=True), positive("initial", initial, zero=True)
         forced = sum(
-            gain * largest.get(name, 0.0) for name, gain in zip(self.disturbances, self.gains, strict=True)
+            gain * positive(name, largest.get(name, 0.0), zero=True)
+            for name, gain in zip(self.disturbances, self.gains, strict=True)
         )
         return self.overshoot * exp(-self.rate * t) * initial + forced
+
+
+def region(P: Any, J: FloatArray, domain: float, reach: FloatArray) -> tuple[float, float]:
+    """The region of validity where abs(J w) stays within ``reach`` (rows of J) on the true trajectory.
+
+    Returns the level c of the ellipsoid e'Pe <= c that keeps abs(J (w + e)) within ``domain``, and the
+    radius of the largest ball in it; both infinite if the domain is. Raises CertificateError if the
+    trajectory itself leaves the domain, ParameterError for a ``reach`` that is no bound.
+
+    >>> region(np.diag([4.0, 1.0]), np.array([[1.0, 0.0]]), 2.0, np.array([0.5]))  # abs(e[0]) <= 1.5
+    (9.0, 1.5)
+    """
+    for one in reach.tolist():
+        positive("reach", one, zero=True)
+    p, moved = np.asarray(P, np.float64), J.any(axis=1)
+    if np.isinf(domain) or not moved.any():
+        return np.inf, np.inf
+    j, room = J[moved], domain - reach[moved]
+    if (room <= 0.0).any():
+        raise CertificateError(
+            f"the trajectory reaches {reach[moved].max():g}, the slopes hold within {domain:g} only"
+        )
+    level = float((room**2 / np.einsum("ij,jk,ik->i", j, np.linalg.inv(p), j)).min())
+    return level, sqrt(level / float(np.linalg.eigvalsh(p).max()))
 
 
 def eigenvalues(name: str, value: Any) -> FloatArray:

@@ -22,12 +22,13 @@ def error_system(observer: Any) -> ErrorSystem:
     """The system that an observer's error obeys, for ``l2_gain``, ``certify_decay`` and simulations.
 
     - ``ObserverDesign``, (3.6): w - w^, disturbed by ``v`` of Y, ``eps`` (v~ is v + eps) and ``w`` of the
-    generator - ``ReducedOrderDesign``, ``InvariantObserver``, (3.26): w^ - (Pi x + Upsilon y), disturbed by
-    ``delta`` of the observer's equation and by ``v`` of y
+      generator
+    - ``ReducedOrderDesign``, ``InvariantObserver``, (3.26): w^ - (Pi x + Upsilon y), disturbed by ``delta``
+      of the observer's equation and by ``v`` of y
     - ``InterlacedObserver``, Theorem 4.4.1: w - w^, disturbed by ``v``, noise and the plant's distance from
-    its steady state
+      its steady state
     - ``UnknownInputObserver``, Theorem 1 of the camera paper: T x - z, disturbed by ``delta`` = (A(p) -
-    A(p^)) x
+      A(p^)) x
 
     Raises ParameterError for anything else, and where the observer's matrices vary; CertificateError where
     w = Pi x + Upsilon y is not invariant, so that its error obeys no such equation.

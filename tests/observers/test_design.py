@@ -24,6 +24,7 @@ from pointpred.observers import (
     theorem_3_2_1,
     trajectory,
 )
+from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.interconnected.design import certified_design
 
 
@@ -64,6 +65,20 @@ def audit(design: ObserverDesign) -> float:
                 change = lift.T @ v["P"] @ whole + whole.T @ v["P"] @ lift
             worst = max(worst, float(np.linalg.eigvalsh(change - supply).max()))
     return worst
+
+
+@pytest.mark.parametrize(
+    ("t", "initial", "noise", "field"),
+    [(-1.0, 1.0, 1.0, "t"), ("a", 1.0, 1.0, "t"), (0.0, -1.0, 1.0, "initial"), (0.0, 1.0, float("nan"), "v")],
+)
+def test_a_bound_refuses_what_is_no_time_and_no_size(
+    t: Any, initial: float, noise: float, field: str
+) -> None:
+    bound = ErrorBound(2.0, 1.0, (3.0,), ("v",))
+    assert bound(0.0, 1.0, v=1.0) == 5.0
+    with pytest.raises(ParameterError) as refused:
+        bound(t, initial, v=noise)
+    assert refused.value.field == field
 
 
 @given(st.integers(0, 2**31), st.sampled_from(["continuous", "discrete"]))

@@ -49,6 +49,35 @@ def linear(a: Any, b: Any, c: Any, time: str = "continuous") -> ErrorSystem:
     return ErrorSystem(a[None], b[None], c, ("",), {"d": b.shape[1]}, time)
 
 
+@pytest.mark.parametrize(
+    ("changed", "field"),
+    [
+        ({"time": "Discrete"}, "time"),
+        ({"A": [[[1.0, 0.0]]]}, "A"),
+        ({"A": [[0.5]]}, "A"),
+        ({"A": [[[float("nan")]]]}, "A"),
+        ({"A": 0.5}, "A"),
+        ({"B": [[[1.0]], [[2.0]]]}, "A"),
+        ({"B": "none"}, "B"),
+        ({"C": [[1.0, 2.0]]}, "C"),
+        ({"names": ()}, "names"),
+        ({"disturbances": {"d": 2}}, "disturbances"),
+        ({"disturbances": {"d": "one"}}, "disturbances"),
+        ({"domain": -1.0}, "domain"),
+    ],
+)
+def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: str) -> None:
+    """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
+    right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
+    right |= {"disturbances": {"d": 1}, "time": "continuous"}
+    assert certify_decay(ErrorSystem(**right)).bound.rate > 0.0
+    with pytest.raises(InfeasibleError):
+        certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
+    with pytest.raises(ParameterError) as refused:
+        ErrorSystem(**{**right, **changed})
+    assert refused.value.field == field
+
+
 @pytest.mark.parametrize(("frequency", "damping"), RESONANCES)
 def test_the_norm_of_a_resonance_is_known(frequency: float, damping: float) -> None:
     a = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * damping * frequency]])

@@ -87,6 +87,40 @@ def test_the_margins_are_those_of_the_matrices() -> None:
         found.region(2.5)
 
 
+def test_the_region_of_an_observer_that_varies_holds_at_every_certified_time() -> None:
+    """J is 1 at 0 s and 10 at 1 s: an error of 0.5 / 10 reaches the domain at 1 s."""
+    plant = Persidskii(
+        [[0.0, 1.0], [0.0, 0.0]],
+        [0.0, -0.1],
+        lambda t: [[0.0, 1.0 + 9.0 * t]],
+        "tanh",
+        C0=[1.0, 0.0],
+        domain=1.0,
+    )
+    observer = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True)
+    for times in ((0.0, 1.0), (1.0, 0.0)):
+        level, radius = certify_convergence(observer, times=times).region(0.5)
+        assert radius == pytest.approx(0.05)
+        assert level > 0.0
+    assert certify_convergence(observer, times=[0.0]).region(0.5)[1] == pytest.approx(0.5)
+
+
+def test_the_theorems_do_not_speak_of_another_f_than_the_observers() -> None:
+    plant = Persidskii(
+        [[0.0, 1.0], [0.0, -0.5]], [0.0, 1.0], [0.0, 1.0], "atan", C0=[1.0, 0.0], time="discrete"
+    )
+    observer = invariant_observer(plant, [[0.0, 1.0]], [[0.0]])
+    for theorem in (theorem_3_3_1, theorem_3_3_2):
+        with pytest.raises(ParameterError, match="slopes of f, 'atan', must hold everywhere"):
+            theorem(observer, (0.0, 0.1))
+    with pytest.raises(ParameterError, match=r"gamma must be at least 1, .* received 0\.3") as refused:
+        theorem_3_3_2(observer, gamma=0.3)
+    assert refused.value.field == "gamma"
+    with pytest.raises(InfeasibleError):
+        theorem_3_3_2(observer, gamma=1.0).solve()
+    assert theorem_3_3_1(observer, (-0.5, 2.0), 0.1).name == "Theorem 3.3.1"
+
+
 def test_upsilon_is_found_where_the_equalities_tie_it() -> None:
     tied = design_reduced_order(masses(), PI, decay=0.1)
     assert tied.Upsilon[0] == pytest.approx([-1.0, 0.0], abs=1e-9)  # J Z = H

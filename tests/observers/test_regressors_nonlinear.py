@@ -132,7 +132,25 @@ def test_without_excitation_p_does_not_settle() -> None:
     t = np.linspace(0.0, 1.0, 50)
     with pytest.raises(UndecidedError, match="no excitation"):
         regression_margin(t, np.ones((50, 2)), np.full(50, 0.5), 1.0)
-    with pytest.raises(ParameterError, match="weight must be 50 numbers"):
-        regression_margin(t, np.ones((50, 2)), np.full(50, 1.5), 1.0)
-    with pytest.raises(ParameterError, match="gain must be above 0 and flattest"):
-        regression_margin(t, np.ones((50, 2)), np.full(50, 0.5), -1.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "field"),
+    [
+        ({"weight": np.full(50, 1.5)}, "weight"),
+        ({"weight": np.full(49, 0.5)}, "weight"),
+        ({"weight": ["much"] * 50}, "weight"),
+        ({"gain": -1.0}, "gain"),
+        ({"gain": "high"}, "gain"),
+        ({"flattest": 1.5}, "flattest"),
+        ({"flattest": "flat"}, "flattest"),
+        ({"t": ["early", "late"]}, "t"),
+        ({"regressor": [["a"]] * 50}, "signal"),
+        ({"regressor": [[1.0], [1.0, 2.0]]}, "signal"),
+    ],
+)
+def test_records_that_are_no_numbers_are_refused(given: dict[str, Any], field: str) -> None:
+    record = {"t": np.linspace(0.0, 1.0, 50), "regressor": np.ones((50, 2)), "weight": np.full(50, 0.5)}
+    with pytest.raises(ParameterError) as refused:
+        regression_margin(**{**record, "gain": 1.0, **given})
+    assert refused.value.field == field

@@ -8,7 +8,6 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 
 
@@ -50,11 +49,6 @@ def entries(value: Any) -> Any:
         return PythonFunction(getattr(value, "__name__", type(value).__name__))
     table = np.asarray(value, np.float64)
     return table.tolist() if table.size else None
-
-
-def array(value: Any) -> FloatArray:
-    """The numbers of a field, checked where they are used."""
-    return np.asarray(value, np.float64)
 
 
 def finite(value: float) -> float | None:

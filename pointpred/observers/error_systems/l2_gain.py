@@ -24,10 +24,10 @@ ROOM = 1e-6
 class L2Gain(msgspec.Struct, frozen=True):
     """The gain from delta to z lies between ``lower`` and ``upper``.
 
-    For a linear system it is the H-infinity norm. ``lower`` is the largest H-infinity norm of a corner,
-    reached at ``frequency`` in rad/s (rad/step) at ``corner``. ``upper`` is proved for every f with these
-    slopes, also for slopes that change, by ``P`` with the recomputed ``margins``, while the arguments of f
-    stay within ``domain``.
+    ``lower`` is the largest H-infinity norm of a corner, for a linear system the gain itself; it is reached
+    at ``frequency`` in rad/s (rad/step) at ``corner``. ``upper`` is proved for every f with these slopes,
+    also for slopes that change, by ``P`` with the recomputed ``margins``, while the arguments of f stay
+    within ``domain``.
     """
 
     lower: float

@@ -11,10 +11,11 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.detectability import vertices
 from pointpred.observers.eigenvalues import require_decay
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive
 
 
 class ErrorSystem(msgspec.Struct, frozen=True):
@@ -24,6 +25,9 @@ class ErrorSystem(msgspec.Struct, frozen=True):
     ``names`` of the corners, "" for a linear system's only one; ``disturbances`` names the parts of delta and
     their widths, in the order of B's columns. The corners hold while the arguments of f stay within
     ``domain``, and so does every proof that is made of them.
+
+    Raises ParameterError for shapes that do not fit each other, entries that are not finite, and a ``time``
+    other than "continuous" and "discrete".
     """
 
     A: FloatArray
@@ -33,6 +37,33 @@ class ErrorSystem(msgspec.Struct, frozen=True):
     disturbances: dict[str, int]
     time: str
     domain: float = inf
+
+    def __post_init__(self) -> None:
+        a, b = stack("A", self.A), stack("B", self.B)
+        if a.shape[1] != a.shape[2] or b.shape[:2] != a.shape[:2]:
+            raise ParameterError(
+                "A and B need the shapes (corners, n, n) and (corners, n, m), "
+                f"received {a.shape} and {b.shape}",
+                field="A",
+            )
+        for name, value in (("A", a), ("B", b), ("C", matrix("C", self.C, None, a.shape[1]))):
+            msgspec.structs.force_setattr(self, name, value)
+        names = tuple(listed("names", self.names))
+        if len(names) != len(a):
+            raise ParameterError(
+                f"names must be {len(a)}, one for each corner, received {names!r}", field="names"
+            )
+        msgspec.structs.force_setattr(self, "names", names)
+        widths = list(instance("disturbances", self.disturbances, dict).values())
+        if not all(is_number(one) and one == int(one) >= 0 for one in widths) or sum(widths) != b.shape[2]:
+            raise ParameterError(
+                f"the widths of disturbances must add up to the {b.shape[2]} columns of B, received "
+                f"{self.disturbances!r}",
+                field="disturbances",
+            )
+        one_of("time", self.time, TIMES)
+        if self.domain != inf:
+            positive("domain", self.domain)
 
     @property
     def n(self) -> int:
@@ -65,6 +96,18 @@ class ErrorSystem(msgspec.Struct, frozen=True):
         Raises InfeasibleError naming an eigenvalue that does not decay, and its corner.
         """
         return require_decay(zip(self.names, self.A, strict=True), self.time, "the error system")
+
+
+def stack(name: str, value: Any) -> FloatArray:
+    """Matrices of one shape, one for each corner; raises ParameterError for anything else."""
+    corners = [matrix(name, one) for one in listed(name, value)]
+    if not corners or dimensions(value) != 3:
+        raise ParameterError(
+            f"{name} must be a list of matrices of one shape, one for each corner, received {value!r:.80}",
+            field=name,
+            value=value,
+        )
+    return np.array(corners)
 
 
 def sloped_system(

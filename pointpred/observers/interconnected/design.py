@@ -11,7 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.balance import form, inward, outward
-from pointpred.observers.bounds import ErrorBound, interconnection_bound
+from pointpred.observers.bounds import ErrorBound, interconnection_bound, region
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.equalities import TOLERANCE
 from pointpred.observers.inequalities.audit import answer_of_a_search
@@ -53,18 +53,7 @@ class ObserverDesign(msgspec.Struct, frozen=True):
         """
         j = self.plant.H @ self.Pi
         reaches = vector("reach", np.full(len(j), reach) if is_number(reach) else reach, len(j))
-        for one in reaches.tolist():
-            positive("reach", one, zero=True)
-        if np.isinf(self.plant.domain):
-            return np.inf, np.inf
-        room = self.plant.domain - reaches
-        if (room <= 0.0).any():
-            raise CertificateError(
-                f"the trajectory reaches {np.max(reach):g}, the slopes hold within {self.plant.domain:g} only"
-            )
-        spread = np.einsum("ij,jk,ik->i", j, np.linalg.inv(self.values["P"]), j)
-        level = float((room**2 / spread).min())
-        return level, float(np.sqrt(level / np.linalg.eigvalsh(self.values["P"]).max()))
+        return region(self.values["P"], j, self.plant.domain, reaches)
 
 
 def design_observer(
@@ -152,7 +141,14 @@ def design_observer(
         values["W"] = form(inner["W"], x, t)
     gap = np.inf if solution.gap is None else solution.gap
     with answer_of_a_search():
-        return certified_design(plant, generator, Pi, m, values, gap, **bounds)
+        try:
+            return certified_design(plant, generator, Pi, m, values, gap, **bounds)
+        except CertificateError:
+            if gain is not None:
+                raise
+            # The rounding of a large M = P^-1 U can exceed the margins of U: that M needs a P of its own.
+            again = design_observer(plant, generator, Pi, gain=m, decay=decay, solver=solver, **bounds)
+            return msgspec.structs.replace(again, gap=np.inf)
 
 
 def certified_design(

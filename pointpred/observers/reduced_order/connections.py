@@ -9,9 +9,10 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import matrix, moments
-from pointpred.observers.nonlinearity import intervals
-from pointpred.observers.persidskii import column, row
+from pointpred.observers.nonlinearity import intervals, nonlinearity
+from pointpred.observers.persidskii import Persidskii, column, row
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred.observers.slopes import require_slopes
 
 Slopes = tuple[tuple[float, float], ...] | None
 
@@ -21,7 +22,8 @@ def connections_of(
 ) -> tuple[list[Connection], Slopes]:
     """The matrices at each time, of an observer or as printed, with the slopes of f.
 
-    Raises ParameterError for anything else, and for printed matrices whose shapes do not fit.
+    Raises ParameterError for anything else, for slopes that the f of an observer's plant does not have, and
+    for printed matrices whose shapes do not fit; the slopes of a printed f are the caller's own.
 
     >>> one = connections_of({"S0": [[-1.0]], "S1": [1.0], "J": [2.0]}, [(0.0, 1.0)])[0][0]
     >>> one.S0.tolist(), one.S1.tolist(), one.J.tolist()
@@ -30,7 +32,7 @@ def connections_of(
     if isinstance(observer, InvariantObserver):
         varying = "the observer" if observer.varying else ""
         connections = [observer.at(t) for t in moments(varying, times, "checked")]
-        slopes = observer.plant.slopes if slopes is None else slopes
+        slopes = _slopes_of(observer.plant, slopes, any(one.S1.any() for one in connections))
     elif isinstance(observer, Mapping):
         connections = [_printed(observer)]
     elif isinstance(observer, list) and observer and all(isinstance(one, Connection) for one in observer):
@@ -43,6 +45,16 @@ def connections_of(
         )
     k = connections[0].S1.shape[1]
     return connections, intervals(slopes, k) if k and slopes is not None else slopes
+
+
+def _slopes_of(plant: Persidskii, slopes: Any, sloped: bool) -> Slopes:
+    """The slopes of a plant's f, or those passed; raises ParameterError where f does not have them."""
+    if slopes is None:
+        return plant.slopes
+    stated = intervals(slopes, plant.k)
+    if sloped:
+        require_slopes(nonlinearity(plant.f, plant.k, stated), plant.k, plant.r, plant.domain)
+    return stated
 
 
 def _printed(given: Mapping[str, Any]) -> Connection:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import Any
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError
-from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound
+from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound, region
 from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection
@@ -21,7 +19,8 @@ class Convergence(msgspec.Struct, frozen=True):
 
     ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
     them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
-    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them. ``gap``: how far the
+    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them, the rows of one
+    certified time below those of another. ``gap``: how far the
     least condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below
     that of this one, relative to it; infinite if nothing is proved.
     """
@@ -42,18 +41,9 @@ class Convergence(msgspec.Struct, frozen=True):
         CertificateError if the trajectory itself leaves the domain, ParameterError for a ``reach`` that is
         no bound.
         """
-        reach = positive("reach", reach, zero=True)
-        if np.isinf(self.domain) or not self.J.any():
-            return np.inf, np.inf
-        room = self.domain - reach
-        if room <= 0.0:
-            raise CertificateError(
-                f"the trajectory reaches {reach:g}, the slopes hold within {self.domain:g} only"
-            )
-        p = np.asarray(self.values["P"])
-        spread = float(np.einsum("ij,jk,ik->i", self.J, np.linalg.inv(p), self.J).max())
-        level = room**2 / spread
-        return level, sqrt(level / float(np.linalg.eigvalsh(p).max()))
+        return region(
+            self.values["P"], self.J, self.domain, np.full(len(self.J), positive("reach", reach, zero=True))
+        )
 
 
 def convergence(
@@ -69,5 +59,7 @@ def convergence(
     else:
         bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
     theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
-    domain = plant.domain if any(one.S1.any() for one in connections) else np.inf
-    return Convergence(theorem, values, margins, bound, connections[0].J, domain, gap)
+    sloped = [one.J for one in connections if one.S1.any()]
+    domain = plant.domain if sloped else np.inf
+    j = np.vstack(sloped) if sloped else np.zeros((0, len(connections[0].S0)))
+    return Convergence(theorem, values, margins, bound, j, domain, gap)

@@ -20,9 +20,10 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import instance, matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.connections import connections_of
+from pointpred.observers.reduced_order.connections import Slopes, connections_of
 from pointpred.observers.reduced_order.convergence import Convergence, convergence
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred.observers.slopes import ROUNDING
 from pointpred.observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
@@ -85,11 +86,16 @@ def theorem_3_3_2(
 
     Parameters: ``observer``, ``slopes`` and ``times`` as for ``theorem_3_3_1``; ``gamma`` of the theorem,
     with abs(f(Jw) - f(Jz)) <= gamma abs(w - z), by default the L with abs(L (w - z)) that the slopes imply.
+    Raises ParameterError for a gamma below the norm of that L, where an observer has slopes.
     """
     connections, slopes = connections_of(observer, slopes, times)
-    bounds_of_f = [
-        lipschitz(slopes, one.J) if gamma is None else positive("gamma", gamma) for one in connections
-    ]
+    bounds_of_f: list[Any] = [gamma] * len(connections)
+    if gamma is None:
+        bounds_of_f = [lipschitz(slopes, one.J) for one in connections]
+    elif isinstance(observer, InvariantObserver) and slopes is not None:
+        _require_lipschitz(positive("gamma", gamma), slopes, connections)
+    else:
+        positive("gamma", gamma)
     q = len(connections[0].S0)
     problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
@@ -193,6 +199,19 @@ def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> 
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
     steepest = np.abs(np.array(slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
     return np.asarray(steepest[:, None] * j, np.float64)
+
+
+def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connection]) -> None:
+    """Raise ParameterError for a gamma that f exceeds, by its slopes, at one of the observer's matrices."""
+    for one in connections:
+        least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if one.S1.any() else 0.0
+        if gamma < least * (1.0 - ROUNDING):
+            raise ParameterError(
+                f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
+                "leave it out, or pass the slopes of f where they are narrower",
+                field="gamma",
+                value=gamma,
+            )
 
 
 def symmetric(square: FloatArray) -> FloatArray:

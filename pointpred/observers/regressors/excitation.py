@@ -121,7 +121,7 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
 
 def increasing(t: ArrayLike) -> FloatArray:
     """Times as numbers; raises ParameterError unless there are two and they increase."""
-    times = np.asarray(t, np.float64)
+    times = numbers("t", t)
     if times.ndim != 1 or len(times) < 2 or not np.isfinite(times).all() or np.diff(times).min() <= 0.0:
         raise ParameterError(
             f"t must be at least two finite, increasing times, received shape {times.shape}", field="t"
@@ -129,16 +129,28 @@ def increasing(t: ArrayLike) -> FloatArray:
     return times
 
 
+def numbers(name: str, value: ArrayLike) -> FloatArray:
+    """An array of any shape; raises ParameterError for what is no array of numbers."""
+    try:
+        return np.asarray(value, np.float64)
+    except (TypeError, ValueError) as unusable:
+        raise ParameterError(
+            f"{name} must be an array of numbers, received {value!r:.80}", field=name, value=value
+        ) from unusable
+
+
 def samples(signal: ArrayLike, count: int | None) -> FloatArray:
     """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
-    values = np.asarray(signal, np.float64)
+    values = numbers("signal", signal)
     if values.ndim == 2:
         values = values[:, None, :]
     if values.ndim != 3 or values.size == 0 or (count is not None and len(values) != count):
         rows = "samples" if count is None else str(count)
-        raise ParameterError(f"a signal needs shape ({rows}, n) or ({rows}, p, n), received {values.shape}")
+        raise ParameterError(
+            f"a signal needs shape ({rows}, n) or ({rows}, p, n), received {values.shape}", field="signal"
+        )
     if not np.isfinite(values).all():
-        raise ParameterError("a signal must be finite in every sample")
+        raise ParameterError("a signal must be finite in every sample", field="signal")
     return values
 
 

@@ -13,6 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
 from pointpred.observers import nonlinearity
+from pointpred.observers.matrices import positive, vector
 from pointpred.observers.nonlinearity import KNOWN
 from pointpred.observers.regressors.excitation import increasing, samples
 from pointpred.observers.regressors.gradient import finite, joined
@@ -243,15 +244,14 @@ def regression_margin(
     """
     times = increasing(t)
     j = samples(regressor, len(times))
-    d1 = np.asarray(weight, np.float64)
-    if d1.shape != times.shape or not ((d1 >= 0.0) & (d1 <= 1.0)).all():
+    d1 = vector("weight", weight, len(times))
+    if not ((d1 >= 0.0) & (d1 <= 1.0)).all():
         raise ParameterError(
-            f"weight must be {len(times)} numbers in [0, 1], received shape {d1.shape}", field="weight"
+            f"weight must lie in [0, 1] in every sample, received {weight!r}", field="weight"
         )
-    if not 0.0 < gain < np.inf or not 0.0 <= flattest <= 1.0:
-        raise ParameterError(
-            f"gain must be above 0 and flattest in [0, 1], received {gain!r} and {flattest!r}", field="gain"
-        )
+    gain, flattest = positive("gain", gain), positive("flattest", flattest, zero=True)
+    if flattest > 1.0:
+        raise ParameterError(f"flattest must lie in [0, 1], received {flattest!r}", field="flattest")
     squares = np.einsum("kri,krj->kij", j, j)
     middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
     values, vectors = np.linalg.eigh(middle)

@@ -11,9 +11,9 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.gains import (
-    MODEST,
     NEGLIGIBLE,
-    ROOM,
+    ROOMS,
+    Room,
     frames,
     mean_start,
     solved,
@@ -22,19 +22,19 @@ from pointpred.observers.unknown_input.invariant_zeros import kernel
 
 
 def lyapunov(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, room: Room = ROOMS[0]
 ) -> tuple[FloatArray, float, float]:
     """P, gamma and the gap with V(e+) <= exp(-sigma) V(e) + gamma delta'delta for e in the kernel of C.
 
     e+ = T A e + T delta there. For every such P there is a gain that needs no more: ``gain``.
 
-    The gap is that of gamma + MODEST trace P. Raises InfeasibleError if no P serves all vertices,
+    The gap is that of gamma + 0.01 trace P. Raises InfeasibleError if no P serves all vertices,
     UndecidedError if none is found.
     """
     blind, frame, rest = frames(c, ts)
     if not blind.shape[1]:
         p = np.eye(c.shape[1])
-        return p, least_gamma(gammas, ts, c, p, sigma), np.inf
+        return p, least_gamma(gammas, ts, c, p, sigma, room.factor), np.inf
     cases = np.unique(np.concatenate([gammas @ blind, ts], axis=2), axis=0)
     lost = exp(-sigma)
 
@@ -53,14 +53,15 @@ def lyapunov(
         problem.below(f"decay, case {i}", partial(whole, case))
     start = mean_start(gammas, c, sigma, decoupled=frame is blind, time="discrete")
     near = None if start is None else {"P": start, "gamma": 1.0}
-    solution = solved(problem, near, sigma, minimise=lambda v: v.gamma + MODEST * np.trace(v.P))
+    solution = solved(problem, near, sigma, minimise=lambda v: v.gamma + room.weight * np.trace(v.P))
     p = rest + frame @ solution.values["P"] @ frame.T
-    gap = np.inf if solution.gap is None else solution.gap
-    return p, least_gamma(gammas, ts, c, p, sigma), gap
+    return p, least_gamma(gammas, ts, c, p, sigma, room.factor), room.gap(solution)
 
 
-def least_gamma(gammas: FloatArray, ts: FloatArray, c: FloatArray, p: FloatArray, sigma: float) -> float:
-    """A gamma slightly above the least one that P allows at every vertex; 1 where any will do."""
+def least_gamma(
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, p: FloatArray, sigma: float, factor: float
+) -> float:
+    """A gamma ``factor`` times the least one that P allows at every vertex; 1 where any will do."""
     blind, least = kernel(c), 0.0
     for gamma_i, t_i in zip(gammas, ts, strict=True):
         moved = gamma_i @ blind
@@ -68,7 +69,7 @@ def least_gamma(gammas: FloatArray, ts: FloatArray, c: FloatArray, p: FloatArray
         side = moved.T @ p @ t_i
         needed = t_i.T @ p @ t_i + side.T @ np.linalg.solve(room, side)
         least = max(least, float(np.linalg.eigvalsh(needed)[-1]))
-    return ROOM * least if least > NEGLIGIBLE else 1.0
+    return factor * least if least > NEGLIGIBLE else 1.0
 
 
 def gain(gamma_i: FloatArray, c: FloatArray, p: FloatArray) -> FloatArray:

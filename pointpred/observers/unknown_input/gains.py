@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,10 +13,22 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.stationary import decay_start, filter_start
 from pointpred.observers.unknown_input.invariant_zeros import kernel
 
-MODEST = 0.01
-"""Weight of the trace of P beside gamma in the objective; without it P and the gains grow needlessly."""
-ROOM = 1.001
-"""Factor on the least gamma, with which the inequality would hold with equality."""
+
+class Room(NamedTuple):
+    """How far the matrices stay from the edge of what is feasible, where gains grow without bound."""
+
+    weight: float
+    """Of the trace of P beside gamma in the objective; without it P and the gains grow needlessly."""
+    factor: float
+    """On the least gamma, with which the inequality would hold with equality."""
+
+    def gap(self, solution: Solution) -> float:
+        """The gap of gamma + 0.01 trace P, which another room than the first does not minimise."""
+        return np.inf if solution.gap is None or self != ROOMS[0] else solution.gap
+
+
+ROOMS = (Room(0.01, 1.001), Room(1.0, 10.0))
+"""Those that are tried in turn: the second has smaller gains, whose rounding takes less of the proof."""
 NEGLIGIBLE = 1e-9
 """A gamma below this share of a modest one counts as zero."""
 DECOUPLED = 1e-13
@@ -24,14 +36,14 @@ DECOUPLED = 1e-13
 
 
 def lyapunov(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, room: Room = ROOMS[0]
 ) -> tuple[FloatArray, float, float]:
     """P and gamma with F = gamma I from (27c) on the kernel of C, where no gain acts, and the gap.
 
     The gains drop out (elimination lemma). If C T = 0, the outputs' part of P drops out as well and is set to
     the identity; vertices that differ only in terms that a gain can cancel share one inequality. The
-    certificate does not change with the scale of P. The gap is that of gamma + MODEST trace P: how far the
-    least could lie below it, relative to it.
+    certificate does not change with the scale of P. The gap is that of gamma + 0.01 trace P: how far the
+    least could lie below it, relative to it; infinite with another ``room`` than the first.
 
     Raises InfeasibleError if no P serves all vertices although the zeros of each allow one, UndecidedError if
     none is found.
@@ -63,14 +75,14 @@ def lyapunov(
     start, gap = mean_start(gammas, c, sigma, decoupled=frame is blind), np.inf
     try:
         near = None if start is None else {"P": start, "gamma": 1.0}
-        solution = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P), near=near)
-        values, gap = solution.values, np.inf if solution.gap is None else solution.gap
+        solution = best.solve(minimise=lambda v: v.gamma + room.weight * np.trace(v.P), near=near)
+        values, gap = solution.values, room.gap(solution)
     except (InfeasibleError, UndecidedError):  # the required gamma may be too large for a solver
         near = None if start is None else {"P": start}
         values = solved(any_p, near, sigma).values
     p = rest + frame @ values["P"] @ frame.T
     needed, usual = least_gamma(gammas, ts, c, p, sigma), modest(ts, p, sigma)
-    return p, ROOM * needed if needed > NEGLIGIBLE * usual else usual, gap
+    return p, room.factor * needed if needed > NEGLIGIBLE * usual else usual, gap
 
 
 def solved(

@@ -22,7 +22,7 @@ from pointpred.observers.unknown_input.certificate import (
     audit,
     largest_sigma,
 )
-from pointpred.observers.unknown_input.gains import gain, lyapunov
+from pointpred.observers.unknown_input.gains import ROOMS, Room, gain, lyapunov
 from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, independent, kernel
 from pointpred.observers.unknown_input.reconstruction import InputReconstruction
 from pointpred.observers.unknown_input.run import (
@@ -115,19 +115,22 @@ class UnknownInputObserver:
         # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
         rows, c = independent(inward(system.c, y, x))
         solve = _discrete if system.time == "discrete" else _continuous
-        p, gamma, gap, inner_ks = solve(inner, inner_ts, c, sigma * t, output_rate * t)
-        ks = [outward(one @ rows.T, x, y, t) for one in inner_ks]
-        # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
-        p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
-        try:
-            certificate = audit(gammas, ts, system.c, p, np.array(ks), force, sigma, zeros, system.time)
-        except CertificateError as failure:
-            raise UndecidedError(
-                f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
-                f"or a smaller box ({failure})"
-            ) from failure
-        certificate = msgspec.structs.replace(certificate, gap=gap)
-        return cls(system, box, certificate, TakagiSugeno(box, np.array(ks)))
+        failure = None
+        for room in ROOMS:
+            p, gamma, gap, inner_ks = solve(inner, inner_ts, c, (sigma * t, output_rate * t), room)
+            ks = np.array([outward(one @ rows.T, x, y, t) for one in inner_ks])
+            # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
+            p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
+            try:
+                certificate = audit(gammas, ts, system.c, p, ks, force, sigma, zeros, system.time)
+            except CertificateError as edge:
+                failure = edge
+                continue
+            return cls(system, box, msgspec.structs.replace(certificate, gap=gap), TakagiSugeno(box, ks))
+        raise UndecidedError(
+            f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
+            f"or a smaller box ({failure})"
+        ) from failure
 
     @classmethod
     def certified(
@@ -254,19 +257,20 @@ class UnknownInputObserver:
 
 
 def _continuous(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, output_rate: float
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, rates: tuple[float, float], room: Room
 ) -> tuple[FloatArray, float, float, list[FloatArray]]:
-    """P, gamma, the gap and the gain of each vertex."""
-    p, gamma, gap = lyapunov(gammas, ts, c, sigma)
+    """P, gamma, the gap and the gain of each vertex; ``rates`` are sigma and that of the outputs."""
+    sigma, output_rate = rates
+    p, gamma, gap = lyapunov(gammas, ts, c, sigma, room)
     ws = [gain(one, two, c, p, gamma, sigma, output_rate) for one, two in zip(gammas, ts, strict=True)]
     return p, gamma, gap, [np.asarray(np.linalg.solve(p, one), np.float64) for one in ws]
 
 
 def _discrete(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float, output_rate: float
+    gammas: FloatArray, ts: FloatArray, c: FloatArray, rates: tuple[float, float], room: Room
 ) -> tuple[FloatArray, float, float, list[FloatArray]]:
-    """The same in discrete time, where nothing depends on ``output_rate``."""
-    p, gamma, gap = discrete_gains.lyapunov(gammas, ts, c, sigma)
+    """The same in discrete time, where nothing depends on the rate of the outputs."""
+    p, gamma, gap = discrete_gains.lyapunov(gammas, ts, c, rates[0], room)
     return p, gamma, gap, [discrete_gains.gain(one, c, p) for one in gammas]
 
 
