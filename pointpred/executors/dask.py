@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import Any
 
@@ -99,19 +99,8 @@ def cluster(address: str, workers: int) -> Iterator[Cluster]:
     import distributed
 
     client_of: Any = distributed.Client
-    local_cluster: Any = distributed.LocalCluster
     if address == LOCAL:
-        with (
-            dask.config.set(SETTINGS),
-            local_cluster(
-                n_workers=workers,
-                threads_per_worker=1,
-                dashboard_address="127.0.0.1:0",
-                memory_limit=0,
-                silence_logs=logging.ERROR,
-            ) as local,
-            client_of(local) as client,
-        ):
+        with dask.config.set(SETTINGS), _local(workers) as local, client_of(local) as client:
             yield Cluster(client)
         return
     try:
@@ -128,3 +117,26 @@ def cluster(address: str, workers: int) -> Iterator[Cluster]:
             message = f"the Dask scheduler at {address!r} has no workers: start some with `dask worker`"
             raise ParameterError(message, field="cluster", value=address)
         yield one
+
+
+@contextmanager
+def _local(workers: int) -> Iterator[Any]:
+    """A cluster of processes on this machine, closed at the end."""
+    import distributed
+
+    local_cluster: Any = distributed.LocalCluster
+    local = local_cluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        dashboard_address="127.0.0.1:0",
+        memory_limit=0,
+        silence_logs=logging.ERROR,
+    )
+    try:
+        yield local
+    finally:
+        # A worker that is being started again while the cluster closes fails an assertion of Dask's, which
+        # would hide why the work ended; the rest of the cluster closes the second time.
+        for _ in range(2):
+            with suppress(AssertionError):
+                local.close()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, log, sqrt
+from math import exp, inf, log, sqrt
 from typing import Any
 
 import msgspec
@@ -29,19 +29,23 @@ class ErrorBound(msgspec.Struct, frozen=True):
     def __call__(self, t: float, initial: float, **largest: float) -> float:
         """The bound at t for an initial error and the largest norm of each disturbance that is present.
 
-        Raises ParameterError for numbers below 0 or not finite, and for another disturbance.
+        Raises ParameterError for a time that is not finite, for numbers below 0 and for another disturbance.
         """
         foreign = set(largest) - set(self.disturbances)
         if foreign:
             raise ParameterError(
                 f"the disturbances are {', '.join(self.disturbances)}, received {', '.join(sorted(foreign))}"
             )
-        t, initial = positive("t", t, zero=True), positive("initial", initial, zero=True)
+        t = positive("t", t, zero=True)
+        for name, size in (("initial", initial), *largest.items()):
+            if size != inf:
+                positive(name, size, zero=True)
         forced = sum(
-            gain * positive(name, largest.get(name, 0.0), zero=True)
+            gain * largest[name]
             for name, gain in zip(self.disturbances, self.gains, strict=True)
+            if name in largest
         )
-        return self.overshoot * exp(-self.rate * t) * initial + forced
+        return inf if initial == inf else self.overshoot * exp(-self.rate * t) * initial + forced
 
 
 def region(P: Any, J: FloatArray, domain: float, reach: FloatArray) -> tuple[float, float]:

@@ -189,3 +189,9 @@ def test_a_design_whose_gains_round_too_far_is_searched_again(door: str, kind: s
     assert (design.gap if hasattr(design, "gap") else design.certificate.gap) == np.inf
     assert audit(design)
     assert decoded(encoded(design)) is not None
+
+
+def test_a_proof_that_rounding_ends_below_kappa_may_reach_further_from_a_larger_one() -> None:
+    with pytest.raises(InfeasibleError, match="proved for P with a condition number up to") as refused:
+        DOORS["`design_observer`"](plant_of_the_table("`design_observer`", "nearly unobservable", 2))
+    assert float(str(refused.value).rpartition("up to ")[2]) >= 1e12

@@ -32,6 +32,8 @@ from pointpred.observers.inequalities.unknowns import Block
 
 EASY = 1e8
 """Up to this kappa a solution is sought first, and this is how far the bound of an objective is proved."""
+LOOSER = 10.0
+"""Where nothing is decided, a proof is sought with so many times kappa: its multipliers may reach further."""
 GAP = 1e-3
 """A relative distance from the proved bound at which the search for a smaller objective ends."""
 FINER = (1.0, 1e-2, 1e-4)
@@ -183,14 +185,18 @@ class MatrixInequalities(Inequalities):
     ) -> tuple[FloatArray, Affine]:
         """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
         start = None if near is None else self.unknowns.numbers(dict(near))
-        for kappa in sorted({min(self.kappa, EASY), self.kappa}):
+        most: tuple[float, Affine, Answer, float] | None = None
+        for kappa in sorted({min(self.kappa, EASY), self.kappa, LOOSER * self.kappa}):
             problem = self._numbers(minimise, kappa)
             numbers, answer, extent = self._feasible(problem, solver, start)
-            if numbers is not None:
+            if numbers is not None and kappa <= self.kappa:
                 return numbers, problem
+            if most is None or extent > most[0]:
+                most = extent, problem, answer, kappa
             if extent >= ENTIRE:
                 break
-        raise self._refusal(problem, answer, extent, kappa)
+        assert most is not None
+        raise self._refusal(*most)
 
     def _feasible(
         self, problem: Affine, solver: str, start: FloatArray | None
@@ -246,7 +252,7 @@ class MatrixInequalities(Inequalities):
             size *= 2.0
         return None
 
-    def _refusal(self, problem: Affine, answer: Answer, extent: float, kappa: float) -> PointpredError:
+    def _refusal(self, extent: float, problem: Affine, answer: Answer, kappa: float) -> PointpredError:
         """What the multipliers of a problem without solution prove."""
         posed = released(problem, relaxing(problem))
         if extent >= ENTIRE:
