@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -50,6 +51,12 @@ app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
 app.add_typer(observers, name="observers")
 app.add_typer(recordings, name="recordings")
+for entry in entry_points(group="pointpred.commands"):  # of the distributions installed beside this one
+    command = entry.load()
+    if isinstance(command, typer.Typer):
+        app.add_typer(command, name=entry.name)
+    else:
+        app.command(entry.name)(command)
 add_help(app)
 
 
