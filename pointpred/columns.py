@@ -12,7 +12,6 @@ from typing import Any, ClassVar, Generic, Self, TypeVar, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pointpred.accelerations import Accelerations
 from pointpred.errors import EventError
 from pointpred.events import Motion, PointerEvent, Prediction
 from pointpred.regions import Region, probability, region_of
@@ -75,27 +74,16 @@ class Columns(Generic[Record]):
 
 
 class EventColumns(Columns[PointerEvent]):
-    """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset.
-
-    ``accelerations``: the samples of an accelerometer beside them.
-    """
+    """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
     names = EventRow._fields
 
-    def __init__(
-        self,
-        table: ArrayLike,
-        begin: BoolArray | None = None,
-        accelerations: Accelerations | None = None,
-    ) -> None:
+    def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
         count = len(self.table)
         self.begin = np.zeros(count, dtype=np.bool_) if begin is None else np.asarray(begin, np.bool_)
         if self.begin.shape != (count,):
             raise EventError(f"begin needs {count} rows, received shape {self.begin.shape}")
-        self._accelerations = accelerations
-        if accelerations is not None and len(accelerations.before) != count:
-            raise EventError(f"accelerations need {count} events, received {len(accelerations.before)}")
 
     @classmethod
     def of(
@@ -144,30 +132,11 @@ class EventColumns(Columns[PointerEvent]):
     def _record(self, row: list[float]) -> PointerEvent:
         return event_of(tuple(row))
 
-    @property
-    def accelerations(self) -> Accelerations:
-        """The samples of an accelerometer beside them; none unless given."""
-        return Accelerations.none(len(self)) if self._accelerations is None else self._accelerations
-
-    def sampled(self, accelerations: ArrayLike) -> Self:
-        """These events with the samples of an accelerometer beside them, by time; see ``Accelerations``.
-
-        ``accelerations`` has shape (samples, 4). Both must be of one trial, or of a clock that goes on.
-        """
-        return type(self)(self.table, self.begin, Accelerations.by_time(accelerations, self.t))
-
-    def chosen(self, rows: NDArray[np.int64], begin: BoolArray) -> Self:
-        """Some rows, by their places in rising order, with marks of their own."""
-        beside = self._accelerations
-        chosen = None if beside is None else beside.chosen(rows, self.begin)
-        return type(self)(self.table[rows], begin, chosen)
-
     def _rows(self, some: slice) -> Self:
-        beside = self._accelerations
-        return type(self)(self.table[some], self.begin[some], None if beside is None else beside.rows(some))
+        return type(self)(self.table[some], self.begin[some])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.table, self.begin, self._accelerations)
+        return type(self), (self.table, self.begin)
 
 
 class MotionColumns(Columns[Motion]):

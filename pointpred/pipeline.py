@@ -56,16 +56,6 @@ class Pipeline:
             raise self._reason(lambda: self.predictor.update(self.differentiator.update(event)))
         return prediction_of(answer)
 
-    def sense(self, t: float, ax: float, ay: float, az: float) -> None:
-        """Consume one sample of an accelerometer on the device, before the events that come after it.
-
-        Time in s on the clock of the events, as well as it is known; specific force in m/s^2 along the axes
-        of the sensor. Without effect where the differentiator uses no acceleration. Raises EventError for
-        what is no number within its bounds, and EventOrderError where the time runs backwards against the
-        sample before; the pipeline is then unchanged.
-        """
-        self.differentiator.sense(t, ax, ay, az)
-
     def advance(self, row: Row) -> TenFloats | None:
         """``update`` in rows: an ``EventRow`` in, the floats of a ``PredictionRow`` out.
 
@@ -120,15 +110,11 @@ class Pipeline:
 
         ``None`` where a row is refused; nothing has changed then, and ``run`` says why.
         """
-        return self._predict_all(begin, lambda: self.differentiator.walk(begin, table))
-
-    def _predict_all(self, begin: BoolArray, motions: Callable[[], FloatArray]) -> FloatArray | None:
-        """The answers to what the differentiator makes of a table; ``None`` where a row is refused."""
         stages = (self.differentiator, self.predictor)
         memories = [stage.remembered() for stage in stages]
         answers: FloatArray | None = None
         try:
-            answers = self.predictor.walk(begin, motions())
+            answers = self.predictor.walk(begin, self.differentiator.walk(begin, table))
             if has_refusal(answers):
                 answers = None
         finally:
@@ -137,12 +123,8 @@ class Pipeline:
                     stage.recall(memory)
         return answers
 
-    def advance_columns(self, columns: EventColumns) -> FloatArray | None:
-        """``advance_all`` with the samples of an accelerometer that stand beside the events."""
-        return self._predict_all(columns.begin, lambda: self.differentiator.walk_events(columns))
-
     def refusal(self, columns: EventColumns) -> EventError:
-        """Why ``advance_columns`` refuses a table of events; it names the row."""
+        """Why ``advance_all`` refuses a table of events; it names the row."""
         return self._reason(lambda: self.predictor.run(self.differentiator.run(columns), columns.begin))
 
     def _reason(self, attempt: Callable[[], object]) -> EventError:
@@ -159,7 +141,7 @@ class Pipeline:
     @property
     def learns(self) -> bool:
         """Whether finished movements change what is said of the next: then only a new person starts fresh."""
-        return bool(self.predictor.learned or self.differentiator.learned)
+        return bool(self.predictor.learned)
 
     @property
     def person(self) -> str:
@@ -247,7 +229,7 @@ def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
     """
-    table = pipeline.advance_columns(columns)
+    table = pipeline.advance_all(columns.begin, columns.table)
     if table is None:
         raise pipeline.refusal(columns)
     return PredictionColumns(table)

@@ -8,7 +8,6 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.accelerations import Accelerations
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 
@@ -87,9 +86,9 @@ class Recording(msgspec.Struct, frozen=True):
         table = np.concatenate([part.table for part in parts]) if parts else np.empty((0, 6))
         begin = np.zeros(len(table), dtype=np.bool_)
         begin[offsets[:-1][np.diff(offsets) > 0]] = True
-        beside = [part.accelerations for part in parts]
-        events = EventColumns(table, begin, Accelerations.joined(beside) if any(map(len, beside)) else None)
-        return cls(name, events, offsets, tuple(trials), tuple(skipped), provenance, tuple(notes))
+        return cls(
+            name, EventColumns(table, begin), offsets, tuple(trials), tuple(skipped), provenance, tuple(notes)
+        )
 
     def rows(self, trial: int) -> EventColumns:
         """The events of one trial."""

@@ -14,13 +14,11 @@ from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, 
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 
-IntArray = NDArray[np.int64]
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
 
@@ -124,46 +122,6 @@ def loop_sharing(
             answer = step(memory, row_of(rows, i), shared)
             for j in range(len(answer)):
                 out[i, j] = answer[j]
-
-    return loop
-
-
-def loop_beside(
-    step: Callable[..., Any],
-    row_of: Callable[..., Any],
-    sense: Callable[..., Any],
-    sample_of: Callable[..., Any],
-    conclude: Callable[..., None] = learn_nothing,
-) -> Callable[..., None]:
-    """``loop_of`` for a law that also takes samples which stand beside the rows (``sense(memory, sample)``).
-
-    ``before[i]`` samples come before row i, after the memory is reset for it. Where ``sense`` refuses one of
-    a row's own, the answer to the row is NaN, and its step is not made.
-    """
-
-    @law
-    def loop(
-        memory: FloatArray,
-        first: int,
-        begin: BoolArray,
-        rows: FloatArray,
-        out: FloatArray,
-        samples: FloatArray,
-        before: IntArray,
-    ) -> None:
-        k = 0
-        for i in range(len(rows)):
-            if begin[i]:
-                conclude(memory)
-                memory[first:] = 0.0
-            accepted = True
-            while k < before[i]:
-                accepted = sense(memory, sample_of(samples, k)) and accepted
-                k += 1
-            if accepted:
-                answer = step(memory, row_of(rows, i))
-                for j in range(len(answer)):
-                    out[i, j] = answer[j]
 
     return loop
 

@@ -38,8 +38,6 @@ def digest(
         whole.update(msgspec.msgpack.encode((source.name, source.trials, source.provenance)))
         whole.update(source.offsets.tobytes())
         whole.update(source.events.table.tobytes())
-        whole.update(source.events.accelerations.table.tobytes())
-        whole.update(source.events.accelerations.before.tobytes())
     else:
         for path in (source.samples, source.trials):
             with Path(path).open("rb") as file:

@@ -30,10 +30,8 @@ CALM: dict[str, dict[str, Any]] = {
     "fading-memory": {"memory_s": 0.2},
 }
 """Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
-OF_POSITIONS = tuple(name for name in DIFFERENTIATORS if name != "inertial")
-"""The differentiators that need nothing but the image's positions."""
-WAYS = (*OF_POSITIONS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
-"""Methods for d: each differentiator of positions, those tuned for a camera, the two-state filter."""
+WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
+"""Methods for d: each differentiator, those tuned for a camera, the two-state filter."""
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:

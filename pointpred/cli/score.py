@@ -69,7 +69,7 @@ def score(
         str | None,
         typer.Option(
             metavar="NAME",
-            help="The differentiator before every predictor; 'inertial' uses an accelerometer's samples.",
+            help="The differentiator before every predictor.",
         ),
     ] = None,
     coefficients: Coefficients = None,

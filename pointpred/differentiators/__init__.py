@@ -4,7 +4,6 @@ from pointpred.differentiators.difference import BackwardDifferentiator
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.differentiators.fading import FadingMemoryDifferentiator
 from pointpred.differentiators.homogeneous import HomogeneousDifferentiator
-from pointpred.differentiators.inertial import InertialDifferentiator
 from pointpred.differentiators.kalman import KalmanDifferentiator
 from pointpred.differentiators.reduced_order import ReducedOrderDifferentiator
 
@@ -14,7 +13,6 @@ DIFFERENTIATORS: dict[str, type[Differentiator]] = {
     "fading-memory": FadingMemoryDifferentiator,
     "reduced-order": ReducedOrderDifferentiator,
     "difference": BackwardDifferentiator,
-    "inertial": InertialDifferentiator,
 }
 """Names users type, and what they mean."""
 
@@ -24,7 +22,6 @@ __all__ = [
     "Differentiator",
     "FadingMemoryDifferentiator",
     "HomogeneousDifferentiator",
-    "InertialDifferentiator",
     "KalmanDifferentiator",
     "ReducedOrderDifferentiator",
 ]

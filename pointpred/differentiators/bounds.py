@@ -45,11 +45,10 @@ def rounded_up(value: float, digits: int = 2) -> float:
 def measure(differentiator: Differentiator, signal: Signal) -> Errors:
     """Run a differentiator without memory over a signal; its resolution must be the signal's.
 
-    Errors count from ``signal.since_s`` on; what comes before is only to learn from. Raises ParameterError
-    when it does not settle before the signal ends.
+    Raises ParameterError when it does not settle before the signal ends.
     """
     motions = differentiator.fresh().run(signal.events)
-    settled = (motions.settled == 1.0) & (motions.t >= signal.since_s)
+    settled = motions.settled == 1.0
     if not settled.any():
         raise ParameterError(f"{type(differentiator).__name__} does not settle within {motions.t[-1]:g} s")
     velocity = (motions.vx - signal.velocity)[settled]
@@ -65,7 +64,7 @@ def measure(differentiator: Differentiator, signal: Signal) -> Errors:
         float(np.sqrt(np.mean(acceleration**2))),
         float(np.abs(acceleration).max()),
         delay,
-        float(motions.t[settled][0] - max(motions.t[0], signal.since_s)),
+        float(motions.t[settled][0] - motions.t[0]),
     )
 
 
@@ -128,42 +127,3 @@ BOUNDS: dict[str, dict[str, Errors]] = {
     },
 }
 """For each differentiator with its defaults and each signal: about 1.3 times what was measured."""
-
-BOUNDS["inertial"] = BOUNDS["kalman"]
-"""Without samples of an accelerometer it is the same, bit for bit."""
-
-CLOSE = {"smoothing_s": 0.003}
-"""An acceleration that is close to the true one, for ``inertial``; its default suits predictors."""
-SENSED_WAYS: dict[str, tuple[str, dict[str, float]]] = {
-    "homogeneous": ("homogeneous", {}),
-    "kalman": ("kalman", {}),
-    "inertial": ("inertial", {}),
-    "inertial, 3 ms": ("inertial", CLOSE),
-}
-"""Differentiators and their parameters that are measured on ``SENSED_SIGNALS``."""
-SENSED_BOUNDS: dict[str, dict[str, Errors]] = {
-    "homogeneous": {
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0021, 0.008, 0.19, 0.66, 0.00038),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0025, 0.0086, 0.29, 0.83, 0.0016),
-    },
-    "kalman": {
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0012, 0.0036, 0.14, 0.36, 0.00017),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0018, 0.0047, 0.17, 0.42, 0.0003),
-    },
-    "inertial": {
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.15, 0.4, 0.00011),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.16, 0.39, 0.00011),
-    },
-    "inertial, 3 ms": {
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.00026, 0.00086, 0.031, 0.11, 0.00011),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.00029, 0.0009, 0.035, 0.093, 0.00011),
-    },
-}
-"""The same over ``SENSED_SIGNALS``, which have samples of an accelerometer beside them."""
-
-
-def measure_sensed(way: str, signal: Signal) -> Errors:
-    """The errors of one of ``SENSED_WAYS`` over a signal; see ``measure``."""
-    name, parameters = SENSED_WAYS[way]
-    kind: Callable[..., Differentiator] = DIFFERENTIATORS[name]
-    return measure(kind(cpi=signal.cpi, **parameters), signal)

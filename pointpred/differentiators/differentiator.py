@@ -86,19 +86,12 @@ class Differentiator(CompiledStage):
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
         before = self.remembered()
-        motions = MotionColumns(self.walk_events(events))
+        motions = MotionColumns(self.walk(events.begin, events.table))
         refused = motions.t != motions.t
         if refused.any():
             self.recall(before)
             raise self.refusal_of_row(events, int(refused.argmax()))
         return motions
-
-    def walk_events(self, events: EventColumns) -> FloatArray:
-        """``walk`` over events; the samples beside them are for a differentiator that fuses."""
-        return self.walk(events.begin, events.table)
-
-    def sense(self, t: float, ax: float, ay: float, az: float) -> None:
-        """Consume a sample of an accelerometer; without effect but on a differentiator that fuses."""
 
     def refusal(self, event: PointerEvent) -> EventError:
         """Why ``update`` refuses an event."""

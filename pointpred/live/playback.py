@@ -24,8 +24,6 @@ MOST_AT_ONCE = 256
 """Events handed out together where no pace is kept."""
 
 Begin = Literal["", "trial", "person"]
-Sample = tuple[float, ...]
-"""A row of ``Accelerations.table``."""
 
 
 class PlayedTrial(msgspec.Struct, frozen=True):
@@ -39,13 +37,11 @@ class PlayedTrial(msgspec.Struct, frozen=True):
 class PlayedEvent(PointerEvent, frozen=True, kw_only=True):
     """An event as a session shows it, on times that grow from trial to trial, and as it was ``recorded``.
 
-    ``begin``: the first event of a ``trial``, or of another ``person``. ``samples``: those of an
-    accelerometer (s, m/s^2) that came before it, on the recorded times.
+    ``begin``: the first event of a ``trial``, or of another ``person``.
     """
 
     recorded: PointerEvent
     begin: Begin = ""
-    samples: tuple[Sample, ...] = ()
 
 
 class PlayedReport(Report, frozen=True, kw_only=True, gc=False):
@@ -152,7 +148,6 @@ class PlayedPipeline:
     """A stage around a pipeline that computes with the recorded times.
 
     It forgets the movement where a trial begins, and the person where another one does, as the scorer does.
-    The samples of an accelerometer go to the pipeline before the event that they came before.
     """
 
     def __init__(self, pipeline: Pipeline) -> None:
@@ -166,8 +161,6 @@ class PlayedPipeline:
             self._pipeline = self._pipeline.fresh()
         elif event.begin == "trial":
             self._pipeline.reset()
-        for sample in event.samples:
-            self._pipeline.sense(*sample)
         one = self._pipeline.update(event.recorded)
         return one if one is None or event.t == event.recorded.t else msgspec.structs.replace(one, t=event.t)
 
@@ -189,17 +182,14 @@ def _schedule(trials: Sequence[PlayedTrial]) -> Iterator[tuple[float, str, Repor
         start_s = due_s if place == 1 else due_s + min(first_s + shift_s - shown_s, GAP_MOST_S)
         begin: Begin = "trial" if trial.user == user else "person"
         where = f"{trial.name}, {place} of {len(trials)}"
-        beside = trial.events.accelerations
-        taken = 0
-        for event, before in zip(trial.events.events(), beside.before.tolist(), strict=True):
+        for event in trial.events.events():
             shown_s, due_s = event.t + shift_s, start_s + (event.t - first_s)
-            samples = tuple(map(tuple, beside.table[taken:before].tolist()))
-            yield due_s, where, _report(event, shown_s, begin, samples)
-            begin, taken = "", before
+            yield due_s, where, _report(event, shown_s, begin)
+            begin = ""
         user = trial.user
 
 
-def _report(event: PointerEvent, shown_s: float, begin: Begin, samples: tuple[Sample, ...]) -> PlayedReport:
+def _report(event: PointerEvent, shown_s: float, begin: Begin) -> PlayedReport:
     place = shown_s, event.x, event.y, event.dx, event.dy, event.buttons
-    shown = PlayedEvent(*place, recorded=event, begin=begin, samples=samples)
+    shown = PlayedEvent(*place, recorded=event, begin=begin)
     return PlayedReport(shown_s, event.dx or 0.0, event.dy or 0.0, event.buttons, event=shown)

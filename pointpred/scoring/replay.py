@@ -54,7 +54,7 @@ class SharedMotions:
         if key not in self._known:
             events = self._events.rows(first, stop)
             before = time.thread_time()
-            motions = fresh.walk_events(events)
+            motions = fresh.walk(events.begin, events.table)
             self._known[key] = motions, time.thread_time() - before
         return self._known[key]
 
@@ -161,7 +161,7 @@ def _replay_chunk(
     events, shared_s = prepared.events.rows(*rows), 0.0
     before = time.thread_time()
     try:
-        if motions is None or pipeline.differentiator.learned:
+        if motions is None:
             answers = run(pipeline, events)
         else:
             table, shared_s = motions.of(pipeline.differentiator, *rows)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from math import cos, pi, sin
 
 import msgspec
@@ -14,7 +14,6 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.simulation import movement, plan
-from pointpred.simulation.accelerometer import Accelerometer, felt
 from pointpred.simulation.person import Person, people
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction
 
@@ -72,7 +71,6 @@ def simulate_circle(
     setup: plan.Setup = SETUP,
     centre: tuple[float, float] = (960.0, 540.0),
     idle_reports: bool = False,
-    accelerometer: Callable[[np.random.Generator], Accelerometer] | None = None,
     name: str = "simulated circle",
 ) -> Recording:
     """Every person does every condition: a circle of 13 targets, ``trials`` movements each.
@@ -80,8 +78,7 @@ def simulate_circle(
     Each movement starts where the last one ended; each circle starts at the next target of the order. A trial
     begins at a button release and ends after the click on its target, so the press lies some 80 ms before the
     last event. ``setup.transfer`` is replaced by the condition's function. ``idle_reports`` keeps the polls
-    in which nothing happened. ``accelerometer`` makes the sensor of a person's mouse from a generator of its
-    own, such as ``Accelerometer.drawn``: its samples stand beside the events, which stay the same.
+    in which nothing happened.
 
     Assumes no lost polls and a screen without edges. The same seed gives the same recording; a person's
     trials do not depend on the other people. Raises ParameterError.
@@ -93,8 +90,6 @@ def simulate_circle(
     parts: list[EventColumns] = []
     labels: list[Trial] = []
     for person in persons:
-        chance = np.random.default_rng([seed, 6, *person.name.encode()])
-        sensor = accelerometer(chance) if accelerometer else None
         for number, condition in enumerate(conditions):
             generator = np.random.default_rng([seed, 2, *person.name.encode(), number])
             chosen = msgspec.structs.replace(setup, transfer=_function(condition.transfer))
@@ -107,10 +102,7 @@ def simulate_circle(
                 target = places[(first + trial + 1) % TARGETS]
                 aim = plan.Aim(target[0] - x, target[1] - y, width)
                 moved = movement.move(person, chosen, aim, generator)
-                events = moved.events((x, y), idle_reports=idle_reports)
-                if sensor is not None:
-                    events = EventColumns(events.table, events.begin, felt(moved, sensor, chance, events.t))
-                parts.append(events)
+                parts.append(moved.events((x, y), idle_reports=idle_reports))
                 labels.append(_label(person, condition, number * trials + trial, target, width))
                 x, y = (float(value) for value in parts[-1].table[-1, 1:3])
     provenance = Provenance("simulated", dpi=setup.dpi, cpi=setup.cpi, simulated=True)

@@ -57,5 +57,5 @@ def write_recordings(parts: list[Recording], path_out: str | Path, *, replace: b
         len({(recording.name, trial.user) for recording in parts for trial in recording.trials}),
         sum(len(recording.events) for recording in parts),
         dict(Counter(skip.reason for recording in parts for skip in recording.skipped)),
-        tuple(note for recording in parts for note in recordings.notes_written(recording)),
+        tuple(note for recording in parts for note in recording.notes),
     )

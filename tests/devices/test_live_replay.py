@@ -23,14 +23,10 @@ from pointpred.events import Pair
 from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
-from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
-from pointpred.scoring.replay import answers_to
-from pointpred.scoring.trials import prepare
 from pointpred.sources import read, write
 from tests.devices.live_process import PATIENCE_S
 from tests.devices.test_live_served import goodbye, heard
-from tests.reference.inertial_bench import Bench
 
 NAME = "kinematic-adaptive"
 
@@ -102,38 +98,6 @@ def test_its_predictions_are_those_of_the_batch_bit_for_bit() -> None:
             assert one == type(one)(event.t, *(getattr(expected, n) for n in expected.__struct_fields__[1:]))
     learned = batch([trials[1]])
     assert not np.array_equal(wanted.table[60:120], learned, equal_nan=True)  # the order matters
-
-
-def test_live_replay_and_scorer_give_the_samples_of_an_accelerometer_to_one_step() -> None:
-    """The same samples before the same events: the answers are the same, bit for bit."""
-    bench = Bench(6.0, 0.3, 0.004, 0.05)
-    halves = [bench.beside[:4500], bench.beside[4500:]]
-    prepared = prepare(Recording.of("b", halves, [Trial("ann", "0"), Trial("ann", "1")]))
-    trials = [PlayedTrial("ann", str(k), prepared.rows(k)) for k in range(2)]
-
-    def sensing() -> Pipeline:
-        return build("minimum-jerk", differentiator="inertial")
-
-    live, streamed = sensing(), []
-    for trial in trials:
-        live.reset()
-        beside, taken = trial.events.accelerations, 0
-        for event, before in zip(trial.events.events(), beside.before.tolist(), strict=True):
-            for sample in beside.table[taken:before].tolist():
-                live.sense(*sample)
-            taken = before
-            streamed.append(live.update(event))
-    source, _ = played(trials, math.inf)
-    session = LiveSession(source, PlayedPath("recorded"), PlayedPipeline(sensing()))
-    pairs: list[Pair] = []
-    while not source.ended:
-        pairs += session.advance()
-    assert [one and one.x for _, one in pairs] == [one and one.x for one in streamed]
-    assert list(run(sensing(), prepared.events).predictions()) == streamed
-    second = streamed[len(trials[0].events) :]
-    assert list(answers_to(prepared, sensing(), 1).predictions()) == second
-    without = run(sensing(), EventColumns(trials[1].events.table))
-    assert list(without.predictions()) != second  # the samples matter
 
 
 def test_shown_times_grow_and_stay_as_recorded_where_they_can() -> None:

@@ -64,11 +64,8 @@ def chunk(tag: int, content: bytes) -> bytes:
     return b"\x04" + struct.pack("<IH", len(content) + 2, tag) + content
 
 
-def stream_header(
-    number: int, name: str, kind: str, labels: list[str], values: str = "double64", unit: str = ""
-) -> bytes:
-    stated = f"<unit>{unit}</unit>" if unit else ""
-    channels = "".join(f"<channel><label>{label}</label>{stated}</channel>" for label in labels)
+def stream_header(number: int, name: str, kind: str, labels: list[str], values: str = "double64") -> bytes:
+    channels = "".join(f"<channel><label>{label}</label></channel>" for label in labels)
     text = (
         f"<?xml version='1.0'?><info><name>{name}</name><type>{kind}</type><channel_count>{len(labels)}"
         f"</channel_count><nominal_srate>0</nominal_srate><channel_format>{values}</channel_format>"

@@ -83,7 +83,7 @@ def prepare(
     source = np.repeat(onset - offsets[:-1], stop - onset) + np.arange(offsets[-1])
     begin = np.zeros(len(source), dtype=np.bool_)
     begin[offsets[:-1]] = True
-    events = recording.events.chosen(source, begin)
+    events = EventColumns(recording.events.table[source], begin)
     arrivals = cuts[good, cutting.ARRIVAL] - onset + offsets[:-1]
     divided = submovements(events, offsets, threads=threads, **resolution(recording, cpi, dpi))
     first, last = offsets[:-1], offsets[1:] - 1

@@ -207,7 +207,6 @@ def _of_rows(mapped: _MappedTable) -> Recording:
         if key in mapped.mapping
     }
     _check_steps(mapped, rows, keys)
-    _read_accelerations(mapped, rows)
     return recording_of_rows(
         mapped.path,
         rows,
@@ -254,19 +253,6 @@ def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
         del mapped.mapping["buttons"]
     else:
         rows.values["buttons"] = pressed
-
-
-def _read_accelerations(mapped: _MappedTable, rows: Rows) -> None:
-    """Add the samples of an accelerometer to ``rows``, unless they have another clock than the rows."""
-    table = mapped.table
-    if table.accelerations is None:
-        return
-    if mapped.mapping["t"] != table.clock or rows.per_second != 1.0:
-        mapped.notes.append(
-            f"the accelerometer is not used: its clock is {table.clock} in s, that of the rows is not"
-        )
-        return
-    rows.accelerations = table.accelerations
 
 
 def as_arrow(column: Any) -> Any:

@@ -19,7 +19,6 @@ from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.assembly import assemble
 from pointpred.sources.trials.conditions import TARGET, conditions_of, one_value
 from pointpred.sources.trials.keys import codes_of, keys_of
-from pointpred.sources.trials.samples import samples_of_trials
 from pointpred.sources.trials.segmentation import cut
 
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
@@ -31,7 +30,7 @@ class Rows(msgspec.Struct):
     """The samples of a table as numbers: ``values`` by field, in px but for the clock.
 
     ``row_of``: the file's row of each; ``faults``: the fault of a row; ``per_second``: units of the clock in
-    a second; ``accelerations``: samples of an accelerometer on the same clock.
+    a second.
     """
 
     count: int
@@ -39,7 +38,6 @@ class Rows(msgspec.Struct):
     values: dict[str, FloatArray] = {}
     faults: dict[int, str] = {}
     per_second: float = 1.0
-    accelerations: FloatArray | None = None
 
     def blame(self, field: str, name: str, wrong: dict[int, str], expected: str) -> None:
         """Add the cells of a column that cannot be read."""
@@ -118,9 +116,6 @@ def recording_of_rows(
     ]
     if varying:
         groups.notes.append(f"columns left aside, for they vary within a trial: {', '.join(varying)}")
-    samples = None
-    if rows.accelerations is not None:
-        samples = samples_of_trials(rows.accelerations, rows.values["t"], members, group, sizes)
     faulty = np.array(sorted(rows.faults), dtype=np.int64)
     faulty = faulty[groups.group[faulty] >= 0]
     return assemble(
@@ -137,7 +132,6 @@ def recording_of_rows(
         provenance=provenance,
         row_of=rows.row_of[members],
         notes=(*notes, *groups.notes),
-        samples=samples,
     )
 
 

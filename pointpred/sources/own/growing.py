@@ -15,7 +15,7 @@ from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources.files.arrow_files import open_file
 from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own.recordings import VALUES, files_of, notes_written
+from pointpred.sources.own.recordings import VALUES, files_of
 from pointpred.sources.own.trials_table import trial_table
 from pointpred.sources.tables import arrow_tables
 
@@ -63,7 +63,7 @@ def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) 
                 writer.write_table(table, row_group_size=max(table.num_rows, 1))
                 counts[i] += table.num_rows
             skipped += [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped]
-            notes += notes_written(recording)
+            notes += recording.notes
         if not writers:
             raise RecordingError(f"{path}: no part to write, expected at least one")
         more = {"provenance": about["provenance"], "skipped": skipped, "notes": notes}

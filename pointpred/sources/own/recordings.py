@@ -100,10 +100,9 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
     """Write a recording as a samples file and a trials file; the same recording gives the same bytes.
 
     ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added if missing).
-    Provenance, skips and notes go into the header; the samples of an accelerometer are not written. Floating
-    point numbers are exact. Returns both paths; if one cannot be written, neither file is left or replaced.
-    Raises RecordingError for another extension, two trials with the same user and name, or a condition that
-    is text in one trial and a number in another.
+    Provenance, skips and notes go into the header. Floating point numbers are exact. Returns both paths; if
+    one cannot be written, neither file is left or replaced. Raises RecordingError for another extension, two
+    trials with the same user and name, or a condition that is text in one trial and a number in another.
     """
     with write_together() as part:
         return write_parts(recording, path, part)
@@ -125,18 +124,11 @@ def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], P
     header |= {
         "provenance": msgspec.to_builtins(recording.provenance),
         "skipped": [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped],
-        "notes": notes_written(recording),
+        "notes": list(recording.notes),
     }
     arrow_tables.write_table(path, part(path), pa.table(columns), header)
     arrow_tables.write_table(beside, part(beside), about, {key: header[key] for key in ("name", "text")})
     return path, beside
-
-
-def notes_written(recording: Recording) -> list[str]:
-    """The notes that go into a file: those of a recording, and what a file does not hold of it."""
-    samples = len(recording.events.accelerations)
-    lost = [f"{samples} samples of an accelerometer are not written: this format has none"] if samples else []
-    return [*recording.notes, *lost]
 
 
 def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""XDF, as Lab Streaming Layer's recorder writes it: the stream of a mouse, and of an accelerometer on it."""
+"""XDF, as Lab Streaming Layer's recorder writes it: the stream of a mouse."""
 
 from __future__ import annotations
 
@@ -13,14 +13,11 @@ from typing import Any, BinaryIO
 from xml.etree import ElementTree
 
 import msgspec
-import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.extras import require
 from pointpred.sources.files.encodings import open_unpacked
 from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.table_files import xdf_accelerometer
 from pointpred.sources.tables.arrow_tables import unreadable
 from pointpred.sources.tables.column_table import ColumnTable, distinct_names
 
@@ -39,7 +36,7 @@ TIMES = "time_stamps"
 
 
 class Stream(msgspec.Struct, frozen=True):
-    """The header of a stream: its number, name, type, format of values, labels and units of channels."""
+    """The header of a stream: its number, name, type, format of values, labels of channels."""
 
     number: int
     name: str
@@ -47,7 +44,6 @@ class Stream(msgspec.Struct, frozen=True):
     format: str
     channels: int
     labels: tuple[str, ...]
-    units: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -64,8 +60,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the stream whose name or type is ``reading.records``, else the only one that may be a mouse.
 
     Times are those of the recording computer: clock offsets are removed, jitter is not. The columns are
-    ``time_stamps`` in s and one per channel, by its label or its place from 0. The only other stream that is
-    an accelerometer's gives the samples beside them; a note says so, or why there are none.
+    ``time_stamps`` in s and one per channel, by its label or its place from 0.
     Raises RecordingError, which names the streams; MissingExtraError.
     """
     require("tables", f"{path}: reading XDF")
@@ -73,52 +68,17 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
         streams, cut = _streams(path, file)
         stream = _chosen(path, streams, reading.records)
         part = _chunks_of(file, stream.number)
-        samples, used, about_samples = _accelerations(path, file, [one for one in streams if one != stream])
     values, times, faults = _load(path, part, stream)
     names = [label or str(at) for at, label in enumerate(stream.labels[: stream.channels])]
     names += [str(at) for at in range(len(names), stream.channels)]
     columns = {TIMES: times} | dict(zip(distinct_names([*names, TIMES])[:-1], values.T, strict=True))
     notes = [
         f"stream {stream.title}: clocks synchronized, jitter of the time stamps kept",
-        *(f"stream left aside: {other.title}" for other in streams if other not in (stream, used)),
-        *about_samples,
+        *(f"stream left aside: {other.title}" for other in streams if other != stream),
         *([cut] if cut else []),
         *faults,
     ]
-    return ColumnTable(columns, TITLE, tuple(notes), accelerations=samples, clock=TIMES)
-
-
-def _accelerations(
-    path: Path, file: BinaryIO, streams: list[Stream]
-) -> tuple[FloatArray | None, Stream | None, list[str]]:
-    """Samples (s, m/s^2) of the only accelerometer among the streams, which it is, and notes."""
-    places = {
-        one: xdf_accelerometer.channels_of(one.name, one.kind, one.labels, one.channels) for one in streams
-    }
-    fits = [one for one in streams if one.format != "string" and places[one] is not None]
-    if len(fits) > 1:
-        titles = "; ".join(one.title for one in fits)
-        return (
-            None,
-            None,
-            [f"{len(fits)} streams may be the accelerometer on the mouse, none is used: {titles}"],
-        )
-    if not fits:
-        return None, None, []
-    stream = fits[0]
-    try:
-        values, times, faults = _load(path, _chunks_of(file, stream.number), stream)
-    except RecordingError as error:
-        return None, None, [f"no accelerometer: {error}"]
-    channels = list(places[stream] or ())
-    force = np.asarray(values, dtype=np.float64)[:, channels]
-    units = [stream.units[at] if at < len(stream.units) else "" for at in channels]
-    scale, how = xdf_accelerometer.scale_of(units, force)
-    if scale is None:
-        return None, None, [f"stream {stream.title} is not used as an accelerometer: {how}"]
-    samples, out = xdf_accelerometer.usable(np.column_stack([times, scale * force]))
-    note = f"accelerometer on the mouse: stream {stream.title}, {len(samples)} samples, {how}"
-    return samples, stream, [note, *([f"accelerometer: {out}"] if out else []), *faults]
+    return ColumnTable(columns, TITLE, tuple(notes))
 
 
 def _streams(path: Path, file: BinaryIO) -> tuple[list[Stream], str]:
@@ -185,10 +145,9 @@ def _stream(path: Path, number: int, header: bytes) -> Stream:
         raise RecordingError(
             f"{path}: stream {number} has {channels} channels, at most {MOST_CHANNELS} are read"
         )
-    described = root.findall("desc/channels/channel")
-    labels, units = (tuple(one.findtext(tag, "") for one in described) for tag in ("label", "unit"))
+    labels = tuple(one.findtext("label", "") for one in root.findall("desc/channels/channel"))
     name, kind, values = (root.findtext(tag, "").strip() for tag in ("name", "type", "channel_format"))
-    return Stream(number, name, kind, values, channels, labels, units)
+    return Stream(number, name, kind, values, channels, labels)
 
 
 def _chosen(path: Path, streams: list[Stream], wanted: str | None) -> Stream:

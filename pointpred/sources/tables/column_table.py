@@ -10,7 +10,6 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.recording import Skip
 
 IntArray = NDArray[np.int64]
@@ -22,8 +21,7 @@ class ColumnTable(msgspec.Struct, frozen=True):
     A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
     a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
     row of each row if some were left out, which ``skipped`` names. ``unsure``: columns of ambiguous numbers,
-    and why. ``accelerations``: samples of an accelerometer on the device, shape (samples, 4), in s on the
-    clock of the column ``clock`` and in m/s^2.
+    and why.
     """
 
     columns: dict[str, Any]
@@ -32,8 +30,6 @@ class ColumnTable(msgspec.Struct, frozen=True):
     skipped: tuple[Skip, ...] = ()
     row_of: IntArray | None = None
     unsure: dict[str, str] = {}
-    accelerations: FloatArray | None = None
-    clock: str = ""
 
 
 def distinct_names(names: Sequence[str]) -> list[str]:

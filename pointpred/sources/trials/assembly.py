@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.accelerations import Accelerations
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.events import LARGEST, LATEST_S
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
@@ -31,7 +29,6 @@ def assemble(
     provenance: Provenance = IN_MEMORY,
     notes: Sequence[str] = (),
     row_of: IntArray | None = None,
-    samples: Sequence[FloatArray] | None = None,
 ) -> Recording:
     """A recording from event rows, row ``i`` of which belongs to ``trials[group[i]]``.
 
@@ -40,9 +37,8 @@ def assemble(
     has fewer than two samples, a cell that is not a finite number (``faults``: row -> fault) or beyond the
     bounds of events, one count without the other, time that runs backwards, buttons that are not a whole
     number in 0..65535, or no movement at all. ``unfit`` names further trials with the caller's reason. Equal
-    times are normal. ``row_of`` is the file's row of each table row if the two differ. ``samples``: of each
-    trial those of an accelerometer, (samples, 4), on the trial's clock. Every trial is either
-    in the recording or in its ``skipped``. Memory: two copies of the table at most.
+    times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is
+    either in the recording or in its ``skipped``. Memory: two copies of the table at most.
     """
     count = len(trials)
     sizes = np.bincount(group, minlength=count).astype(np.int64)
@@ -73,17 +69,9 @@ def assemble(
         offsets = np.concatenate([[0], np.cumsum(sizes[usable])]).astype(np.int64)
     begin = np.zeros(len(table), dtype=np.bool_)
     begin[offsets[:-1]] = True
-    events = EventColumns(table, begin)
-    if samples is not None:
-        kept = [one for one, keep in zip(samples, usable, strict=True) if keep]
-        beside = [
-            Accelerations.by_time(one, table[first:stop, T])
-            for one, (first, stop) in zip(kept, pairwise(offsets.tolist()), strict=True)
-        ]
-        events = EventColumns(table, begin, Accelerations.joined(beside))
     return Recording(
         name,
-        events,
+        EventColumns(table, begin),
         offsets,
         tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep),
         (*skipped, *skips),

@@ -182,18 +182,5 @@ export const DIFFERENTIATORS = {
       "pause_s": "the first event after a longer pause starts a movement",
       "shortest_s": "shortest interval differenced"
     }
-  },
-  "inertial": {
-    "meanings": {
-      "cpi": "resolution of the device; None: counts are not used",
-      "dpi": "resolution of the screen, used where counts are not",
-      "gap_s": "a longer gap between events means that the device was still",
-      "pause_s": "the first event after a longer pause starts a movement",
-      "jerk_density": "spectral density of the jerk",
-      "noise_m": "standard deviation of a measured position",
-      "force_density": "spectral density of the noise in the acceleration",
-      "drift_density": "spectral density of the drift of gravity and bias",
-      "smoothing_s": "time over which the acceleration is averaged"
-    }
   }
 };

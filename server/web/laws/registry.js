@@ -25,5 +25,4 @@ export const DIFFERENTIATORS = {
   "fading-memory": { load: () => import("./differentiators/fading.js").then((one) => one.FadingMemoryDifferentiator) },
   "reduced-order": { load: () => import("./differentiators/reduced_order.js").then((one) => one.ReducedOrderDifferentiator) },
   "difference": { load: () => import("./differentiators/difference.js").then((one) => one.BackwardDifferentiator) },
-  "inertial": { load: () => import("./differentiators/inertial.js").then((one) => one.InertialDifferentiator) },
 };
