@@ -21,6 +21,11 @@ REQUIRED: Any = ...
 """The default of a parameter that has none."""
 
 
+def is_number(value: object) -> bool:
+    """Whether a value is a number by its kind: no word that reads like one, no truth value."""
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
 class Parameter(msgspec.Struct, frozen=True):
     """A number that a user may set: its unit, its closed bounds, what it does, and its default."""
 
@@ -41,7 +46,7 @@ class Parameter(msgspec.Struct, frozen=True):
         if value is None and self.absent is not None:
             return
         unit = f" {self.unit}" if self.unit else ""
-        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        if not is_number(value):
             kind = f"a number ({self.unit})" if unit else "a number"
             raise self._error(f"{self.name} must be {kind}, received {value!r}", value)
         if not self.low <= value <= self.high:

@@ -3,39 +3,106 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
-from typing import Any, Self
+from functools import cache
+from math import nan
+from typing import Any, Literal, Self
 
 import numpy as np
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
-from pointpred.differentiators.differentiator import checked_event_row
-from pointpred.errors import EventError
-from pointpred.events import Place, PointerEvent, Prediction
-from pointpred.joint import joint_of, joint_sharing, last_of
 from pointpred.mixtures.mixture import Mixture
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
-from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
+from pointpred.records import (
+    EVENT_FIELD,
+    EventColumns,
+    FloatArray,
+    Place,
+    PointerEvent,
+    Prediction,
+    PredictionColumns,
+    Row,
+    TenFloats,
+    event_at,
+    event_row,
+    prediction_of,
+    refusal,
+    refused,
+)
 from pointpred.scene import scene
 
 
-@law
-def has_refusal(rows: FloatArray) -> bool:
-    """Whether a stage refused a row: its time is NaN."""
-    count = 0  # refusals are rare: an early exit gains nothing, and ruff would turn it into any() (SIM110)
-    for i in range(len(rows)):
-        count += 1 if rows[i, 0] != rows[i, 0] else 0
-    return count > 0
+@cache
+def joint_of(
+    first: Callable[..., Any], second: Callable[..., Any], compiled: bool
+) -> Callable[..., TenFloats]:
+    """The law ``first`` and then ``second`` with what it answered, for one event.
+
+    Takes the memory of each, the row, and what ``second`` shares. Where either refuses, both memories are as
+    they were: ``second`` changes nothing then, and that of ``first`` is copied back. Made once for two laws.
+    Not ``compiled``, it calls the two as they are: a pair that is chosen by few would else be compiled when
+    it is chosen.
+    """
+
+    def joint(memory: FloatArray, other: FloatArray, row: Row, *shared: FloatArray) -> TenFloats:
+        kept = memory.copy()
+        answer = first(memory, row)
+        if answer[0] == answer[0]:
+            answer = second(other, answer, *shared)
+            if answer[0] != answer[0]:
+                memory[:] = kept
+        return answer
+
+    return law(joint) if compiled else joint
+
+
+@cache
+def last_of(
+    first: Callable[..., Any], second: Callable[..., Any], follow: Callable[..., bool] | None
+) -> Callable[..., TenFloats]:
+    """``first`` and then ``second`` over a table of at least one event; the answer to the last of them.
+
+    ``follow`` takes a motion into the memory of ``second`` as that does, and says whether it was accepted;
+    without one, ``second`` is called for each. Where an event is refused, both memories are as they were.
+    """
+    follow_one = follow or _following(second)
+
+    def last(memory: FloatArray, other: FloatArray, rows: FloatArray, *shared: FloatArray) -> TenFloats:
+        kept, other_kept = memory.copy(), other.copy()
+        answer, count = refused(EVENT_FIELD, nan), 0
+        for i in range(len(rows) - 1):
+            between = first(memory, event_at(rows, i))
+            if between[0] != between[0] or not follow_one(other, between, *shared):
+                break
+            count += 1
+        if count == len(rows) - 1:
+            between = first(memory, event_at(rows, count))
+            if between[0] == between[0]:
+                answer = second(other, between, *shared)
+        if answer[0] != answer[0]:
+            memory[:] = kept
+            other[:] = other_kept
+        return answer
+
+    return law(last)
+
+
+def _following(step: Callable[..., Any]) -> Callable[..., bool]:
+    """A law that does what ``step`` does, and says only whether it accepts."""
+
+    def follow(memory: FloatArray, row: Row, *shared: FloatArray) -> bool:
+        t = step(memory, row, *shared)[0]
+        return bool(t == t)
+
+    return law(follow)
 
 
 class Pipeline:
     """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor.
 
-    ``advance`` takes one row, through both laws in one compiled call, and ``advance_all`` a table; ``update``
-    and ``run`` do the same for records and columns. Where an event is refused, nothing has changed.
+    ``push`` takes a table of events; ``update`` one event, through both laws in one compiled call, and
+    ``advance`` does so in rows. Where an event is refused, nothing has changed.
     """
 
     def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
@@ -43,7 +110,6 @@ class Pipeline:
         self.differentiator = differentiator
         self.predictor = predictor
         self._joint: Callable[..., TenFloats] | None = None
-        self._last: Callable[..., Row] | None = None
 
     def update(self, event: PointerEvent, /) -> Prediction | None:
         """Consume one event; ``None`` where nothing is justified now.
@@ -51,92 +117,67 @@ class Pipeline:
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the pipeline is then unchanged.
         """
-        answer = self.advance(checked_event_row(event))
-        if answer is None:
-            raise self._reason(lambda: self.predictor.update(self.differentiator.update(event)))
+        row = event_row(event)
+        answer = self.advance(row)
+        if answer[0] != answer[0]:
+            raise refusal(row, answer)
         return prediction_of(answer)
 
-    def advance(self, row: Row) -> TenFloats | None:
+    def advance(self, row: Row) -> TenFloats:
         """``update`` in rows: an ``EventRow`` in, the floats of a ``PredictionRow`` out.
 
-        ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
+        The first is NaN where the event is refused: nothing has changed then; ``records.refusal`` says why.
         """
-        first, second = self.differentiator, self.predictor
         joint = self._joint or self._bind()
-        answer = joint(first._memory, second._memory, row)
-        return answer if answer[0] == answer[0] else None
+        return joint(self.differentiator._memory, self.predictor._memory, row, *self.predictor.shared)
 
-    def joint(self) -> Callable[..., TenFloats]:
-        """Both laws as one."""
-        join = joint_sharing if self.predictor.shared else joint_of
-        return join(type(self.differentiator).step, type(self.predictor).step, self._compiled)
+    def push(
+        self,
+        events: EventColumns | FloatArray,
+        want: Literal["last", "all"] = "all",
+        motions: FloatArray | None = None,
+    ) -> FloatArray:
+        """Consume events and return the rows of their predictions; of at least one, only the last one's.
+
+        ``events``: columns, where a row marked ``begin`` resets first, or their table, where none does.
+        ``motions``: what a fresh differentiator with this one's parameters gives for ``events``, whose first
+        row is marked ``begin``; the differentiator itself is then left as it is. A row is NaN but for ``t``
+        and the phase where ``update`` gives ``None``. Raises EventOrderError or EventError naming the row;
+        nothing is then consumed.
+        """
+        columns = events if isinstance(events, EventColumns) else None
+        table = columns.table if columns is not None else events
+        if want == "last" and columns is None and self.compiled:
+            laws = type(self.differentiator).step, type(self.predictor).step, type(self.predictor).follow
+            memories = self.differentiator._memory, self.predictor._memory
+            answer = last_of(*laws)(*memories, table, *self.predictor.shared)
+            if answer[0] == answer[0]:
+                return np.array([answer])
+        begin = np.zeros(len(table), np.bool_) if columns is None else columns.begin
+        before = self.differentiator.remembered()
+        answers: FloatArray | None = None
+        try:
+            if motions is None:
+                motions = self.differentiator.walk_all(begin, table)
+            answers = self.predictor.walk_all(begin, motions)
+        finally:
+            if answers is None:
+                self.differentiator.recall(before)
+        return answers[-1:] if want == "last" else answers
 
     def _bind(self) -> Callable[..., TenFloats]:
-        """The joint law with what is shared; not before an event comes: one for tables only has no law."""
-        shared = self.predictor.shared
-        self._joint = partial(self.joint(), *shared) if shared else self.joint()
+        """The joint law; not before an event comes: one for tables only has none."""
+        self._joint = joint_of(type(self.differentiator).step, type(self.predictor).step, self.compiled)
         return self._joint
 
     @property
-    def _compiled(self) -> bool:
+    def compiled(self) -> bool:
         """Whether both laws are compiled as one."""
         return self.predictor.joint_compiled and isinstance(self.differentiator, HomogeneousDifferentiator)
 
-    def advance_last(self, table: FloatArray) -> Row | None:
-        """``advance_all`` of at least one row where only the last answer is wanted, bit for bit the same."""
-        last = self._last or self._bind_last()
-        answer = last(self.differentiator._memory, self.predictor._memory, table, *self.predictor.shared)
-        return answer if answer[0] == answer[0] else None
-
-    def last(self) -> Callable[..., Row] | None:
-        """Both laws as one over a table; ``None`` where they are not compiled as one."""
-        second = type(self.predictor)
-        return last_of(type(self.differentiator).step, second.step, second.follow) if self._compiled else None
-
-    def _bind_last(self) -> Callable[..., Row]:
-        self._last = self.last() or self._walk_to_last
-        return self._last
-
-    def _walk_to_last(self, memory: FloatArray, other: FloatArray, table: FloatArray, *_: FloatArray) -> Row:
-        answers = self.advance_all(np.zeros(len(table), np.bool_), table)
-        return REFUSED if answers is None else tuple(answers[-1].tolist())
-
     def __getstate__(self) -> dict[str, Any]:
-        """Everything but the compiled laws, which are made again."""
-        return {**self.__dict__, "_joint": None, "_last": None}
-
-    def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
-        """``advance`` over a table, resetting before each row marked ``begin``.
-
-        ``None`` where a row is refused; nothing has changed then, and ``run`` says why.
-        """
-        stages = (self.differentiator, self.predictor)
-        memories = [stage.remembered() for stage in stages]
-        answers: FloatArray | None = None
-        try:
-            answers = self.predictor.walk(begin, self.differentiator.walk(begin, table))
-            if has_refusal(answers):
-                answers = None
-        finally:
-            if answers is None:
-                for stage, memory in zip(stages, memories, strict=True):
-                    stage.recall(memory)
-        return answers
-
-    def refusal(self, columns: EventColumns) -> EventError:
-        """Why ``advance_all`` refuses a table of events; it names the row."""
-        return self._reason(lambda: self.predictor.run(self.differentiator.run(columns), columns.begin))
-
-    def _reason(self, attempt: Callable[[], object]) -> EventError:
-        """Why the stages refuse what was attempted; they are afterwards as they were."""
-        memory = self.differentiator.remembered()
-        try:
-            attempt()
-        except EventError as reason:
-            return reason
-        finally:
-            self.differentiator.recall(memory)
-        raise AssertionError("the stages take one by one what the pipeline refused")
+        """Everything but the compiled law, which is made again."""
+        return {**self.__dict__, "_joint": None}
 
     @property
     def learns(self) -> bool:
@@ -203,24 +244,6 @@ class Pipeline:
         return type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
 
 
-def run_on(pipeline: Pipeline, columns: EventColumns, motions: FloatArray) -> PredictionColumns:
-    """``run`` where the motions of the events are known, as pipelines of one differentiator share them.
-
-    ``motions``: what a fresh differentiator with this one's parameters gives for ``columns``, whose first row
-    is marked ``begin``. The differentiator itself is left as it is. Raises what ``run`` raises.
-    """
-    memory = pipeline.predictor.remembered()
-    answers: FloatArray | None = None
-    try:
-        answers = pipeline.predictor.walk(columns.begin, motions)
-        if has_refusal(answers):
-            answers = None
-    finally:
-        if answers is None:
-            pipeline.predictor.recall(memory)
-    return run(pipeline, columns) if answers is None else PredictionColumns(answers)
-
-
 def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     """Consume a table of events and return a row of predictions for each.
 
@@ -229,7 +252,4 @@ def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
     """
-    table = pipeline.advance_all(columns.begin, columns.table)
-    if table is None:
-        raise pipeline.refusal(columns)
-    return PredictionColumns(table)
+    return PredictionColumns(pipeline.push(columns))

@@ -15,9 +15,9 @@ from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, 
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
+from pointpred.records import BoolArray, FloatArray, refusal
 
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
@@ -79,31 +79,11 @@ def learn_nothing(memory: FloatArray) -> None:
 def loop_of(
     step: Callable[..., Any], row_of: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
 ) -> Callable[..., None]:
-    """The compiled loop around a law ``step(memory, row) -> row`` over a table.
+    """The compiled loop around a law ``step(memory, row, *shared) -> row`` over a table.
 
     ``row_of(rows, i)`` takes a row out of the table as a tuple. A row marked ``begin`` forgets the memory
-    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends.
-    """
-
-    @law
-    def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-        for i in range(len(rows)):
-            if begin[i]:
-                conclude(memory)
-                memory[first:] = 0.0
-            answer = step(memory, row_of(rows, i))
-            for j in range(len(answer)):
-                out[i, j] = answer[j]
-
-    return loop
-
-
-def loop_sharing(
-    step: Callable[..., Any], row_of: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
-) -> Callable[..., None]:
-    """``loop_of`` for a law ``step(memory, row, shared)`` that reads an array which many stages share.
-
-    A loop of its own: ``*shared`` in ``loop_of`` would cost every row of every stage 10 ns.
+    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends. ``shared``: an
+    array that many stages read, or none.
     """
 
     @law
@@ -113,13 +93,13 @@ def loop_sharing(
         begin: BoolArray,
         rows: FloatArray,
         out: FloatArray,
-        shared: FloatArray,
+        *shared: FloatArray,
     ) -> None:
         for i in range(len(rows)):
             if begin[i]:
                 conclude(memory)
                 memory[first:] = 0.0
-            answer = step(memory, row_of(rows, i), shared)
+            answer = step(memory, row_of(rows, i), *shared)
             for j in range(len(answer)):
                 out[i, j] = answer[j]
 
@@ -137,6 +117,15 @@ def loop_into(step: Callable[..., Any]) -> Callable[..., None]:
             step(memory, rows[i], out[i])
 
     return loop
+
+
+@law
+def first_refused(answers: FloatArray) -> int:
+    """The first row whose answer is a refusal, with NaN for a time; -1 where there is none."""
+    for i in range(len(answers)):
+        if answers[i, 0] != answers[i, 0]:
+            return i
+    return -1
 
 
 @dataclass_transform(kw_only_default=True, field_specifiers=(parameter, option))
@@ -166,6 +155,7 @@ class CompiledStage:
     sizes: ClassVar[Callable[..., tuple[int, int, int]] | None] = None
     """How many settings, learned floats and states follow from the values; None: always as many."""
     states: int = 0
+    step: ClassVar[Callable[..., Any]]
     width: int
     loop: ClassVar[Callable[..., None]]
     learned: int = 0
@@ -250,8 +240,32 @@ class CompiledStage:
         twin._memory = self._memory.copy()
         return twin
 
+    def advance(self, row: Any, /) -> Any:
+        """One row through the law: its answer, whose first number is NaN where the row is refused.
+
+        Nothing has changed then, and the answer says why; see ``records.refusal``.
+        """
+        return type(self).step(self._memory, row, *self.shared)
+
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory.
+
+        A row that is refused changes nothing, and its answer says why; the rows after it are taken.
+        """
         out = np.full((len(rows), self.width), np.nan)
         type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
+        return out
+
+    def walk_all(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
+        """``walk`` where no row may be refused: raises EventError naming the first, and changes nothing."""
+        before = self.remembered()
+        out: FloatArray | None = None
+        try:
+            answers = self.walk(begin, rows)
+            if (i := first_refused(answers)) >= 0:
+                raise refusal(rows[i].tolist(), answers[i].tolist(), f"row {i}: ")
+            out = answers
+        finally:
+            if out is None:
+                self.recall(before)
         return out

@@ -12,9 +12,9 @@ import numpy as np
 from pointpred.camera.samples import CameraColumns, CameraSample, SampleRow
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import LATEST_S
+from pointpred.parameter import is_number
 from pointpred.stage import CompiledStage
 
 LARGEST_PX, LARGEST_W, LARGEST_A = 1e6, 1e3, 1e4

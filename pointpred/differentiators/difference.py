@@ -5,9 +5,9 @@ from __future__ import annotations
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import EventRow, TenFloats, refused
 from pointpred.stage import offsets
 
 # The parameters: those of sampling, the shortest interval. The state: that of sampling; time and position of
@@ -31,8 +31,8 @@ def advance(memory: FloatArray, axis: int, u: float, dt: float) -> None:
 def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the differences of both axes."""
     verdict, _, _, _, start = sampling.accept(memory, AT, event)
-    if verdict == sampling.REFUSED:
-        return REFUSED
+    if verdict < 0:
+        return refused(-verdict, memory[AT + sampling.T])
     if verdict == sampling.RESTARTED:
         memory[TIME : SPAN_S + 1] = 0.0
         memory[TIME] = memory[AT + sampling.T]
@@ -46,9 +46,6 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     acceleration = memory[AX], memory[AX + 1]
     settled = sampling.settled(memory, AT, 3.0, 2.0 * memory[SHORTEST_S])
     return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
-
-
-loop = loop_over_events(step)
 
 
 class BackwardDifferentiator(Differentiator):
@@ -78,6 +75,5 @@ class BackwardDifferentiator(Differentiator):
 
     shortest_s: float = parameter("s", 1e-6, 1e-1, "shortest interval differenced", default=1e-4)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT

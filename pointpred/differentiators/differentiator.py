@@ -3,31 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import nan
 from typing import Any, ClassVar
 
-from pointpred.columns import EventColumns, FloatArray, MotionColumns
 from pointpred.differentiators import sampling
-from pointpred.errors import EventError, ParameterError
-from pointpred.events import CPI, DPI, Motion, PointerEvent
+from pointpred.errors import ParameterError
 from pointpred.parameter import parameter
-from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_at, event_row, motion_of
+from pointpred.records import (
+    CPI,
+    DPI,
+    EventColumns,
+    FloatArray,
+    Motion,
+    MotionColumns,
+    MotionRow,
+    PointerEvent,
+    TenFloats,
+    event_at,
+    event_row,
+    motion_of,
+    refusal,
+)
 from pointpred.stage import CompiledStage, loop_of
-
-PLAIN = frozenset({float, int, type(None)})
-"""Kinds of the fields of an event that need no second look."""
-
-
-def loop_over_events(step: Callable[..., Any]) -> Callable[..., None]:
-    """The loop of a differentiator's law over a table of events; see ``loop_of``."""
-    return loop_of(step, event_at)
 
 
 class Differentiator(CompiledStage):
     """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, event) -> motion``.
 
     Both are rows: an ``EventRow`` in, the floats of a ``MotionRow`` out, with t NaN where the event is
-    refused. A child gives ``step``, ``loop`` and ``at``, the place of the sampling state in the memory.
+    refused. A child gives ``step`` and ``at``, the place of the sampling state in the memory.
 
     ``cpi``: with it the motor motion comes from the events' counts; without, from the cursor and ``dpi``.
     """
@@ -36,6 +39,11 @@ class Differentiator(CompiledStage):
     at: ClassVar[int]
     fill = staticmethod(sampling.fill)
     step: ClassVar[Callable[..., TenFloats]]
+
+    def __init_subclass__(cls) -> None:
+        """Make the loop over a table of events around the class's own law."""
+        super().__init_subclass__()
+        cls.loop = staticmethod(loop_of(cls.step, event_at))
 
     cpi: float | None = parameter(
         "counts per inch",
@@ -74,70 +82,12 @@ class Differentiator(CompiledStage):
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the memory is then unchanged.
         """
-        motion = self.advance(checked_event_row(event))
+        row = event_row(event)
+        motion = self.advance(row)
         if motion[0] != motion[0]:
-            raise self.refusal(event)
+            raise refusal(row, motion)
         return motion_of(motion)
-
-    def advance(self, row: Row) -> TenFloats:
-        """``update`` in rows; t is NaN where the event is refused, and nothing has changed then."""
-        return type(self).step(self._memory, row)
 
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
-        before = self.remembered()
-        motions = MotionColumns(self.walk(events.begin, events.table))
-        refused = motions.t != motions.t
-        if refused.any():
-            self.recall(before)
-            raise self.refusal_of_row(events, int(refused.argmax()))
-        return motions
-
-    def refusal(self, event: PointerEvent) -> EventError:
-        """Why ``update`` refuses an event."""
-        return sampling.refusal(event, self._last_t())
-
-    def refusal_of_row(self, events: EventColumns, row: int) -> EventError:
-        """Why ``run`` refuses a row of a table."""
-        begins = events.begin[: row + 1].nonzero()[0]
-        first = int(begins[-1]) if len(begins) else 0
-        before = events.t[first:row]
-        if len(before):
-            last_t: float | None = float(before[-1])
-        else:
-            last_t = None if len(begins) else self._last_t()
-        # The row as it stands, with buttons that may be no whole number at all.
-        t, x, y, dx, dy, buttons = events.table[row].tolist()
-        event = PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)
-        reason = sampling.refusal(event, last_t)
-        return type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
-
-    def _last_t(self) -> float | None:
-        """The time of the last event, ``None`` before the first."""
-        started = self._memory[self.at + sampling.STARTED] == 1.0
-        return float(self._memory[self.at + sampling.T]) if started else None
-
-
-def checked_event_row(event: PointerEvent) -> SixFloats:
-    """The row of an event that a user made; raises EventError where a field is no number."""
-    try:
-        t, x, y, dx, dy, buttons = event.t, event.x, event.y, event.dx, event.dy, event.buttons
-        if float is type(t) is type(x) is type(y) and int is type(buttons):  # most events, in half the time
-            if dx is None is dy:
-                return t, x, y, nan, nan, float(buttons)
-            if float is type(dx) is type(dy) and dx == dx and dy == dy:
-                return t, x, y, dx, dy, float(buttons)
-        kinds = {type(t), type(x), type(y), type(dx), type(dy), type(buttons)}
-        if (kinds <= PLAIN or _numbers(event)) and dx == dx and dy == dy:
-            return event_row(event)
-    except (TypeError, ValueError, OverflowError) as unusable:
-        raise sampling.refusal(event, None) from unusable
-    except AttributeError as missing:
-        raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
-    raise sampling.refusal(event, None)
-
-
-def _numbers(event: PointerEvent) -> bool:
-    """Whether every field is a number, or a count that is missing."""
-    counts = [count for count in (event.dx, event.dy) if count is not None]
-    return all(map(sampling.is_number, (event.t, event.x, event.y, *counts, event.buttons)))
+        return MotionColumns(self.walk_all(events.begin, events.table))

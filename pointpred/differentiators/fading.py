@@ -7,9 +7,9 @@ from math import exp
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import EventRow, TenFloats, refused
 from pointpred.stage import offsets
 
 UNDETERMINED = 1e-9
@@ -75,8 +75,8 @@ def fit(memory: FloatArray) -> None:
 def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the fits of both axes."""
     verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
-    if verdict == sampling.REFUSED:
-        return REFUSED
+    if verdict < 0:
+        return refused(-verdict, memory[AT + sampling.T])
     if verdict == sampling.RESTARTED:
         memory[TIME : FIT + 4] = 0.0
         memory[TIME] = 1.0
@@ -88,9 +88,6 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     acceleration = memory[FIT + 2], memory[FIT + 3]
     settled = sampling.settled(memory, AT, 3.0, memory[MEMORY_S])
     return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
-
-
-loop = loop_over_events(step)
 
 
 class FadingMemoryDifferentiator(Differentiator):
@@ -125,6 +122,5 @@ class FadingMemoryDifferentiator(Differentiator):
         "s", 1e-3, 1.0, "time in which the weight of a sample falls to 1/e", default=0.01
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT

@@ -11,12 +11,11 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import Differentiator, loop_over_events
-from pointpred.differentiators.sampling import is_number
+from pointpred.differentiators.differentiator import Differentiator
 from pointpred.errors import ParameterError
 from pointpred.events import METRES_PER_INCH
-from pointpred.parameter import option, parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.parameter import is_number, option, parameter
+from pointpred.records import EventRow, TenFloats, refused
 from pointpred.stage import offsets
 
 ORDER_MOST = 8
@@ -66,8 +65,8 @@ def advance(memory: FloatArray, z: int, before: float, now: float, h: float, ste
 def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the differentiator of both axes."""
     verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
-    if verdict == sampling.REFUSED:
-        return REFUSED
+    if verdict < 0:
+        return refused(-verdict, memory[AT + sampling.T])
     if verdict == sampling.RESTARTED:
         memory[ZX : SLOPE + 2] = 0.0
     elif verdict == sampling.MOVED:
@@ -83,9 +82,6 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     )
     settled = sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S])
     return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
-
-
-loop = loop_over_events(step)
 
 
 @law
@@ -227,7 +223,6 @@ class HomogeneousDifferentiator(Differentiator):
         "the position between two samples: 'line' or 'hold'", default="line"
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
     fill = staticmethod(fill)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import constant_acceleration, sampling
-from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import EventRow, TenFloats, refused
 from pointpred.stage import offsets
 
 SETTLED_RADIANS = 4.0
@@ -36,8 +36,8 @@ def settle_s(memory: FloatArray) -> float:
 def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the filter of both axes."""
     verdict, dt, _, _, start = sampling.accept(memory, AT, event)
-    if verdict == sampling.REFUSED:
-        return REFUSED
+    if verdict < 0:
+        return refused(-verdict, memory[AT + sampling.T])
     if verdict == sampling.RESTARTED:
         constant_acceleration.restart(memory, X, memory[NOISE])
     elif verdict == sampling.MOVED:
@@ -47,9 +47,6 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     acceleration = memory[X + 2], memory[X + 5]
     settled = sampling.settled(memory, AT, 4.0, settle_s(memory))
     return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
-
-
-loop = loop_over_events(step)
 
 
 class KalmanDifferentiator(Differentiator):
@@ -83,7 +80,6 @@ class KalmanDifferentiator(Differentiator):
     jerk_density: float = parameter("m^2/s^5", 1e-3, 1e9, "spectral density of the jerk", default=30.0)
     noise_m: float = parameter("m", 1e-8, 1e-1, "standard deviation of a measured position", default=1e-4)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
     fill = staticmethod(fill)

@@ -7,9 +7,9 @@ from math import cos, exp, sin, sqrt
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import EventRow, TenFloats, refused
 from pointpred.stage import offsets
 
 SETTLED_RADIANS = 5.0
@@ -50,8 +50,8 @@ def follow(memory: FloatArray, x: int, slope: float, dt: float) -> None:
 def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the observers of both axes."""
     verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
-    if verdict == sampling.REFUSED:
-        return REFUSED
+    if verdict < 0:
+        return refused(-verdict, memory[AT + sampling.T])
     if verdict == sampling.RESTARTED:
         memory[X : X + 4] = 0.0
     elif verdict == sampling.MOVED:
@@ -61,9 +61,6 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     acceleration = memory[X + 1], memory[X + 3]
     settled = sampling.settled(memory, AT, 3.0, memory[SETTLE_S])
     return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
-
-
-loop = loop_over_events(step)
 
 
 class ReducedOrderDifferentiator(Differentiator):
@@ -99,7 +96,6 @@ class ReducedOrderDifferentiator(Differentiator):
     )
     damping: float = parameter("", 0.1, 1.0, "cosine of their angle from the negative real axis", default=0.5)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
     fill = staticmethod(fill)

@@ -6,15 +6,17 @@ movement is noticed. The rules are those of the public interface, so all differe
 
 from __future__ import annotations
 
-from math import floor
-
-import numpy as np
-
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH, ROUNDING_S, PointerEvent
-from pointpred.rows import EventRow, TenFloats
+from pointpred.records import (
+    FINE,
+    METRES_PER_INCH,
+    ORDER,
+    ROUNDING_S,
+    EventRow,
+    FloatArray,
+    TenFloats,
+    fault_of_event,
+)
 
 # Parameters, first in the memory of every differentiator.
 METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)
@@ -24,7 +26,7 @@ METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)
 # law used last (without what was merged since).
 STARTED, T, X, Y, BUTTONS, U, V, SAMPLES, COUNTS, SINCE, LAST_U, LAST_V, STATES = range(13)
 
-REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
+MERGED, RESTARTED, MOVED = 0, 1, 2
 
 
 @layout
@@ -40,27 +42,20 @@ def fill(values: FloatArray, memory: FloatArray) -> None:
 
 
 @law
-def usable(event: EventRow) -> bool:
-    """Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN)."""
-    t, x, y, dx, dy, buttons = event
-    if not (abs(t) <= LATEST_S and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
-        return False
-    if buttons != floor(buttons):
-        return False
-    return bool((dx != dx and dy != dy) or (abs(dx) <= LARGEST and abs(dy) <= LARGEST))
-
-
-@law
 def accept(memory: FloatArray, at: int, event: EventRow) -> tuple[int, float, float, float, bool]:
     """Take one event in: (verdict, dt in s, motor position that the law used last in m, movement started).
 
-    A refused event changes nothing. A merged one has changed the motor position, which the law uses at the
+    A refused event changes nothing; its verdict is the code of its fault, as in ``records``, with a minus. A
+    merged one has changed the motor position, which the law uses at the
     next later time. After a restart the motor position is 0: the law starts there, at rest.
     """
     t, x, y, dx, dy, buttons = event
     started = memory[at + STARTED] == 1.0
-    if not usable(event) or (started and t < memory[at + T]):
-        return REFUSED, 0.0, 0.0, 0.0, False
+    fault = fault_of_event(event)
+    if fault == FINE and started and t < memory[at + T]:
+        fault = ORDER
+    if fault != FINE:
+        return -fault, 0.0, 0.0, 0.0, False
     dt = t - memory[at + T]
     released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
     start = not started or released or dt > memory[PAUSE_S] + ROUNDING_S
@@ -115,32 +110,3 @@ def motion(
     vx, vy = velocity
     ax, ay = acceleration
     return t, x, y, vx, vy, ax, ay, settled, 1.0 if start else 0.0, memory[at + COUNTS]
-
-
-def is_number(value: object) -> bool:
-    """Whether a value is a number by its kind: no word that reads like one, no truth value."""
-    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
-
-
-def refusal(event: PointerEvent, last_t: float | None) -> EventError:
-    """Why an event was refused; ``last_t`` is the time it must not precede, if there is one."""
-    for name in ("t", "x", "y", "dx", "dy", "buttons"):
-        value = getattr(event, name)
-        if value is None and name in ("dx", "dy"):
-            continue
-        high = LATEST_S if name == "t" else LARGEST
-        low = 0.0 if name == "buttons" else -high
-        if not is_number(value):
-            return EventError(f"{name} must be a number, received {value!r}", field=name, value=value)
-        if not low <= value <= high:
-            message = f"{name} must lie in [{low:g}, {high:g}], received {value!r}"
-            return EventError(message, field=name, value=value)
-        if name == "buttons" and value != int(value):
-            return EventError(f"{name} must be a whole number, received {value!r}", field=name, value=value)
-    if (event.dx is None) != (event.dy is None):
-        message = f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}"
-        return EventError(message, field="dx", value=event.dx)
-    if last_t is not None and event.t < last_t:
-        message = f"t must not run backwards: received {event.t!r} s after {last_t!r} s"
-        return EventOrderError(message, field="t", value=event.t)
-    return EventError(f"event refused: {event!r}")

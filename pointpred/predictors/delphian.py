@@ -14,7 +14,7 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 # The parameters; the movement; where the speed was highest, its direction from the start, whether it has
@@ -29,9 +29,9 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
     m = MotionRow(*motion)
     before = memory[AT + movement.PEAK]
-    accepted, new, _ = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, _ = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     phase = movement.phase(memory, AT, m)
     if new:
         memory[PEAK_X:] = 0.0

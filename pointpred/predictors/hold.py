@@ -6,7 +6,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 
@@ -15,9 +15,9 @@ AT = 0
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """The cursor's position is the answer."""
     m = MotionRow(*motion)
-    accepted, _, _ = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, _, _ = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     return endpoint(m.t, m.x, m.y, movement.phase(memory, AT, m))
 
 

@@ -9,7 +9,7 @@ from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 PRIOR_SPEED = 100.0
@@ -63,9 +63,9 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     """One position through the filter of both axes, and its state carried over the horizon."""
     m = MotionRow(*motion)
     last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]
-    accepted, new, dt = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, dt = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
     if new or dt > memory[GAP_S] + ROUNDING_S:
         expect_rest(memory, m.x - x0, m.y - y0)

@@ -10,7 +10,7 @@ from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 CAPACITY = 8
@@ -50,9 +50,9 @@ def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Carry the mean velocity of the window on over the horizon."""
     m = MotionRow(*motion)
-    accepted, new, _ = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, _ = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     if new:
         memory[COUNT] = 0.0
     phase = movement.phase(memory, AT, m)

@@ -8,7 +8,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 
@@ -24,9 +24,9 @@ def progress(ratio: float) -> tuple[float, float]:
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Divide the way done by the share that the speed says is done."""
     m = MotionRow(*motion)
-    accepted, _, _ = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, _, _ = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     phase = movement.phase(memory, AT, m)
     peak = memory[AT + movement.PEAK]
     if peak < movement.STILL_M_S:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from math import hypot, inf
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import MotionRow
+from pointpred.records import FINE, MOTION_FIELD, ORDER, FloatArray, MotionRow, TenFloats, refused
 
 STILL_M_S = 0.002
 """Below this speed of the hand nothing moves: two counts a second of a coarse mouse."""
 CORRECTIVE_FRACTION = 0.2
 """A movement slower than this share of its peak is corrective (thesis 2.5.6: a fifth)."""
+
+NUMBERS = 7
+"""So many fields of a motion are numbers that must be finite; the others are marks."""
 
 # State, relative to `at`: known, last sample, first sample of the movement, peak speed, px travelled.
 KNOWN, T, X, Y, T0, X0, Y0, PEAK, PATH, STATES = range(10)
@@ -20,15 +22,34 @@ STILL, BALLISTIC, CORRECTIVE = 0.0, 1.0, 2.0
 
 
 @law
-def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[bool, bool, float]:
-    """Take one motion in: (accepted, a movement starts here, dt in s since the motion before).
+def fault_of(memory: FloatArray, at: int, m: MotionRow) -> int:
+    """FINE; ORDER before the last time; MOTION_FIELD plus the place of a value, where one is not finite."""
+    size = abs(m.t) + abs(m.x) + abs(m.y) + abs(m.vx) + abs(m.vy) + abs(m.ax) + abs(m.ay)
+    if size < inf:
+        return ORDER if memory[at + KNOWN] == 1.0 and m.t < memory[at + T] else FINE
+    worst = 0
+    for i in range(1, NUMBERS):
+        if not abs(m[i]) <= abs(m[worst]):
+            worst = i
+    return MOTION_FIELD + worst
 
-    Not accepted, and the memory unchanged: a value that is not finite, or a time before the last one.
+
+@law
+def refuse(memory: FloatArray, at: int, m: MotionRow, fault: int) -> TenFloats:
+    """The answer to a motion with a fault."""
+    return refused(fault, memory[at + T] if fault == ORDER else m[fault - MOTION_FIELD])
+
+
+@law
+def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[int, bool, float]:
+    """Take one motion in: (its fault, a movement starts here, dt in s since the motion before).
+
+    With a fault other than FINE the memory is unchanged.
     """
     t, x, y = m.t, m.x, m.y
-    size = abs(t) + abs(x) + abs(y) + abs(m.vx) + abs(m.vy) + abs(m.ax) + abs(m.ay)
-    if not size < inf or (memory[at + KNOWN] == 1.0 and t < memory[at + T]):
-        return False, False, 0.0
+    fault = fault_of(memory, at, m)
+    if fault != FINE:
+        return fault, False, 0.0
     new = m.start == 1.0 or memory[at + KNOWN] == 0.0
     dt = 0.0 if new else t - memory[at + T]
     if new or t == memory[at + T0]:  # of events at one time, the later position replaces
@@ -41,7 +62,7 @@ def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[bool, bool, float
     memory[at + KNOWN] = 1.0
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
     memory[at + PEAK] = max(memory[at + PEAK], hypot(m.vx, m.vy))
-    return True, new, dt
+    return FINE, new, dt
 
 
 @law

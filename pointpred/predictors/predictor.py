@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar
 
-from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
-from pointpred.events import Motion, Place, Prediction
 from pointpred.mixtures.mixture import Mixture
-from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of, row_at
+from pointpred.records import (
+    BoolArray,
+    Motion,
+    MotionColumns,
+    Place,
+    Prediction,
+    PredictionColumns,
+    PredictionRow,
+    TenFloats,
+    motion_row,
+    prediction_of,
+    refusal,
+    row_at,
+)
 from pointpred.scene import Scene
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
 
@@ -55,7 +66,7 @@ class Predictor(CompiledStage):
             raise EventError(f"motion must be numbers, received {motion!r}") from unusable
         answer = self.advance(row)
         if answer[0] != answer[0]:
-            raise unusable_motion(row)
+            raise refusal(row, answer)
         return prediction_of(answer)
 
     @property
@@ -71,22 +82,6 @@ class Predictor(CompiledStage):
     def enter(self, scene: Scene) -> None:
         """The next movement is in this window or page; without effect where no places are learned."""
 
-    def advance(self, row: Row) -> TenFloats:
-        """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""
-        return type(self).step(self._memory, row, *self.shared)
-
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""
-        kept = self.remembered()
-        table = self.walk(begin, motions.table)
-        refused = table[:, 0] != table[:, 0]
-        if refused.any():
-            self.recall(kept)
-            i = int(refused.argmax())
-            raise EventError(f"row {i}: {unusable_motion(tuple(motions.table[i].tolist()))}")
-        return PredictionColumns(table)
-
-
-def unusable_motion(row: Row) -> EventError:
-    """The error for a motion that a law refuses."""
-    return EventError(f"a motion must be finite and not before the last one, received {MotionRow(*row)}")
+        return PredictionColumns(self.walk_all(begin, motions.table))

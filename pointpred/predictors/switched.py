@@ -7,8 +7,8 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.regression import drem
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
@@ -53,9 +53,9 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Both axes, each in its own phase (Remark 2.5.1)."""
     m = MotionRow(*motion)
-    accepted, new, _ = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, _ = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     if new:
         memory[X_AXIS:] = 0.0
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]

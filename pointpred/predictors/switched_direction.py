@@ -9,7 +9,7 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement, submovement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 # The parameters.
@@ -62,9 +62,9 @@ def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) 
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Follow the sub-movement and add what is left of it in the direction of the hand."""
     m = MotionRow(*motion)
-    accepted, new, dt = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, dt = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     if new:
         memory[VX:END] = 0.0
     if new or m.t == memory[AT + movement.T0]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.differentiators import Differentiator
-from pointpred.pipeline import Pipeline, run, run_on
+from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
 from pointpred.scoring.chunks import each_in_threads, spans, users
 from pointpred.scoring.measures import endpoint
@@ -166,7 +166,7 @@ def _replay_chunk(
         else:
             table, shared_s = motions.of(pipeline.differentiator, *rows)
             before = time.thread_time()
-            answers = run_on(pipeline, events, table)
+            answers = PredictionColumns(pipeline.push(events, motions=table))
     except Exception as error:  # a pipeline may be anyone's: whatever it raises is reported, not raised
         if stop - first > 1:
             twins = (pipeline if pipeline.learns else pipeline.fresh() for _ in range(first, stop))

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
-from pointpred.rows import REFUSED, Row, prediction_row
+from pointpred.rows import Row, prediction_row
 from pointpred.targets import cursor, decision, expectation, posterior
 from pointpred.targets.choice_law import (
     ENTERED,
@@ -87,7 +87,7 @@ class Chooser:
         least_way_px: float = 3.0,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
-        self._answer: Row = REFUSED
+        self._answer: Row = prediction_row(None)
         settings = (precision, elsewhere, least_lead_s, least_way_px)
         names = (parameter.name for parameter in self.parameters)
         check(self.parameters, dict(zip(names, settings, strict=True)))
@@ -283,7 +283,7 @@ class Chooser:
         """
         self._memory = np.zeros(cursor.STATES)
         self._standing = self._over = decision.NOBODY
-        self._answer = REFUSED
+        self._answer = prediction_row(None)
         self._shares[:] = 0.0
         self._shares[-1] = 1.0
         self._inside[self._inside != OUTSIDE] = RELEASED

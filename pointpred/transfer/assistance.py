@@ -269,13 +269,8 @@ class GuardedTransfer(ReportStage):
     )
     states = pixels.STATES + pixels.CARRIED
     width = 5
+    step = staticmethod(guarded_step)
     loop = staticmethod(loop_of(guarded_step, guided_report_at))
-
-    def advance(
-        self, t: float, dx: float, dy: float, way: Way = UNGUIDED
-    ) -> tuple[float, float, float, float, float]:
-        """``update`` in plain numbers: (t, dx px, dy px, the added part in x, in y), NaN if refused."""
-        return guarded_step(self._memory, (t, dx, dy, *way))
 
     def update(
         self,
@@ -289,7 +284,7 @@ class GuardedTransfer(ReportStage):
         ``prediction`` is the newest one before the report, ``cursor`` (px) the cursor before it. Raises
         EventError when time runs backwards or a value is not finite; the stage is then unchanged.
         """
-        t, dx, dy, _, _ = self.advance(*report, way_to(prediction, cursor))
+        t, dx, dy, _, _ = self.advance((*report, *way_to(prediction, cursor)))
         if t != t:
             last = float(self._memory[GUARDED + pixels.T])
             raise EventError(

@@ -13,7 +13,7 @@ from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import Place, PointerEvent
-from pointpred.pipeline import has_refusal, run
+from pointpred.pipeline import joint_of, last_of, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
 from pointpred.predictors.adaptation.time_left import Pace
@@ -83,7 +83,9 @@ def parts() -> list[Part]:
 
 def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
     kind, pipeline = REGISTRY[name].predictor, build(name)
-    joint = filter(None, (pipeline.joint(), pipeline.last()))
+    laws = type(pipeline.differentiator).step, kind.step
+    joint = [joint_of(*laws, pipeline.compiled)]
+    joint += [last_of(*laws, kind.follow)] if pipeline.compiled else []
     return Part(name, partial(predict, name), (*joint, kind.step, kind.loop), after)
 
 
@@ -121,8 +123,7 @@ def _move() -> None:
     table = unpack_events(bytes(EVENT.itemsize))
     differentiator = build(RECOMMENDED).differentiator
     differentiator.update(PointerEvent(0.0, 5.0, 2.0))
-    motions = differentiator.fresh().walk(np.zeros(1, np.bool_), table)
-    has_refusal(motions)
+    differentiator.fresh().walk_all(np.zeros(1, np.bool_), table)
 
 
 def predict(name: str, differentiator: str | None = None) -> None:
@@ -134,8 +135,7 @@ def predict(name: str, differentiator: str | None = None) -> None:
     pipeline.reset()  # one that learns its person concludes the movement
     columns = EventColumns.of_events(_events())
     run(pipeline.fresh(), columns)
-    pipeline.fresh().advance_all(columns.begin, columns.table)
-    pipeline.fresh().advance_last(columns.table)
+    pipeline.fresh().push(columns.table, want="last")
     pipeline.fresh().predictor.advance(MOTION)  # behind another differentiator the two laws are not one
 
 

@@ -87,7 +87,9 @@ class AssistedStream(PredictionStream):
         prediction: tuple[float, ...] | None = None
         try:
             place = self._step(t, *self.place, dx, dy)
-            prediction = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
+            if place is not None:
+                answer = self.pipeline.advance((t, *place, dx, dy, buttons))
+                prediction = answer if answer[0] == answer[0] else None
         finally:
             if prediction is None:
                 self.transfer.recall(memory)
@@ -131,7 +133,7 @@ class AssistedStream(PredictionStream):
                 for i, (t, x, y, dx, dy, buttons) in enumerate(table[part].tolist(), part.start):
                     place = self._step(t, x, y, dx, dy)
                     answer = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
-                    if place is None or answer is None:
+                    if place is None or answer is None or answer[0] != answer[0]:
                         raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
                     moved[i, 1:3], predictions[i] = place, answer
                     self._guide(answer)
@@ -151,7 +153,7 @@ class AssistedStream(PredictionStream):
             to_x, to_y, sxx, sxy, syy = self._guidance
             if abs(to_x - x) <= LARGEST and abs(to_y - y) <= LARGEST:
                 guidance = (to_x - x, to_y - y, sxx, sxy, syy)
-        accepted, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, guidance)
+        accepted, px, py, added_x, added_y = self.transfer.advance((t, dx, dy, *guidance))
         if accepted != accepted:
             return None
         self.added_px += hypot(added_x, added_y)

@@ -10,9 +10,10 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.errors import EventError
 from pointpred.events import Place
 from pointpred.person import portable, restore
-from pointpred.pipeline import Pipeline, run
+from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
@@ -28,8 +29,6 @@ from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
 from pointpred.server.sessions.work import Slices, result_of
 
 NEVER = float("-inf")
-NO_RESETS = np.zeros(100_000, np.bool_)
-"""A frame resets nothing between its events; as long as the longest frame that settings allow."""
 
 
 Finish = Callable[[], tuple[ErrorMessage | None, int]]
@@ -85,7 +84,7 @@ class PredictionStream:
         # The pipeline finds that something is wrong, the protocol says where.
         check_numbers(table)
         error, used = self._in_order(table)
-        predictions = run(self.pipeline, EventColumns(used)).table
+        predictions = self.pipeline.push(used)
         return (yield from self._decide(table, error, used, predictions, outbox, before))
 
     def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
@@ -105,7 +104,12 @@ class PredictionStream:
 
     def _predict_whole(self, table: FloatArray) -> FloatArray | None:
         """Every prediction; ``None``, and nothing changed, where an event is refused or there is none."""
-        return self.pipeline.advance_all(NO_RESETS[: len(table)], table) if len(table) else None
+        if not len(table):
+            return None
+        try:
+            return self.pipeline.push(table)
+        except EventError:
+            return None
 
     def _decide(
         self,
@@ -161,7 +165,7 @@ class PredictionStream:
         if self._trial.running or self._needs_every_prediction:
             return False
         prediction = self.pipeline.advance(row)
-        if prediction is None:
+        if prediction[0] != prediction[0]:
             return False
         self.events += 1
         self._last_t = row[0]
@@ -175,7 +179,10 @@ class PredictionStream:
         """
         if not len(table) or self.hello.reply == "event" or self._needs_every_prediction:
             return None
-        return self.pipeline.advance_last(table)
+        try:
+            return tuple(self.pipeline.push(table, want="last")[0].tolist())
+        except EventError:
+            return None
 
     def _send_last(
         self, table: FloatArray, prediction: tuple[float, ...], outbox: Outbox

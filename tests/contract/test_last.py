@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred import build
+from pointpred.errors import EventOrderError
 from pointpred.registry import REGISTRY
 from tests.contract.conftest import troubled, with_counts
 
@@ -20,10 +21,8 @@ def test_the_last_answer_is_that_of_the_whole_table(name: str, cpi: float | None
     starts = np.cumsum([0, *(1, 2, 3, 8, 32) * 3])
     for start, stop in pairwise(starts[starts <= len(table)].tolist()):
         part = np.ascontiguousarray(table[start:stop])
-        answers, answer = each.advance_all(np.zeros(len(part), np.bool_), part), last.advance_last(part)
-        assert answers is not None
-        assert answer is not None
-        assert np.array(answer).tobytes() == answers[-1].tobytes()
+        answers, answer = each.push(part), last.push(part, want="last")
+        assert answer.tobytes() == answers[-1:].tobytes()
         for stage, other in (
             (each.differentiator, last.differentiator),
             (each.predictor, last.predictor),
@@ -35,9 +34,10 @@ def test_the_last_answer_is_that_of_the_whole_table(name: str, cpi: float | None
 @pytest.mark.parametrize("place", [0, 3, 7])
 def test_a_refused_event_changes_nothing(name: str, place: int) -> None:
     pipeline, table = build(name), troubled().table
-    assert pipeline.advance_last(np.ascontiguousarray(table[:20])) is not None
+    pipeline.push(np.ascontiguousarray(table[:20]), want="last")
     part = np.ascontiguousarray(table[20:28])
     part[place, 0] = -1.0
     before = pipeline.differentiator.remembered(), pipeline.predictor.remembered()
-    assert pipeline.advance_last(part) is None
+    with pytest.raises(EventOrderError, match=f"row {place}: t must not run backwards"):
+        pipeline.push(part, want="last")
     assert (pipeline.differentiator.remembered(), pipeline.predictor.remembered()) == before

@@ -56,7 +56,7 @@ def test_the_pixels_of_the_loop_are_those_of_the_stage(claim: Claim) -> None:
     x = y = 0.0
     for i, (dx, dy) in enumerate(zip(made.column("dx"), made.column("dy"), strict=True)):
         way = (claim.x - x, claim.y - y, variance, 0.0, variance) if i >= begun else UNGUIDED
-        _, moved_x, moved_y, _, _ = stage.advance(i * H, float(dx), float(dy), way)
+        _, moved_x, moved_y, _, _ = stage.advance((i * H, float(dx), float(dy), *way))
         x, y = x + moved_x, y + moved_y
         assert (x, y) == (made.table[i, 1], made.table[i, 2]), i
 

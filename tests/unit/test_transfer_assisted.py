@@ -42,7 +42,7 @@ def played(
     for i, (dx, dy, told) in enumerate(reports):
         guess = None if told is None else prediction(told[0], told[1], told[2])
         off = (nan,) * 5 if guess is None else (guess.x - x, guess.y - y, *(guess.scale or (nan,) * 3))
-        _, moved_x, moved_y, added_x, added_y = stage.advance(i * H, float(dx), float(dy), off)
+        _, moved_x, moved_y, added_x, added_y = stage.advance((i * H, float(dx), float(dy), *off))
         x, y = x + moved_x, y + moved_y
         out.append((moved_x, moved_y, added_x, added_y))
     return out
@@ -149,7 +149,7 @@ def test_it_is_the_remark_where_nothing_bounds_it() -> None:
 def test_a_sure_endpoint_is_reached_sooner_and_never_passed_by_help() -> None:
     stage, x, added = made(1.0, rho=1e4), 0.0, []
     for i in range(400):
-        _, moved, _, more, _ = stage.advance(i * H, 10.0, 0.0, (300.0 - x, 0.0, 1.0, 0.0, 1.0))
+        _, moved, _, more, _ = stage.advance((i * H, 10.0, 0.0, 300.0 - x, 0.0, 1.0, 0.0, 1.0))
         added.append((x, more))
         x += moved
     assert max(before for before, more in added if more) < 300.0
@@ -186,18 +186,18 @@ def test_the_longest_axis_of_the_region_counts() -> None:
 def test_the_cursor_is_turned_by_no_more_than_the_bound_says() -> None:
     stage, x, y, turned = made(1.0, sideways=0.5, rho=300.0), 0.0, 0.0, []
     for i in range(300):
-        _, dx, dy, _, _ = stage.advance(i * H, 30.0, 0.0, (2000.0 - x, 2000.0 - y, 0.0, 0.0, 0.0))
+        _, dx, dy, _, _ = stage.advance((i * H, 30.0, 0.0, 2000.0 - x, 2000.0 - y, 0.0, 0.0, 0.0))
         x, y = x + dx, y + dy
         turned.append(np.arctan2(y, x))
     assert 0.1 < max(turned[20:]) <= atan(0.5) + 0.02
     left, _ = made(1.0), 0.0
-    assert left.advance(0.0, 30.0, 0.0, (-500.0, 1.0, 0.0, 0.0, 0.0))[3:] == (0.0, 0.0)
+    assert left.advance((0.0, 30.0, 0.0, -500.0, 1.0, 0.0, 0.0, 0.0))[3:] == (0.0, 0.0)
 
 
 def test_a_predictor_without_a_region_is_trusted_as_far_as_said() -> None:
     def added(**settings: float) -> float:
         stage = made(1.0, rho=1000.0, **settings)
-        return sum(stage.advance(i * H, 30.0, 0.0, (2000.0, 0.0, nan, nan, nan))[3] for i in range(50))
+        return sum(stage.advance((i * H, 30.0, 0.0, 2000.0, 0.0, nan, nan, nan))[3] for i in range(50))
 
     full, half, none = added(unclaimed=0.0), added(), added(unclaimed=0.5)
     assert half == pytest.approx(full / 2.0, abs=2.0)

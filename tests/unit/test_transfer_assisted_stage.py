@@ -36,7 +36,7 @@ def test_rows_equal_reports_and_it_pickles() -> None:
     rows = np.column_stack([rows, np.tile([4.0, 1.0, 9.0], (300, 1))])
     single, whole = made(), made()
     table = whole.walk(np.zeros(300, np.bool_), rows)
-    each = [single.advance(r[0], r[1], r[2], (r[3], r[4], r[5], r[6], r[7])) for r in rows.tolist()]
+    each = [single.advance(tuple(r)) for r in rows.tolist()]
     assert np.array_equal(table, each)
     assert np.abs(table[:, 3:]).sum() > 100.0
     twin = pickle.loads(pickle.dumps(single))

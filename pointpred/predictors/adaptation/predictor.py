@@ -20,9 +20,9 @@ from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.rows import MotionRow, Row, TenFloats, row_at
+from pointpred.rows import MotionRow, Row, TenFloats
 from pointpred.scene import SCREEN, Scene
-from pointpred.stage import loop_sharing, offsets
+from pointpred.stage import offsets
 
 # The settings: the parameters, then the scene of this movement and that of the next. What is known of the
 # person, the movement of the learned predictor and that of the adaptation.
@@ -218,7 +218,6 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         default=1,
         whole=True,
     )
-    loop = staticmethod(loop_sharing(step, row_at, conclude))
     step = staticmethod(step)
     follow = None  # what is stated at each motion is compared with the movement's end
     joint_compiled = False

@@ -11,8 +11,8 @@ from pointpred.predictors import movement
 from pointpred.predictors.kep import quartic
 from pointpred.predictors.kep.quartic import Quartic
 from pointpred.predictors.predictor import Predictor
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 from pointpred.regression import least_squares
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 DEGREE_MOST = 4
@@ -73,9 +73,9 @@ def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Add the motion to the fit and look for its zero ahead."""
     m = MotionRow(*motion)
-    accepted, new, dt = movement.follow(memory, AT, m)
-    if not accepted:
-        return REFUSED
+    fault, new, dt = movement.follow(memory, AT, m)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     travelled = memory[AT + movement.PATH]
     if new:
         memory[FIT:] = 0.0

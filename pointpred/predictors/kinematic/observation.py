@@ -8,7 +8,7 @@ from pointpred.predictors import movement
 from pointpred.predictors.kinematic import features, history, track
 from pointpred.predictors.kinematic.features import Frame
 from pointpred.predictors.kinematic.history import Point
-from pointpred.rows import MotionRow, row_at
+from pointpred.records import FINE, MotionRow, row_at
 from pointpred.stage import offsets
 
 # State, relative to `at`: the movement; the track and the head of the history, and both as they were before
@@ -30,12 +30,12 @@ def rewind(memory: FloatArray, at: int, again: bool) -> None:
 
 
 @law
-def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[bool, Point]:
-    """Take one motion in: whether it was accepted, and where the cursor is."""
+def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[int, Point]:
+    """Take one motion in: its fault, and where the cursor is."""
     started, last_t = memory[at + movement.KNOWN], memory[at + movement.T]
-    accepted, new, _ = movement.follow(memory, at, m)
-    if not accepted:
-        return False, Point(0.0, 0.0, 0.0, 0.0)
+    fault, new, _ = movement.follow(memory, at, m)
+    if fault != FINE:
+        return fault, Point(0.0, 0.0, 0.0, 0.0)
     if new or m.t == memory[at + movement.T0]:
         memory[at + TRACK : at + HISTORY] = 0.0
         history.begin(memory, at + HISTORY)
@@ -47,22 +47,22 @@ def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[bool, Point]:
     point = history.extend(memory, at + HISTORY, last, (m.t - t0, m.x - x0, m.y - y0))
     _, _, path_before = history.past(memory, at + HISTORY, point, track.SPAN_S)
     track.advance(memory, here, point, m, (point.path - path_before) / track.SPAN_S)
-    return True, point
+    return FINE, point
 
 
 @law
-def observe(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple[bool, Frame]:
-    """Take one motion in and compute the features: whether it was accepted, and their frame."""
-    accepted, point = follow(memory, at, m)
-    if not accepted:
-        return False, Frame(0.0, 0.0, 0.0, 0.0)
+def observe(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple[int, Frame]:
+    """Take one motion in and compute the features: its fault, and their frame."""
+    fault, point = follow(memory, at, m)
+    if fault != FINE:
+        return fault, Frame(0.0, 0.0, 0.0, 0.0)
     here = at + TRACK
     frame = features.frame_of(memory, here, point, m)
     if frame.reach > 0.0:
         features.fill_shape(memory, here, point, frame, out)
         features.fill_pace(memory, here, point, m, frame, out)
         features.fill_lags(memory, at + HISTORY, point, frame, out)
-    return True, frame
+    return FINE, frame
 
 
 @law

@@ -15,8 +15,7 @@ from pointpred.parameter import option
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import calibration, coefficient_file, features, network, observation
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint, row_at
-from pointpred.stage import loop_sharing
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 
@@ -32,9 +31,9 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
     values = np.empty(features.FEATURES)
-    accepted, frame = observation.observe(memory, AT, m, values)
-    if not accepted:
-        return REFUSED
+    fault, frame = observation.observe(memory, AT, m, values)
+    if fault != FINE:
+        return movement.refuse(memory, AT, m, fault)
     phase = movement.phase(memory, AT, m)
     reach, _, ux, uy = frame
     if reach == 0.0:
@@ -70,8 +69,8 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
 @law
 def follow(memory: FloatArray, motion: Row, coefficients: FloatArray) -> bool:
     """Take one motion in without an answer: the network remembers nothing."""
-    accepted, _ = observation.follow(memory, AT, MotionRow(*motion))
-    return accepted
+    fault, _ = observation.follow(memory, AT, MotionRow(*motion))
+    return fault == FINE
 
 
 class KinematicPredictor(Predictor):
@@ -112,7 +111,6 @@ class KinematicPredictor(Predictor):
     coefficients: Path | str | None = option(
         "the file of other coefficients, as `pointpred train` writes it", default=None
     )
-    loop = staticmethod(loop_sharing(step, row_at))
     step = staticmethod(step)
     follow: ClassVar[Callable[..., bool] | None] = staticmethod(follow)
     states = observation.STATES

@@ -15,7 +15,7 @@ from pointpred.parameter import option, parameter
 from pointpred.predictors import movement
 from pointpred.predictors.ktm import matching
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
 
 TEMPLATES_MOST = 1000
 
@@ -57,9 +57,9 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     at = matching.counts(memory) + matching.LEARNED
     last_distance = distance(memory, at)
     x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
-    accepted, new, dt = movement.follow(memory, at, m)
-    if not accepted:
-        return REFUSED
+    fault, new, dt = movement.follow(memory, at, m)
+    if fault != FINE:
+        return movement.refuse(memory, at, m, fault)
     phase = movement.phase(memory, at, m)
     if new:
         matching.keep(memory, at, last_distance)

@@ -7,10 +7,8 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators import sampling
-from pointpred.rows import EventRow, event_at
+from pointpred.records import FINE, EventRow, FloatArray, event_at, fault_of_event
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""
@@ -35,7 +33,7 @@ def fault(rows: FloatArray, first: int, stop: int) -> tuple[int, int]:
     if stop == first:
         return EMPTY, first
     for i in range(first, stop):
-        if not sampling.usable(EventRow(*event_at(rows, i))):
+        if fault_of_event(EventRow(*event_at(rows, i))) != FINE:
             return UNUSABLE, i
         if i > first and rows[i, 0] < rows[i - 1, 0]:
             return BACKWARD, i

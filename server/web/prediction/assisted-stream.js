@@ -1,6 +1,6 @@
 // Sessions whose cursor is moved here: counts in, the assisted cursor and predictions out; as `server/sessions/assisted_stream.py`.
 
-import { LARGEST } from "../laws/events.js";
+import { LARGEST } from "../laws/records.js";
 import { as_normal as asNormal } from "../laws/regions.js";
 import { END, GUARDED, guarded_step as step, USUAL_GUARD } from "../laws/transfer/assistance.js";
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";

@@ -1,6 +1,6 @@
 // What a client may say to a session in the page: the messages of `pointpred.v1` and their bounds, as in `pointpred/protocol`.
 
-import { LARGEST, LATEST_S } from "../laws/events.js";
+import { LARGEST, LATEST_S } from "../laws/records.js";
 import { RECOMMENDED } from "../laws/registry.js";
 import { SMALLEST_PX } from "../laws/targets/rectangles.js";
 import { general, quoted } from "./words.js";

@@ -1,7 +1,7 @@
 // A differentiator and a predictor, joined: events in, predictions out.
 
 import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
-import { LARGEST, LATEST_S } from "../laws/events.js";
+import { LARGEST, LATEST_S } from "../laws/records.js";
 import { EventError } from "./errors.js";
 import { PHASES, claimed } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";

@@ -1,13 +1,11 @@
 // A prediction as a row: t, x, y, sxx, sxy, syy, remaining_s, phase, tail, remaining_spread; NaN where nothing is claimed.
 
-import { REFUSED } from "../laws/rows.js";
-
 /** The phases of a movement, at the places that a row says. */
 export const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 /** The place of the time left, s. */
 export const REMAINING_S = 6;
 /** The row where nothing is predicted. Not to be written to. */
-export const UNPREDICTED = REFUSED;
+export const UNPREDICTED = Array(10).fill(NaN);
 
 /** A number of a row; null where it is not claimed. @param {number} value @returns {number|null} */
 export const claimed = (value) => (value === value ? value : null);

@@ -1,6 +1,6 @@
 // The window or page that the cursor moves in, as laws know it; as `pointpred/scene.py`.
 
-import { LARGEST } from "../laws/events.js";
+import { LARGEST } from "../laws/records.js";
 import { digest } from "./blake2b.js";
 import { ParameterError } from "./errors.js";
 import { general, quoted } from "./words.js";

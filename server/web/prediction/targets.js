@@ -1,6 +1,6 @@
 // The rectangles that a pointer may be heading for, as the table that laws walk over.
 
-import { LARGEST } from "../laws/events.js";
+import { LARGEST } from "../laws/records.js";
 import * as rectangles from "../laws/targets/rectangles.js";
 import { ParameterError } from "./errors.js";
 import { general, quoted } from "./words.js";

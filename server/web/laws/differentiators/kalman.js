@@ -2,7 +2,7 @@
 import { larger } from "../arithmetic.js";
 import * as $constant_acceleration from "./constant_acceleration.js";
 import * as $sampling from "./sampling.js";
-import * as $rows from "../rows.js";
+import * as $pointpred_records from "../records.js";
 export const SETTLED_RADIANS = 4;
 export const JERK_DENSITY = 4;
 export const NOISE = 5;
@@ -22,8 +22,8 @@ export function step(memory, event) {
   const verdict = values_1[0];
   const dt = values_1[1];
   const start = values_1[4];
-  if (verdict === $sampling.REFUSED) {
-    return $rows.REFUSED;
+  if (verdict < 0) {
+    return $pointpred_records.refused(-verdict, memory[AT + $sampling.T]);
   }
   if (verdict === $sampling.RESTARTED) {
     $constant_acceleration.restart(memory, X, memory[NOISE]);

@@ -1,5 +1,5 @@
 // Written by `make page` from sampling.py: change that and run it again.
-import * as $events from "../events.js";
+import * as $pointpred_records from "../records.js";
 export const METRES_PER_COUNT = 0;
 export const METRES_PER_PX = 1;
 export const GAP_S = 2;
@@ -17,31 +17,15 @@ export const COUNTS = 8;
 export const SINCE = 9;
 export const LAST_U = 10;
 export const LAST_V = 11;
-export const REFUSED = -1;
 export const MERGED = 0;
 export const RESTARTED = 1;
 export const MOVED = 2;
 export function fill(values, memory) {
-  memory[METRES_PER_COUNT] = values[0] > 0 ? $events.METRES_PER_INCH / values[0] : 0;
-  memory[METRES_PER_PX] = $events.METRES_PER_INCH / values[1];
+  memory[METRES_PER_COUNT] = values[0] > 0 ? $pointpred_records.METRES_PER_INCH / values[0] : 0;
+  memory[METRES_PER_PX] = $pointpred_records.METRES_PER_INCH / values[1];
   for (let i = GAP_S, end_1 = values.length; i < end_1; i++) {
     memory[i] = values[i];
   }
-}
-export function usable(event) {
-  const t = event[0];
-  const x = event[1];
-  const y = event[2];
-  const dx = event[3];
-  const dy = event[4];
-  const buttons = event[5];
-  if (!(Math.abs(t) <= $events.LATEST_S && Math.abs(x) <= $events.LARGEST && Math.abs(y) <= $events.LARGEST && (0 <= buttons && buttons <= $events.LARGEST))) {
-    return false;
-  }
-  if (buttons !== Math.floor(buttons)) {
-    return false;
-  }
-  return dx !== dx && dy !== dy || Math.abs(dx) <= $events.LARGEST && Math.abs(dy) <= $events.LARGEST;
 }
 export function accept(memory, at, event) {
   const t = event[0];
@@ -51,15 +35,19 @@ export function accept(memory, at, event) {
   const dy = event[4];
   const buttons = event[5];
   const started = memory[at + STARTED] === 1;
-  if (!usable(event) || started && t < memory[at + T]) {
-    return [REFUSED, 0, 0, 0, false];
+  let fault = $pointpred_records.fault_of_event(event);
+  if (fault === $pointpred_records.FINE && started && t < memory[at + T]) {
+    fault = $pointpred_records.ORDER;
+  }
+  if (fault !== $pointpred_records.FINE) {
+    return [-fault, 0, 0, 0, false];
   }
   const dt = t - memory[at + T];
   const released = (Math.trunc(memory[at + BUTTONS]) & ~Math.trunc(buttons)) !== 0;
-  const start = !started || released || dt > memory[PAUSE_S] + $events.ROUNDING_S;
+  const start = !started || released || dt > memory[PAUSE_S] + $pointpred_records.ROUNDING_S;
   const counted = dx === dx && memory[METRES_PER_COUNT] > 0;
   const merged = started && dt === 0;
-  const restarted = !started || dt > memory[GAP_S] + $events.ROUNDING_S || merged && memory[at + SAMPLES] === 1;
+  const restarted = !started || dt > memory[GAP_S] + $pointpred_records.ROUNDING_S || merged && memory[at + SAMPLES] === 1;
   if (restarted) {
     memory[at + U] = 0;
     memory[at + V] = 0;

@@ -1,8 +1,8 @@
 // Written by `make page` from switched.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
+import * as $pointpred_records from "../records.js";
 import * as $drem from "../regression/drem.js";
-import * as $rows from "../rows.js";
 import * as $stage from "../stage.js";
 export const UNKNOWNS = 3;
 export const PEAK = 0;
@@ -43,10 +43,10 @@ export function advance(memory, axis, t, place, v, a) {
 export function step(memory, motion) {
   const m = motion;
   const values_1 = $predictors_movement.follow(memory, AT, m);
-  const accepted = values_1[0];
+  const fault = values_1[0];
   const new_ = values_1[1];
-  if (!accepted) {
-    return $rows.REFUSED;
+  if (fault !== $pointpred_records.FINE) {
+    return $predictors_movement.refuse(memory, AT, m, fault);
   }
   if (new_) {
     memory.fill(0, X_AXIS);
@@ -56,7 +56,7 @@ export function step(memory, motion) {
   const since = m[0] - memory[AT + $predictors_movement.T0];
   const end_x = x0 + advance(memory, X_AXIS, since, m[1] - x0, m[3], m[5]);
   const end_y = y0 + advance(memory, Y_AXIS, since, m[2] - y0, m[4], m[6]);
-  return $rows.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $pointpred_records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
 }
 export const SwitchedPredictor = {
   step: step,

@@ -2,8 +2,8 @@
 import { hypot } from "../../arithmetic.js";
 import * as $quartic from "./quartic.js";
 import * as $predictors_movement from "../movement.js";
+import * as $pointpred_records from "../../records.js";
 import * as $least_squares from "../../regression/least_squares.js";
-import * as $rows from "../../rows.js";
 import * as $stage from "../../stage.js";
 export const DEGREE = 0;
 export const REACH = 1;
@@ -50,11 +50,11 @@ export function judge(memory, length, x, y) {
 export function step(memory, motion) {
   const m = motion;
   const values_1 = $predictors_movement.follow(memory, AT, m);
-  let accepted = values_1[0];
+  const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
-  if (!accepted) {
-    return $rows.REFUSED;
+  if (fault !== $pointpred_records.FINE) {
+    return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const travelled = memory[AT + $predictors_movement.PATH];
   if (new_) {
@@ -77,11 +77,11 @@ export function step(memory, motion) {
     }
   }
   if (memory[CHANGE_MOST] > 0) {
-    accepted = memory[ACCEPTED] === 1;
+    const accepted = memory[ACCEPTED] === 1;
     end_x = accepted ? memory[ACCEPTED_X] : NaN;
     end_y = accepted ? memory[ACCEPTED_Y] : NaN;
   }
-  return $rows.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $pointpred_records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
 }
 export const KinematicEndpointPredictor = {
   step: step,

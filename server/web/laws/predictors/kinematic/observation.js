@@ -3,6 +3,7 @@ import * as $features from "./features.js";
 import * as $history from "./history.js";
 import * as $track from "./track.js";
 import * as $predictors_movement from "../movement.js";
+import * as $pointpred_records from "../../records.js";
 export const TRACK = 9;
 export const TRACK_BEFORE = 38;
 export const HEAD_BEFORE = 67;
@@ -25,10 +26,10 @@ export function follow(memory, at, m) {
   const started = memory[at + $predictors_movement.KNOWN];
   const last_t = memory[at + $predictors_movement.T];
   const values_1 = $predictors_movement.follow(memory, at, m);
-  const accepted = values_1[0];
+  const fault = values_1[0];
   const new_ = values_1[1];
-  if (!accepted) {
-    return [false, [0, 0, 0, 0]];
+  if (fault !== $pointpred_records.FINE) {
+    return [fault, [0, 0, 0, 0]];
   }
   if (new_ || m[0] === memory[at + $predictors_movement.T0]) {
     memory.fill(0, at + TRACK, at + HISTORY);
@@ -45,14 +46,14 @@ export function follow(memory, at, m) {
   const values_2 = $history.past(memory, at + HISTORY, point, $track.SPAN_S);
   const path_before = values_2[2];
   $track.advance(memory, here, point, m, (point[3] - path_before) / $track.SPAN_S);
-  return [true, point];
+  return [$pointpred_records.FINE, point];
 }
 export function observe(memory, at, m, out) {
   const values_1 = follow(memory, at, m);
-  const accepted = values_1[0];
+  const fault = values_1[0];
   const point = values_1[1];
-  if (!accepted) {
-    return [false, [0, 0, 0, 0]];
+  if (fault !== $pointpred_records.FINE) {
+    return [fault, [0, 0, 0, 0]];
   }
   const here = at + TRACK;
   const frame = $features.frame_of(memory, here, point, m);
@@ -61,5 +62,5 @@ export function observe(memory, at, m, out) {
     $features.fill_pace(memory, here, point, m, frame, out);
     $features.fill_lags(memory, at + HISTORY, point, frame, out);
   }
-  return [true, frame];
+  return [$pointpred_records.FINE, frame];
 }

@@ -5,7 +5,7 @@ import * as $features from "./features.js";
 import * as $kinematic_network from "./network.js";
 import * as $observation from "./observation.js";
 import * as $predictors_movement from "../movement.js";
-import * as $rows from "../../rows.js";
+import * as $pointpred_records from "../../records.js";
 import * as $stage from "../../stage.js";
 export const AT = 0;
 export function bounded_exp(logarithm, bounds) {
@@ -15,17 +15,17 @@ export function step(memory, motion, coefficients) {
   const m = motion;
   const values = new Float64Array($features.FEATURES);
   const values_1 = $observation.observe(memory, AT, m, values);
-  const accepted = values_1[0];
+  const fault = values_1[0];
   const frame = values_1[1];
-  if (!accepted) {
-    return $rows.REFUSED;
+  if (fault !== $pointpred_records.FINE) {
+    return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const phase = $predictors_movement.phase(memory, AT, m);
   const reach = frame[0];
   const ux = frame[2];
   const uy = frame[3];
   if (reach === 0) {
-    return $rows.endpoint(m[0], m[1], m[2], phase);
+    return $pointpred_records.endpoint(m[0], m[1], m[2], phase);
   }
   const out = new Float64Array($kinematic_network.OUTPUTS);
   const calibration_at = $kinematic_network.evaluate(coefficients, values, out);

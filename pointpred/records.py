@@ -1,0 +1,601 @@
+"""The records that flow: an event in, a motion between, a prediction out; as rows of floats, and as tables.
+
+Each field is declared once, with its unit and bounds and what it is on the wire and in files: rows, columns,
+checks, the wire's forms and the names of columns are made from that. Positions are screen pixels (y grows
+downwards), time is seconds on any clock that does not run backwards, motor quantities are metres and seconds.
+Zero is data everywhere; only ``None`` means "not there", and is NaN in a row. Laws, tables and binary frames
+hold rows, users hold records.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import floor, inf, nan
+from operator import index
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Generic,
+    Literal,
+    NamedTuple,
+    Self,
+    TypeVar,
+    get_type_hints,
+    overload,
+)
+
+import msgspec
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pointpred.compiled import law
+from pointpred.errors import EventError, EventOrderError
+from pointpred.parameter import is_number
+from pointpred.regions import Region, probability, region_of
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+
+Phase = Literal["still", "ballistic", "corrective"]
+PHASES: tuple[Phase, ...] = ("still", "ballistic", "corrective")
+"""Phases in the order of their codes in columns and binary frames."""
+
+LATEST_S = 1e11
+"""Bound on the magnitude of a time: seconds of any clock fit, milliseconds since 1970 are a mistaken unit."""
+LARGEST = 1e9
+"""Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
+NORMAL = float("nan")
+"""The tail of a normal law in columns, frames and laws; records say ``None``."""
+METRES_PER_INCH = 0.0254
+CPI, DPI = (1.0, 1e6), (1.0, 1e5)
+"""Bounds on the counts per inch of a device and the pixels per inch of a screen."""
+ROUNDING_S = 1e-6
+"""Spans of time that differ by less are compared as equal: no rule may hang on how a clock is rounded."""
+
+
+class Field(msgspec.Struct, frozen=True):
+    """What is said of a field, once: its unit, the closed bounds of its values, its other forms.
+
+    ``packed``: its type in a binary frame; ``most``: the largest value on the wire, where that is less than
+    ``high``; ``column``: its name in pointpred's own files. "" where it is not there.
+    """
+
+    unit: str
+    low: float = -inf
+    high: float = inf
+    whole: bool = False
+    packed: str = ""
+    most: float = inf
+    column: str = ""
+    name: str = ""
+    optional: bool = False
+
+    def fault(self, value: Any) -> str:
+        """What is wrong with a value, in words; "" for nothing."""
+        if value is None and self.optional:
+            return ""
+        if not is_number(value):
+            return f"{self.name} must be a number, received {value!r}"
+        if self.high == inf and not abs(value) < inf:
+            return f"{self.name} must be finite, received {value!r}"
+        if not self.low <= value <= self.high:
+            return f"{self.name} must lie in [{self.low:g}, {self.high:g}], received {value!r}"
+        if self.whole and value != int(value):
+            return f"{self.name} must be a whole number, received {value!r}"
+        return ""
+
+    @property
+    def json(self) -> Any:
+        """The type of its values in JSON."""
+        bounds = msgspec.Meta(ge=self.low, le=min(self.high, self.most))
+        if self.whole:
+            bounds = msgspec.Meta(ge=int(self.low), le=int(min(self.high, self.most)))
+        kind = Annotated[int if self.whole else float, bounds]
+        return kind | None if self.optional else kind  # type: ignore[operator]
+
+
+def fields_of(record: type) -> tuple[Field, ...]:
+    """The declarations of a record's fields, in their order."""
+    hints = get_type_hints(record, include_extras=True)
+    return tuple(
+        msgspec.structs.replace(one.__metadata__[0], name=name, optional=one.__origin__ == float | None)
+        for name, one in hints.items()
+    )
+
+
+class PointerEvent(msgspec.Struct, frozen=True):
+    """One report of a pointing device.
+
+    ``t`` s; ``x`` and ``y`` cursor position in px; ``dx`` and ``dy`` device counts since the previous event,
+    ``None`` where the source has none; ``buttons`` pressed, as in W3C pointer events (bit 0: primary).
+    """
+
+    t: Annotated[float, Field("s", -LATEST_S, LATEST_S, packed="<f8", column="t_s")]
+    x: Annotated[float, Field("px", -LARGEST, LARGEST, packed="<f8", column="x_px")]
+    y: Annotated[float, Field("px", -LARGEST, LARGEST, packed="<f8", column="y_px")]
+    dx: Annotated[float | None, Field("counts", -LARGEST, LARGEST, packed="<i2", column="dx_counts")] = None
+    dy: Annotated[float | None, Field("counts", -LARGEST, LARGEST, packed="<i2", column="dy_counts")] = None
+    buttons: Annotated[int, Field("", 0, LARGEST, True, packed="<u2", most=65535, column="buttons")] = 0
+
+
+class Motion(msgspec.Struct, frozen=True):
+    """What a differentiator knows after an event.
+
+    ``x`` and ``y`` cursor px; ``vx vy`` m/s and ``ax ay`` m/s^2 of the hand; ``settled`` once the estimate
+    has seen enough samples since its last restart; ``start`` when a movement starts at this sample;
+    ``counts`` when the motor motion comes from device counts rather than from the cursor.
+    """
+
+    t: Annotated[float, Field("s")]
+    x: Annotated[float, Field("px")]
+    y: Annotated[float, Field("px")]
+    vx: Annotated[float, Field("m/s")]
+    vy: Annotated[float, Field("m/s")]
+    ax: Annotated[float, Field("m/s^2")]
+    ay: Annotated[float, Field("m/s^2")]
+    settled: Annotated[bool, Field("")]
+    start: Annotated[bool, Field("")] = False
+    counts: Annotated[bool, Field("")] = False
+
+
+class Prediction(msgspec.Struct, frozen=True):
+    """Where a movement will end: ``x y`` px, seen from time ``t`` s.
+
+    ``scale`` = (sxx, sxy, syy) px^2, the scale matrix of the endpoint's law, or ``None`` where the predictor
+    claims no region. ``tail``: degrees of freedom of that law, a bivariate Student law; ``None``: the law is
+    normal, and ``scale`` its covariance. ``phase`` of the movement at ``t``. ``remaining_s`` until arrival,
+    or ``None``.
+    ``remaining_spread``: standard deviation of the logarithm of the remaining time; ``None``: not claimed.
+    """
+
+    t: float
+    x: float
+    y: float
+    scale: tuple[float, float, float] | None
+    phase: Phase
+    remaining_s: float | None
+    tail: float | None = None
+    remaining_spread: float | None = None
+
+    @property
+    def covariance(self) -> tuple[float, float, float] | None:
+        """(sxx, sxy, syy) px^2 of the endpoint, or ``None`` where no region is claimed.
+
+        That of a Student law is ``scale`` tail / (tail - 2); with a tail up to 2 it has none.
+        """
+        if self.scale is None or self.tail is None:
+            return self.scale
+        if not self.tail > 2.0:
+            return None
+        wider = 1.0 / (1.0 - 2.0 / self.tail)
+        sxx, sxy, syy = self.scale
+        return wider * sxx, wider * sxy, wider * syy
+
+    def region(self, level: float) -> Region | None:
+        """The ellipse that holds the endpoint with probability ``level``, as the prediction claims.
+
+        ``None`` where no region is claimed, the scale matrix has no inside, or the ellipse is too large for a
+        finite number. Raises ParameterError for a level outside (0, 1).
+
+        >>> prediction = Prediction(0.0, 300.0, 200.0, (400.0, 0.0, 100.0), "ballistic", None)
+        >>> region = prediction.region(0.5)
+        >>> round(region.major, 3), round(region.minor, 3), region.angle
+        (23.548, 11.774, 0.0)
+        """
+        level = probability(level)
+        if self.scale is None:
+            return None
+        return region_of(level, self.x, self.y, *self.scale, NORMAL if self.tail is None else self.tail)
+
+
+class Place(NamedTuple):
+    """Where movements of this person ended before: ``x y`` px, as the destination of the present movement.
+
+    ``p``: how likely it is now, ``before``: how likely it was before the movement showed anything; both
+    beside the other places and beside everywhere else, so that they sum to less than 1. ``visits``: how many
+    movements ended there, earlier ones counting less; at most 33.4. ``id``: from 0 to 63, the same as long as
+    the place is remembered, also in a saved person; a place that replaces a forgotten one takes its id.
+    ``spread`` px: the standard deviation of visits around the place, as this person's scatter grows with the
+    distance from where the movement starts.
+    """
+
+    x: float
+    y: float
+    p: float
+    before: float
+    visits: float
+    id: int
+    spread: float
+
+
+Pair = tuple[PointerEvent, Prediction | None]
+"""An event and what is predicted at it; ``None`` where nothing is justified."""
+
+
+EVENT_FIELDS = fields_of(PointerEvent)
+MOTION_FIELDS = fields_of(Motion)
+
+
+class EventRow(NamedTuple):
+    """A ``PointerEvent`` as laws name its floats: counts NaN where there are none."""
+
+    t: float
+    x: float
+    y: float
+    dx: float
+    dy: float
+    buttons: float
+
+
+class MotionRow(NamedTuple):
+    """A ``Motion`` as laws name its floats; the last three are 0 or 1."""
+
+    t: float
+    x: float
+    y: float
+    vx: float
+    vy: float
+    ax: float
+    ay: float
+    settled: float
+    start: float
+    counts: float
+
+
+class PredictionRow(NamedTuple):
+    """A ``Prediction`` as laws name its floats; ``phase`` is its place in ``PHASES``.
+
+    ``x`` is NaN where nothing is justified, ``t`` where the row was refused: see ``refused``.
+    """
+
+    t: float
+    x: float
+    y: float
+    sxx: float
+    sxy: float
+    syy: float
+    remaining_s: float
+    phase: float
+    tail: float
+    remaining_spread: float
+
+
+Row = tuple[float, ...]
+"""A row as laws hand it on: building a named one for Python would cost a law a microsecond."""
+SixFloats = tuple[float, float, float, float, float, float]
+TenFloats = tuple[float, float, float, float, float, float, float, float, float, float]
+
+# Why a law refuses a row: its time lies before the last; or this plus the place of the field that is wrong,
+# of an event or of a motion.
+FINE, ORDER, EVENT_FIELD = 0, 1, 2
+MOTION_FIELD = EVENT_FIELD + len(EVENT_FIELDS)
+
+
+@law
+def refused(code: int, value: float) -> TenFloats:
+    """The answer of a law to a row that it refuses: NaN for a time, why, and what it was compared with.
+
+    ``value``: the time of the row before, or the value of the field that is wrong. The law's memory is then
+    unchanged. ``refusal`` makes the sentence.
+    """
+    return nan, float(code), value, nan, nan, nan, nan, nan, nan, nan
+
+
+@law
+def fault_of_event(event: EventRow) -> int:
+    """Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN).
+
+    FINE, or EVENT_FIELD plus the place of the first that does not.
+    """
+    t, x, y, dx, dy, buttons = event
+    if not abs(t) <= LATEST_S:
+        return EVENT_FIELD
+    if not abs(x) <= LARGEST:
+        return EVENT_FIELD + 1
+    if not abs(y) <= LARGEST:
+        return EVENT_FIELD + 2
+    if not (dx != dx and dy != dy):
+        if not abs(dx) <= LARGEST:
+            return EVENT_FIELD + 3
+        if not abs(dy) <= LARGEST:
+            return EVENT_FIELD + 4
+    if not (0.0 <= buttons <= LARGEST and buttons == floor(buttons)):
+        return EVENT_FIELD + 5
+    return FINE
+
+
+@law
+def event_at(table: FloatArray, i: int) -> SixFloats:
+    """A row of a table of events as a tuple."""
+    r = table[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5]
+
+
+@law
+def row_at(table: FloatArray, i: int) -> TenFloats:
+    """A row of a table of motions or of predictions as a tuple."""
+    r = table[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]
+
+
+@law
+def endpoint(t: float, x: float, y: float, phase: float) -> TenFloats:
+    """The row of a prediction that claims an endpoint and nothing else; ``x`` is NaN where it claims none."""
+    return t, x, y, nan, nan, nan, nan, phase, nan, nan
+
+
+def event_row(event: PointerEvent) -> SixFloats:
+    """The row of an event; raises EventError where a field is no number, or only one count is there."""
+    try:
+        t, x, y, dx, dy, buttons = event.t, event.x, event.y, event.dx, event.dy, event.buttons
+        if float is type(t) is type(x) is type(y) and int is type(buttons):  # most events, in half the time
+            if dx is None is dy:
+                return t, x, y, nan, nan, float(buttons)
+            if float is type(dx) is type(dy) and dx == dx and dy == dy:
+                return t, x, y, dx, dy, float(buttons)
+        values = (t, x, y, dx, dy, buttons)
+        for field, value in zip(EVENT_FIELDS, values, strict=True):
+            if wrong := field.fault(value):
+                raise EventError(wrong, field=field.name, value=value)
+        if dx is None or dy is None:
+            if dx is not dy:
+                raise _one_count(values)
+            return float(t), float(x), float(y), nan, nan, float(buttons)
+        return float(t), float(x), float(y), float(dx), float(dy), float(buttons)
+    except AttributeError as missing:
+        raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
+
+
+def _one_count(values: tuple[Any, ...]) -> EventError:
+    dx, dy = values[3:5]
+    return EventError(
+        f"dx and dy come together or not at all, received {dx!r} and {dy!r}", field="dx", value=dx
+    )
+
+
+def refusal(row: Sequence[float], answer: Sequence[float], where: str = "") -> EventError:
+    """The error for an event or a motion that a law refused with this answer; see ``refused``."""
+    code, value, t = int(answer[1]), answer[2], row[0]
+    if code == ORDER:
+        words = f"{where}t must not run backwards: received {t!r} s after {value!r} s"
+        return EventOrderError(words, field="t", value=t)
+    if code >= MOTION_FIELD:
+        field = MOTION_FIELDS[code - MOTION_FIELD]
+    else:
+        field, value = EVENT_FIELDS[code - EVENT_FIELD], row[code - EVENT_FIELD]
+        if field.optional and value != value:
+            lone = _one_count(tuple(None if one != one else one for one in row))
+            return EventError(f"{where}{lone}", field=lone.field, value=lone.value)
+    return EventError(f"{where}{field.fault(value)}", field=field.name, value=value)
+
+
+def event_of(row: Row) -> PointerEvent:
+    """The event of a row."""
+    t, x, y, dx, dy, buttons = row
+    return PointerEvent(t, x, y, dx if dx == dx else None, dy if dy == dy else None, int(buttons))
+
+
+def motion_row(motion: Motion) -> TenFloats:
+    """The row of a motion."""
+    speeds = float(motion.vx), float(motion.vy), float(motion.ax), float(motion.ay)
+    marks = float(motion.settled), float(motion.start), float(motion.counts)
+    return float(motion.t), float(motion.x), float(motion.y), *speeds, *marks
+
+
+def motion_of(row: Row) -> Motion:
+    """The motion of a row."""
+    t, x, y, vx, vy, ax, ay, settled, start, counts = row
+    return Motion(t, x, y, vx, vy, ax, ay, bool(settled), bool(start), bool(counts))
+
+
+def prediction_row(prediction: Prediction | None, t: float = nan) -> TenFloats:
+    """The row of a prediction; of ``None``, at ``t`` s, one that holds nothing else."""
+    if prediction is None:
+        return t, nan, nan, nan, nan, nan, nan, nan, nan, nan
+    sxx, sxy, syy = (nan, nan, nan) if prediction.scale is None else prediction.scale
+    left, tail, spread = prediction.remaining_s, prediction.tail, prediction.remaining_spread
+    return (
+        float(prediction.t),
+        float(prediction.x),
+        float(prediction.y),
+        float(sxx),
+        float(sxy),
+        float(syy),
+        nan if left is None else float(left),
+        float(PHASES.index(prediction.phase)),
+        nan if tail is None else float(tail),
+        nan if spread is None else float(spread),
+    )
+
+
+def prediction_of(row: Row) -> Prediction | None:
+    """The prediction of a row; ``None`` where it claims no endpoint."""
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = row
+    if x != x:
+        return None
+    return Prediction(
+        t,
+        x,
+        y,
+        (sxx, sxy, syy) if sxx == sxx else None,
+        PHASES[int(phase)],
+        remaining_s if remaining_s == remaining_s else None,
+        tail if tail == tail else None,
+        spread if spread == spread else None,
+    )
+
+
+Record = TypeVar("Record")
+
+
+class Columns(Generic[Record]):
+    """A table of shape (rows, fields) with a name for each column.
+
+    Iterating gives the rows as records, an integer index one of them, a slice the columns of some rows.
+    """
+
+    names: ClassVar[tuple[str, ...]] = ()
+
+    def __init__(self, table: ArrayLike) -> None:
+        table = _numbers(table, type(self).__name__)
+        if table.ndim != 2 or table.shape[1] != len(self.names):
+            raise EventError(
+                f"{type(self).__name__} needs shape (rows, {len(self.names)}), received {table.shape}"
+            )
+        self.table = np.ascontiguousarray(table)
+
+    def __len__(self) -> int:
+        return len(self.table)
+
+    def __iter__(self) -> Iterator[Record]:
+        return map(self._record, self.table.tolist())
+
+    @overload
+    def __getitem__(self, place: slice) -> Self: ...
+
+    @overload
+    def __getitem__(self, place: int) -> Record: ...
+
+    def __getitem__(self, place: int | slice) -> Record | Self:
+        if isinstance(place, slice):
+            return self._rows(place)
+        return self._record(self.table[index(place)].tolist())
+
+    def _record(self, row: list[float]) -> Record:
+        """A row as a record."""
+        raise NotImplementedError
+
+    def _rows(self, some: slice) -> Self:
+        """Some rows as columns."""
+        return type(self)(self.table[some])
+
+    def __getattr__(self, name: str) -> FloatArray:
+        if name in type(self).names:
+            column: FloatArray = self.table[:, type(self).names.index(name)]
+            return column
+        raise AttributeError(f"{type(self).__name__} has no column {name!r}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.table,)
+
+
+class EventColumns(Columns[PointerEvent]):
+    """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
+
+    names = EventRow._fields
+
+    def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
+        super().__init__(table)
+        count = len(self.table)
+        self.begin = np.zeros(count, dtype=np.bool_) if begin is None else np.asarray(begin, np.bool_)
+        if self.begin.shape != (count,):
+            raise EventError(f"begin needs {count} rows, received shape {self.begin.shape}")
+
+    @classmethod
+    def of(
+        cls,
+        t: ArrayLike,
+        x: ArrayLike,
+        y: ArrayLike,
+        dx: ArrayLike | None = None,
+        dy: ArrayLike | None = None,
+        buttons: ArrayLike | None = None,
+        begin: BoolArray | None = None,
+    ) -> Self:
+        """Columns from one array a field, all of the same length; what is missing is ``None`` or 0.
+
+        Raises EventError for an array of another length or of what is no number.
+        """
+        time = _numbers(t, "t")
+        if time.ndim != 1:
+            raise EventError(f"t needs one number a row, received shape {time.shape}")
+        table = np.full((len(time), 6), np.nan)
+        table[:, 5] = 0.0
+        for column, values in enumerate((time, x, y, dx, dy, buttons)):
+            if values is None:
+                continue
+            numbers = _numbers(values, cls.names[column])
+            if numbers.shape != time.shape:
+                raise EventError(
+                    f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
+                )
+            table[:, column] = numbers
+        return cls(table, begin)
+
+    @classmethod
+    def of_events(cls, events: Iterable[PointerEvent]) -> Self:
+        """Columns from records."""
+        return cls(np.array([event_row(event) for event in events], dtype=np.float64).reshape(-1, 6))
+
+    def events(self) -> Iterator[PointerEvent]:
+        """The rows as records."""
+        return iter(self)
+
+    def rows(self, start: int, stop: int) -> Self:
+        """The rows from ``start`` up to ``stop``."""
+        return self[start:stop]
+
+    def _record(self, row: list[float]) -> PointerEvent:
+        return event_of(tuple(row))
+
+    def _rows(self, some: slice) -> Self:
+        return type(self)(self.table[some], self.begin[some])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.table, self.begin)
+
+
+class MotionColumns(Columns[Motion]):
+    """Motions as columns."""
+
+    names = MotionRow._fields
+
+    def motions(self) -> Iterator[Motion]:
+        """The rows as records."""
+        return iter(self)
+
+    def _record(self, row: list[float]) -> Motion:
+        return motion_of(tuple(row))
+
+
+class RegionColumns(Columns[Region | None]):
+    """Regions as columns, in the units of ``Region``; a row without a region is NaN."""
+
+    names = ("x", "y", "major", "minor", "angle")
+
+    def _record(self, row: list[float]) -> Region | None:
+        return Region(*row) if row[0] == row[0] else None
+
+
+class PredictionColumns(Columns[Prediction | None]):
+    """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
+
+    names = PredictionRow._fields
+
+    def predictions(self) -> Iterator[Prediction | None]:
+        """The rows as records, ``None`` where nothing was justified."""
+        return iter(self)
+
+    def region(self, level: float) -> RegionColumns:
+        """``Prediction.region`` of each row; raises ParameterError for a level outside (0, 1)."""
+        level = probability(level)
+        claimed = self.table[:, [1, 2, 3, 4, 5, 8]].tolist()
+        regions = [region_of(level, *row) for row in claimed]
+        none = (np.nan,) * len(RegionColumns.names)
+        rows = [none if one is None else (one.x, one.y, one.major, one.minor, one.angle) for one in regions]
+        return RegionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(RegionColumns.names)))
+
+    def _record(self, row: list[float]) -> Prediction | None:
+        return prediction_of(tuple(row))
+
+
+def _numbers(values: ArrayLike, name: str) -> FloatArray:
+    """An array of floats, from what numpy takes for numbers."""
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "biufO":
+            raise TypeError(f"received {array.dtype}")
+        return array.astype(np.float64, copy=False)
+    except (TypeError, ValueError) as wrong:
+        raise EventError(f"{name} needs numbers: {wrong}") from wrong
