@@ -12,14 +12,14 @@ import numpy as np
 
 from pages.arguments import parse
 from pages.data import Table, keep
+from pages.differentiators.bounds import BOUNDS, measure, named
+from pages.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.differentiators import (
     DIFFERENTIATORS,
     Differentiator,
     HomogeneousDifferentiator,
     KalmanDifferentiator,
 )
-from pointpred.differentiators.bounds import BOUNDS, measure, named
-from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.errors import ParameterError
 
 WEIGHT = 0.3

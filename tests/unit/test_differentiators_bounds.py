@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pages.differentiators.bounds import BOUNDS, Errors, measure, named
+from pages.differentiators.signals import SIGNALS
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.differentiators.bounds import BOUNDS, Errors, measure, named
-from pointpred.differentiators.signals import SIGNALS
 
 PAIRS = list(itertools.product(DIFFERENTIATORS, SIGNALS))
 FIELDS = ("velocity_rms", "velocity_largest", "acceleration_rms", "acceleration_largest", "settling_s")

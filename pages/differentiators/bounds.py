@@ -8,8 +8,8 @@ from collections.abc import Callable
 import msgspec
 import numpy as np
 
+from pages.differentiators.signals import Signal
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
-from pointpred.differentiators.signals import Signal
 from pointpred.errors import ParameterError
 
 PEAK_WINDOW_S = 0.15
