@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 import msgspec
@@ -28,18 +27,6 @@ class Errors(msgspec.Struct, frozen=True):
     acceleration_largest: float
     delay_s: float | None = None
     settling_s: float = 0.0
-
-
-def rounded_up(value: float, digits: int = 2) -> float:
-    """The next number of so many digits.
-
-    >>> rounded_up(0.01234)
-    0.013
-    """
-    if value == 0.0:
-        return 0.0
-    unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
-    return float(f"{math.ceil(value / unit - 1e-9) * unit:.{digits}g}")
 
 
 def measure(differentiator: Differentiator, signal: Signal) -> Errors:
