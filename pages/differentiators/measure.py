@@ -12,16 +12,14 @@ import numpy as np
 
 from pages.arguments import parse
 from pages.data import Table, keep
+from pages.differentiators.bounds import BOUNDS, measure, named
+from pages.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.differentiators import (
     DIFFERENTIATORS,
     Differentiator,
-    FadingMemoryDifferentiator,
     HomogeneousDifferentiator,
     KalmanDifferentiator,
-    ReducedOrderDifferentiator,
 )
-from pointpred.differentiators.bounds import BOUNDS, measure, named
-from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.errors import ParameterError
 
 WEIGHT = 0.3
@@ -56,11 +54,6 @@ GRIDS: dict[type[Differentiator], dict[str, tuple[float, ...]]] = {
         "alpha": (0.0, -0.05, -0.1, -0.15, -0.2, -0.25),
     },
     KalmanDifferentiator: {"jerk_density": (3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)},
-    FadingMemoryDifferentiator: {"memory_s": (0.004, 0.005, 0.0065, 0.008, 0.01, 0.0125, 0.016)},
-    ReducedOrderDifferentiator: {
-        "bandwidth": (40.0, 50.0, 60.0, 75.0, 90.0, 120.0),
-        "damping": (0.5, 0.7, 1.0),
-    },
 }
 
 

@@ -22,7 +22,6 @@ CHOICES: dict[str, dict[str, Any]] = {
     "HOMD": {},
     "HOMD, printed gains": PRINTED,
     "kalman": {"differentiator": "kalman"},
-    "reduced-order": {"differentiator": "reduced-order"},
 }
 
 

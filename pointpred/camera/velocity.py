@@ -27,7 +27,6 @@ GAPS = {"dpi": DPI, "gap_s": 2.0, "pause_s": 5.0}
 CALM: dict[str, dict[str, Any]] = {
     "homogeneous": {"order": 3, "gain_lambda": 2.0, "gain_xi": 1.5, "alpha": -0.1, "step_s": 0.004},
     "kalman": {"jerk_density": 1e-3, "noise_m": 1e-3},
-    "fading-memory": {"memory_s": 0.2},
 }
 """Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
 WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)

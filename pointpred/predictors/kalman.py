@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators import constant_acceleration
+from pointpred.differentiators import kalman
 from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
@@ -52,10 +52,10 @@ def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
     noise = memory[NOISE_PX] ** 2
     for axis in range(2):
         mean = MEAN_Y if axis else MEAN_X
-        constant_acceleration.correct(memory, mean, SPREAD, noise, y if axis else x)
-        constant_acceleration.predict(memory, mean, dt)
-    constant_acceleration.narrow(memory, SPREAD, noise)
-    constant_acceleration.spread(memory, SPREAD, memory[JERK_DENSITY], dt)
+        kalman.correct(memory, mean, SPREAD, noise, y if axis else x)
+        kalman.predict(memory, mean, dt)
+    kalman.narrow(memory, SPREAD, noise)
+    kalman.spread(memory, SPREAD, memory[JERK_DENSITY], dt)
 
 
 @law

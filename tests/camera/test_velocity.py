@@ -47,7 +47,7 @@ def errors(truth: Trajectory, way: str, noise_px: float) -> float:
 
 
 CLEAN = dict.fromkeys(WAYS, 0.004) | {"kalman-two-state": 0.015, "homogeneous, calm": 0.04}
-CLEAN |= {"fading-memory, calm": 0.03, "kalman, calm": 0.02}
+CLEAN |= {"kalman, calm": 0.02}
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -59,7 +59,7 @@ def test_the_two_state_filter_is_ten_times_better_than_differences(truth: Trajec
     for noise_px in (2.0, 4.0, 8.0):
         raw = errors(truth, "difference", noise_px)
         assert raw > 10.0 * errors(truth, "kalman-two-state", noise_px)
-        assert raw > 3.0 * errors(truth, "fading-memory, calm", noise_px)
+        assert raw > 3.0 * errors(truth, "kalman, calm", noise_px)
 
 
 def test_raw_differences_are_as_bad_as_theory_says(truth: Trajectory) -> None:

@@ -1,4 +1,4 @@
-"""The compiled laws of regressors, reduced-order observers and their differentiator equal plain Python."""
+"""The compiled laws of regressors and reduced-order observers equal plain Python."""
 
 from __future__ import annotations
 
@@ -13,8 +13,6 @@ SCRIPT = """
 import sys
 import numpy as np
 import pointpred.compiled
-from pointpred import EventColumns
-from pointpred.differentiators import ReducedOrderDifferentiator
 from pointpred.observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
 from pointpred.observers.examples import UNMEASURED, two_masses
 
@@ -22,7 +20,6 @@ def answers(seed):
     random = np.random.default_rng(seed)
     t, begin = np.cumsum(random.uniform(0.001, 0.03, 60)), np.arange(60) == 41
     d, y = random.standard_normal((60, 2)), random.standard_normal(60)
-    events = EventColumns.of(t, np.round(90 * np.cumsum(d[:, 0])), np.round(90 * d[:, 1]))
     observer = invariant_observer(two_masses(), UNMEASURED, [[-1, 0], [0, 0.5]])
     both = np.column_stack([t, d, y])
     weight = np.minimum(y**2, 1.0)
@@ -31,7 +28,6 @@ def answers(seed):
         "discrete": GradientRegressor(2, gain=0.3, time="discrete", normalised=True).walk(begin, both),
         "nonlinear": NonlinearRegressor(2, gain=9.0).walk(begin, np.column_stack([both, weight])),
         "observer": invariant_stage(observer).walk(begin, np.column_stack([t, d, d[::-1]])),
-        "differentiator": ReducedOrderDifferentiator().run(events).table,
     }
 
 if __name__ == "__main__":

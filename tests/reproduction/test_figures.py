@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pages.data import stored
+from pages.differentiators.signals import exact, ramp
 from pages.reproduce.measure import DRAWN, rows_of
-from pointpred.differentiators.signals import exact, ramp
 from pointpred.observers import trajectory
 from pointpred.observers.examples import Bioreactor
 from pointpred.reproduction import camera, interconnected, trials

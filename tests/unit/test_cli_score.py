@@ -65,9 +65,9 @@ def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path)
         by_name = {one["name"]: one for one in json.loads(left.out)["sets"][0]["predictors"]}
         errors.append(by_name["minimum-jerk"]["time_averaged"]["px"])
     assert errors[0] != errors[1]
-    left = command("score", good, "--differentiator", "accelerometer")
+    left = command("score", good, "--differentiator", "euler")
     assert left.code != 0
-    assert "unknown differentiator 'accelerometer'" in left.err
+    assert "unknown differentiator 'euler'" in left.err
 
 
 def test_table_has_hold_whoever_was_asked_for_and_counts_what_it_skips(command, good: Path) -> None:

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pages.differentiators.bounds import BOUNDS, measure, named
+from pages.differentiators.signals import SIGNALS
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.differentiators.bounds import BOUNDS, Errors, measure, named
-from pointpred.differentiators.signals import SIGNALS
 
 PAIRS = list(itertools.product(DIFFERENTIATORS, SIGNALS))
 FIELDS = ("velocity_rms", "velocity_largest", "acceleration_rms", "acceleration_largest", "settling_s")
@@ -21,12 +21,8 @@ LOOSEST = 1.6
 @pytest.mark.parametrize(("name", "signal"), PAIRS)
 def test_errors_stay_within_tight_bounds(name: str, signal: str) -> None:
     sampled = SIGNALS[signal]()
-    check(measure(named(name, sampled), sampled), BOUNDS[name][signal], FIELDS)
-
-
-def check(errors: Errors, bound: Errors, fields: tuple[str, ...]) -> None:
-    """The errors are within the bound, which says something."""
-    for field, rounding in zip(fields, (1e-12, 1e-12, 1e-9, 1e-9, 0.0), strict=False):
+    errors, bound = measure(named(name, sampled), sampled), BOUNDS[name][signal]
+    for field, rounding in zip(FIELDS, (1e-12, 1e-12, 1e-9, 1e-9, 0.0), strict=True):
         measured, most = getattr(errors, field), getattr(bound, field)
         assert measured <= most, field
         assert most <= max(LOOSEST * measured, rounding), f"the bound of {field} says too little"

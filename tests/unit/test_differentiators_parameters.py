@@ -13,7 +13,6 @@ from pointpred import EventColumns, build
 from pointpred.differentiators import (
     DIFFERENTIATORS,
     BackwardDifferentiator,
-    FadingMemoryDifferentiator,
     HomogeneousDifferentiator,
     KalmanDifferentiator,
 )
@@ -36,7 +35,6 @@ REFUSED: list[tuple[type, dict[str, Any], str]] = [
     (HomogeneousDifferentiator, {"gap_s": 20.0, "pause_s": 30.0}, "gap_s must be at most 10000 sub-steps"),
     (KalmanDifferentiator, {"jerk_density": 0.0}, "jerk_density must lie in .*m\\^2/s\\^5, received 0"),
     (KalmanDifferentiator, {"noise_m": -1e-4}, "noise_m must lie in"),
-    (FadingMemoryDifferentiator, {"memory_s": 2}, r"memory_s must lie in \[0.001, 1\] s, received 2"),
     (BackwardDifferentiator, {"shortest_s": 0.0}, "shortest_s must lie in"),
     (BackwardDifferentiator, {"shortest_s": "1"}, r"shortest_s must be a number \(s\), received '1'"),
     *[(kind, {"dpi": 0.0}, "dpi must lie in") for kind in DIFFERENTIATORS.values()],

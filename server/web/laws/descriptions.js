@@ -155,25 +155,6 @@ export const DIFFERENTIATORS = {
       "noise_m": "standard deviation of a measured position"
     }
   },
-  "fading-memory": {
-    "meanings": {
-      "cpi": "resolution of the device; None: counts are not used",
-      "dpi": "resolution of the screen, used where counts are not",
-      "gap_s": "a longer gap between events means that the device was still",
-      "pause_s": "the first event after a longer pause starts a movement",
-      "memory_s": "time in which the weight of a sample falls to 1/e"
-    }
-  },
-  "reduced-order": {
-    "meanings": {
-      "cpi": "resolution of the device; None: counts are not used",
-      "dpi": "resolution of the screen, used where counts are not",
-      "gap_s": "a longer gap between events means that the device was still",
-      "pause_s": "the first event after a longer pause starts a movement",
-      "bandwidth": "distance of the observer's poles from the origin",
-      "damping": "cosine of their angle from the negative real axis"
-    }
-  },
   "difference": {
     "meanings": {
       "cpi": "resolution of the device; None: counts are not used",

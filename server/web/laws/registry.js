@@ -22,7 +22,5 @@ export const PREDICTORS = {
 export const DIFFERENTIATORS = {
   "homogeneous": { load: () => import("./differentiators/homogeneous.js").then((one) => one.HomogeneousDifferentiator) },
   "kalman": { load: () => import("./differentiators/kalman.js").then((one) => one.KalmanDifferentiator) },
-  "fading-memory": { load: () => import("./differentiators/fading.js").then((one) => one.FadingMemoryDifferentiator) },
-  "reduced-order": { load: () => import("./differentiators/reduced_order.js").then((one) => one.ReducedOrderDifferentiator) },
   "difference": { load: () => import("./differentiators/difference.js").then((one) => one.BackwardDifferentiator) },
 };

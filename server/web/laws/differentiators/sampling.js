@@ -4,7 +4,6 @@ export const METRES_PER_COUNT = 0;
 export const METRES_PER_PX = 1;
 export const GAP_S = 2;
 export const PAUSE_S = 3;
-export const SETTINGS = 4;
 export const STARTED = 0;
 export const T = 1;
 export const X = 2;

@@ -1,6 +1,6 @@
 // Written by `make page` from kalman.py: change that and run it again.
 import { square } from "../arithmetic.js";
-import * as $constant_acceleration from "../differentiators/constant_acceleration.js";
+import * as $differentiators_kalman from "../differentiators/kalman.js";
 import * as $predictors_movement from "./movement.js";
 import * as $pointpred_records from "../records.js";
 import * as $stage from "../stage.js";
@@ -32,11 +32,11 @@ export function expect(memory, dt, x, y) {
   const noise = square(memory[NOISE_PX]);
   for (let axis = 0; axis < 2; axis++) {
     const mean = axis ? MEAN_Y : MEAN_X;
-    $constant_acceleration.correct(memory, mean, SPREAD, noise, axis ? y : x);
-    $constant_acceleration.predict(memory, mean, dt);
+    $differentiators_kalman.correct(memory, mean, SPREAD, noise, axis ? y : x);
+    $differentiators_kalman.predict(memory, mean, dt);
   }
-  $constant_acceleration.narrow(memory, SPREAD, noise);
-  $constant_acceleration.spread(memory, SPREAD, memory[JERK_DENSITY], dt);
+  $differentiators_kalman.narrow(memory, SPREAD, noise);
+  $differentiators_kalman.spread(memory, SPREAD, memory[JERK_DENSITY], dt);
 }
 export function step(memory, motion) {
   const m = motion;

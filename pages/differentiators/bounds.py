@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 import msgspec
 import numpy as np
 
+from pages.differentiators.signals import Signal
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
-from pointpred.differentiators.signals import Signal
 from pointpred.errors import ParameterError
 
 PEAK_WINDOW_S = 0.15
@@ -28,18 +27,6 @@ class Errors(msgspec.Struct, frozen=True):
     acceleration_largest: float
     delay_s: float | None = None
     settling_s: float = 0.0
-
-
-def rounded_up(value: float, digits: int = 2) -> float:
-    """The next number of so many digits.
-
-    >>> rounded_up(0.01234)
-    0.013
-    """
-    if value == 0.0:
-        return 0.0
-    unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
-    return float(f"{math.ceil(value / unit - 1e-9) * unit:.{digits}g}")
 
 
 def measure(differentiator: Differentiator, signal: Signal) -> Errors:
@@ -97,24 +84,6 @@ BOUNDS: dict[str, dict[str, Errors]] = {
         "minimum jerk": Errors(0.0011, 0.0028, 0.14, 0.35, 0.0002, 0.036),
         "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0013, 0.004, 0.14, 0.36, 0.0002, 0.036),
         "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0019, 0.0047, 0.17, 0.42, 0.00057, 0.051),
-    },
-    "fading-memory": {
-        "constant": _exact(0.011),
-        "ramp": _exact(0.011),
-        "parabola": _exact(0.011),
-        "sine": Errors(0.0032, 0.0046, 0.34, 0.48, None, 0.011),
-        "minimum jerk": Errors(0.0022, 0.0052, 0.23, 0.57, 0.00054, 0.011),
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0023, 0.0054, 0.23, 0.57, 0.0005, 0.012),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0021, 0.0052, 0.22, 0.52, 0.00069, 0.017),
-    },
-    "reduced-order": {
-        "constant": _exact(0.18),
-        "ramp": Errors(0.00035, 0.003, 0.013, 0.13, None, 0.18),
-        "parabola": Errors(1.4e-05, 0.00012, 0.00098, 0.0053, None, 0.18),
-        "sine": Errors(0.0033, 0.0058, 0.2, 0.28, None, 0.18),
-        "minimum jerk": Errors(0.0025, 0.0057, 0.16, 0.4, 0.00035, 0.18),
-        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0026, 0.0062, 0.17, 0.43, 0.00033, 0.18),
-        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0026, 0.0059, 0.17, 0.42, 0.0011, 0.18),
     },
     "difference": {
         "constant": _exact(0.0021),
