@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pages.sets import folder
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
-from pointpred.protocol.records import NO_COUNTS
+from pointpred.protocol.packed import NO_COUNTS
 from pointpred.recording import Recording
 from pointpred.sources import read
 

@@ -15,7 +15,7 @@ from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.events import PHASES
 from pointpred.protocol.frames import row_of_prediction
-from pointpred.protocol.records import pack_predictions, unpack_predictions
+from pointpred.protocol.packed import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
 from pointpred.server.recorder.files import PREDICTED
 from pointpred.sources.own.appended import VALUES

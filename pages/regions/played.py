@@ -15,7 +15,7 @@ from pointpred import EventColumns, Pipeline, PredictionColumns
 from pointpred.client import connect
 from pointpred.protocol.client_messages import Device, Hello, Reset, Screen
 from pointpred.protocol.frames import event_frames, packable, row_of_prediction
-from pointpred.protocol.records import unpack_predictions
+from pointpred.protocol.packed import unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage, encode
 from pointpred.server.access import HostRule
 from pointpred.server.listening import listen, make_server

@@ -6,19 +6,18 @@ checks, schemas and the documentation follow from the subclass, its docstring an
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S
 from pointpred.person import LARGEST as LARGEST_PERSON
+from pointpred.records import CPI, DPI, EVENT_FIELDS, LARGEST
 from pointpred.registry import RECOMMENDED
 from pointpred.targets.rectangles import SMALLEST_PX
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
 
-Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
 Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
 Extent = Annotated[float, Meta(ge=SMALLEST_PX, le=LARGEST)]
@@ -26,7 +25,6 @@ Weight = Annotated[float, Meta(ge=0.0, le=LARGEST)]
 Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 Cpi = Annotated[float, Meta(ge=CPI[0], le=CPI[1])]
 Dpi = Annotated[float, Meta(ge=DPI[0], le=DPI[1])]
-Buttons = Annotated[int, Meta(ge=0, le=65535)]
 Name = Annotated[str, Meta(min_length=1, max_length=128)]
 Knowledge = Annotated[str, Meta(max_length=LARGEST_PERSON)]
 """What is known of a person, as ``Pipeline.person`` gives it."""
@@ -38,7 +36,10 @@ Gain = Annotated[float, Meta(ge=0.0, le=1e3)]
 Reply = Literal["frame", "event"]
 Encoding = Literal["json", "binary"]
 
-EventRow = tuple[Moment, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
+if TYPE_CHECKING:
+    EventRow = tuple[float, float, float, float | None, float | None, int]
+else:
+    EventRow = tuple[tuple(field.json for field in EVENT_FIELDS)]
 """t in s, x and y in px, dx and dy in counts or null, buttons."""
 
 

@@ -13,12 +13,11 @@ import msgspec
 import numpy as np
 from msgspec import Meta, Struct
 
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import LARGEST, LATEST_S
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.records import EVENT, NONE, EventFloats, unpack_event, unpack_events
+from pointpred.protocol.packed import EVENT, NONE, unpack_event, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
+from pointpred.records import EVENT_FIELDS, FloatArray, SixFloats
 
 
 def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
@@ -37,7 +36,7 @@ SHORT = 1024
 """Characters of a message that may hold any numbers."""
 ONE_EVENT = 256
 """Characters of a text with one event, and within the bytes that any service takes in one frame."""
-_most = (LATEST_S, LARGEST, LARGEST)
+_most = tuple(field.high for field in EVENT_FIELDS[:3])
 
 
 def decode_client_message(text: str) -> ClientMessage:
@@ -84,7 +83,7 @@ def decode_server_message(text: str) -> Struct | None:
     return message
 
 
-def decode_event(frame: str | bytes) -> EventFloats | None:
+def decode_event(frame: str | bytes) -> SixFloats | None:
     """The event of a frame that holds one and no mistake; ``None`` for every other frame."""
     if isinstance(frame, bytes):
         return unpack_event(frame) if len(frame) == EVENT.itemsize else None
@@ -119,7 +118,7 @@ def check_numbers(table: FloatArray) -> None:
     if not len(wrong):
         return
     row, column = (int(i) for i in wrong[0])
-    sentence, name, value = "dx and dy are both numbers or both null", EventColumns.names[column], None
+    sentence, name, value = "dx and dy are both numbers or both null", EVENT_FIELDS[column].name, None
     if column < outside.shape[1]:
         value, most = float(table[row, column]), _most[column]
         sentence = f"{name} must lie in [{-most:g}, {most:g}], received {value!r}"

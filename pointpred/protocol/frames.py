@@ -12,7 +12,7 @@ from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import EventError
 from pointpred.events import PHASES
 from pointpred.protocol.client_messages import Encoding
-from pointpred.protocol.records import (
+from pointpred.protocol.packed import (
     EVENT,
     NO_COUNTS,
     NONE,

@@ -20,7 +20,7 @@ from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialMark
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.records import EVENT, unpack_events, unpack_records
+from pointpred.protocol.packed import EVENT, unpack_events
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
 from pointpred.server.sessions.pointing import PointingSession
@@ -98,9 +98,7 @@ def _pieces() -> Iterable[Part]:
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
         Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapt)),
         Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
-        Part(
-            motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, unpack_records)
-        ),
+        Part(motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop)),
     )
 
 

@@ -28,7 +28,7 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import decode_client_message, decode_event, table_of_bytes, table_of_rows
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.records import EVENT, EventFloats, unpack_events
+from pointpred.protocol.packed import EVENT, unpack_events
 from pointpred.protocol.server_messages import (
     KnownPerson,
     Limits,
@@ -36,6 +36,7 @@ from pointpred.protocol.server_messages import (
     TargetsTaken,
     Welcome,
 )
+from pointpred.records import SixFloats
 from pointpred.server.sessions.assisted_stream import open_stream
 from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, PERSON_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
 from pointpred.server.sessions.lifecycle import (
@@ -161,7 +162,7 @@ class PointingSession(Session):
         self._send_answers(finish, len(table), stream.refusal_s, now)
         return True
 
-    def _receive_event(self, stream: PredictionStream, row: EventFloats, now: float) -> bool:
+    def _receive_event(self, stream: PredictionStream, row: SixFloats, now: float) -> bool:
         """Predict from one event; False, and nothing taken, where there is more to do for it."""
         rate, costs = self._quota.events, self._quota.costs
         if not rate.take(1, now):

@@ -19,7 +19,7 @@ from websockets.typing import Subprotocol
 
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
-from pointpred.protocol.records import pack_events
+from pointpred.protocol.packed import pack_events
 from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read, write
 
 SILENCE_S = 1.5

@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from struct import Struct
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray, PredictionColumns
-from pointpred.compiled import law
+from pointpred.records import EVENT_FIELDS, EventRow, FloatArray, PredictionColumns, SixFloats
 
-EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
+EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
 PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1"), ("tail", "<f8")])
 """A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, NaN where null; the phase's code; tail, NaN where
@@ -19,37 +17,20 @@ the region's law is normal or there is no region."""
 NO_COUNTS = -32768
 
 NONE = float("nan")
-RecordArray = NDArray[np.void]
-EventFloats = tuple[float, float, float, float, float, float]
-"""A row of the table of ``EventColumns``."""
-_one_event = Struct("<dddhhH")
+_one_event = Struct("<" + "".join(np.dtype(field.packed).char for field in EVENT_FIELDS))
 _one_prediction = Struct("<dddddddBd")
-
-
-@law
-def unpack_records(records: RecordArray, table: FloatArray) -> None:
-    """The fields of each record into a row of the table."""
-    for i in range(len(table)):
-        record = records[i]
-        table[i, 0] = record["t"]
-        table[i, 1] = record["x"]
-        table[i, 2] = record["y"]
-        table[i, 3] = record["dx"]
-        table[i, 4] = record["dy"]
-        table[i, 5] = record["buttons"]
-        if table[i, 3] == NO_COUNTS or table[i, 4] == NO_COUNTS:
-            table[i, 3] = table[i, 4] = np.nan
 
 
 def unpack_events(frame: bytes) -> FloatArray:
     """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
     records = np.frombuffer(frame, EVENT)
-    table = np.empty((len(records), 6))
-    unpack_records(records, table)
+    table = np.column_stack([records[name].astype(np.float64) for name in EventRow._fields])
+    counts = table[:, 3:5]
+    counts[(counts == NO_COUNTS).any(axis=1)] = np.nan
     return table
 
 
-def unpack_event(frame: bytes) -> EventFloats:
+def unpack_event(frame: bytes) -> SixFloats:
     """The only event of a frame, as a row of the same table."""
     t, x, y, dx, dy, buttons = _one_event.unpack(frame)
     if dx == NO_COUNTS or dy == NO_COUNTS:
@@ -61,11 +42,9 @@ def pack_events(table: FloatArray) -> bytes:
     """Rows of ``EventColumns`` as records."""
     packed = np.empty(len(table), EVENT)
     none = np.isnan(table[:, 3:5]).any(axis=1)
-    for column, name in enumerate(("t", "x", "y")):
-        packed[name] = table[:, column]
-    for column, name in enumerate(("dx", "dy"), start=3):
-        packed[name] = np.where(none, NO_COUNTS, table[:, column])
-    packed["buttons"] = table[:, 5]
+    for column, field in enumerate(EVENT_FIELDS):
+        values = table[:, column]
+        packed[field.name] = np.where(none, NO_COUNTS, values) if field.optional else values
     return packed.tobytes()
 
 
