@@ -52,9 +52,6 @@ def serve(
     token: Annotated[
         str | None, typer.Option(help="Secret of at least 8 characters that clients must send.")
     ] = None,
-    show_token: Annotated[
-        bool | None, typer.Option("--show-token", help="Print the token in full at the start.")
-    ] = None,
     record: Annotated[
         Path | None,
         typer.Option(metavar="FOLDER", help="Record every session in this folder. Off by default."),
