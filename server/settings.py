@@ -96,7 +96,6 @@ class Settings(BaseSettings):
     max_events_per_s: int = Field(
         default=20_000, ge=1, le=10**8, description="Most events a second in one session."
     )
-    max_events_per_frame: int = Field(default=1024, ge=1, le=10**5, description="Most events in one frame.")
     max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Most bytes in one frame.")
     max_targets: int = Field(default=1000, ge=0, le=10**5, description="Most targets in one session.")
     idle_s: float = Field(
@@ -151,8 +150,7 @@ class Settings(BaseSettings):
     @property
     def limits(self) -> Limits:
         """What a session may do."""
-        names = Limits.__struct_fields__
-        return Limits(**{name: getattr(self, name) for name in names})
+        return Limits(**self.model_dump(include=set(Limits.__struct_fields__)))
 
     @property
     def share(self) -> int:

@@ -74,7 +74,6 @@ def serve(
         ),
     ] = None,
     max_events_per_s: Annotated[int | None, typer.Option(help="Most events a second in one session.")] = None,
-    max_events_per_frame: Annotated[int | None, typer.Option(help="Most events in one frame.")] = None,
     max_frame_bytes: Annotated[int | None, typer.Option(help="Most bytes in one frame.")] = None,
     max_targets: Annotated[int | None, typer.Option(help="Most targets in one session.")] = None,
     idle_s: Annotated[
