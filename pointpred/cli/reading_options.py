@@ -30,10 +30,7 @@ TABLES = "For a table of your own"
 
 Cut = Annotated[
     str | None,
-    typer.Option(help="How to cut a stream into trials: clicks, bursts or whole.", rich_help_panel=PANEL),
-]
-PauseS = Annotated[
-    float | None, typer.Option(help="A pause longer than this ends a burst, s (0.3).", rich_help_panel=PANEL)
+    typer.Option(help="How to cut a stream into trials: clicks, bursts (at pauses of 0.3 s) or whole.", rich_help_panel=PANEL),
 ]
 Unit = Annotated[
     str | None,
@@ -180,7 +177,6 @@ def recordings_in(
 
 def reading(
     cut: Cut = None,
-    pause_s: PauseS = None,
     unit: Unit = None,
     screen: Screen = None,
     cpi: Cpi = None,
@@ -198,7 +194,6 @@ def reading(
 
     options: dict[str, Any] = {
         "cut": cut,
-        "pause_s": pause_s,
         "unit": unit,
         "screen": None if screen is None else _size(screen),
         "cpi": cpi,

@@ -27,8 +27,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     """Options for reading foreign recordings; own recordings contain all of this.
 
     ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for the format's default;
-    ``pause_s`` > 0 s ends a burst; trials of fewer than ``least_samples`` >= 2 or shorter
-    than ``least_s`` >= 0 s are skipped.
+    trials of fewer than ``least_samples`` >= 2 or shorter than ``least_s`` >= 0 s are skipped.
     ``unit`` of positions if the experiment chose it (PsychoPy), ``None`` for the file's; ``screen`` width and
     height in px, needed for the units height and norm, ``px_per_unit`` for deg; ``dpi`` in [1, 1e5] px per
     inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the device, stored in the
@@ -42,7 +41,6 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     """
 
     cut: Cut | None = None
-    pause_s: float = 0.3
     least_samples: int = 2
     least_s: float = 0.0
     unit: Unit | None = None
@@ -65,7 +63,6 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
                 self.unit in (None, *get_args(Unit)),
                 "pix, height, norm, cm, m or deg",
             ),
-            ("pause_s", self.pause_s, self.pause_s > 0, "above 0 s"),
             ("least_samples", self.least_samples, self.least_samples >= 2, "at least 2"),
             ("least_s", self.least_s, self.least_s >= 0, "at least 0 s"),
             ("dpi", self.dpi, DPI[0] <= self.dpi <= DPI[1], f"in [{DPI[0]:g}, {DPI[1]:g}] px per inch"),

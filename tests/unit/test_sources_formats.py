@@ -231,7 +231,6 @@ def test_an_unknown_file_names_every_format(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        ("pause_s", 0.0),
         ("least_samples", 1),
         ("least_s", -1.0),
         ("dpi", 0.0),
