@@ -32,13 +32,6 @@ Cut = Annotated[
     str | None,
     typer.Option(help="How to cut a stream into trials: clicks, bursts (at pauses of 0.3 s) or whole.", rich_help_panel=PANEL),
 ]
-Unit = Annotated[
-    str | None,
-    typer.Option(help="Unit of positions: pix, height, norm, cm, m or deg.", rich_help_panel=PANEL),
-]
-Screen = Annotated[
-    str | None, typer.Option(help="Size of the screen in px, as 1920x1080.", rich_help_panel=PANEL)
-]
 Cpi = Annotated[float | None, typer.Option(help="Counts per inch of the device.", rich_help_panel=PANEL)]
 Dpi = Annotated[float | None, typer.Option(help="Pixels per inch of the screen (96).", rich_help_panel=PANEL)]
 Target = Annotated[
@@ -62,8 +55,12 @@ TimeUnit = Annotated[
 ]
 YUp = Annotated[bool, typer.Option("--y-up", help="y grows upwards.", rich_help_panel=TABLES)]
 PxPerUnit = Annotated[
-    float | None,
-    typer.Option(help="Pixels in one unit of x, y and the target (1).", rich_help_panel=TABLES),
+    str | None,
+    typer.Option(
+        metavar="NUMBER",
+        help="Pixels in one unit of x, y and the target (1); X,Y where they differ across and down.",
+        rich_help_panel=TABLES,
+    ),
 ]
 Records = Annotated[
     str | None,
@@ -177,8 +174,6 @@ def recordings_in(
 
 def reading(
     cut: Cut = None,
-    unit: Unit = None,
-    screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
     columns: Columns = None,
@@ -190,18 +185,16 @@ def reading(
 ) -> Reading:
     """The options as a ``Reading``; raises ParameterError."""
     from pointpred.sources import Reading
-    from pointpred.sources.reading import columns_of
+    from pointpred.sources.reading import columns_of, px_per_unit_of
 
     options: dict[str, Any] = {
         "cut": cut,
-        "unit": unit,
-        "screen": None if screen is None else _size(screen),
         "cpi": cpi,
         "dpi": dpi,
         "columns": None if columns is None else columns_of(columns),
         "time_unit": time_unit,
         "y_up": y_up,
-        "px_per_unit": px_per_unit,
+        "px_per_unit": None if px_per_unit is None else px_per_unit_of(px_per_unit),
         "records": records,
         "target": target,
     }
@@ -240,11 +233,3 @@ def _parameters(function: Callable[..., Any]) -> dict[str, Parameter]:
     """The parameters with their types, of which ``Reading`` is not looked up: its room is slow to load."""
     types = get_type_hints(function, localns={"Reading": object}, include_extras=True)
     return {name: one.replace(annotation=types[name]) for name, one in signature(function).parameters.items()}
-
-
-def _size(text: str) -> tuple[float, float]:
-    width, _, height = text.lower().partition("x")
-    try:
-        return float(width), float(height)
-    except ValueError:
-        raise ParameterError(f"screen must be WIDTHxHEIGHT in px, received {text!r}") from None

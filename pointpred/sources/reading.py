@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Literal
 
 import msgspec
 
@@ -12,7 +12,6 @@ from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
-Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""
@@ -28,41 +27,32 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
 
     ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for the format's default;
     trials of fewer than ``least_samples`` >= 2 or shorter than ``least_s`` >= 0 s are skipped.
-    ``unit`` of positions if the experiment chose it (PsychoPy), ``None`` for the file's; ``screen`` width and
-    height in px, needed for the units height and norm, ``px_per_unit`` for deg; ``dpi`` in [1, 1e5] px per
-    inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the device, stored in the
-    provenance; ``target``: the selector of the page's element that is the goal (jsPsych).
+    ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the
+    device, stored in the provenance; ``target``: the selector of the page's element that is the goal
+    (jsPsych). ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target, one number or those across and
+    down, where neither px nor the file's own unit is right (PsychoPy, any table).
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; other fields are guessed from the usual names, or unknown if t, x and y are all
     named. ``time_unit`` of the column t, ``iso`` for dates and times; ``y_up`` if y grows upwards;
-    ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target; ``records``: the path to the rows in a
-    file of nested objects, as ``data.trials``.
+    ``records``: the path to the rows in a file of nested objects, as ``data.trials``.
     """
 
     cut: Cut | None = None
     least_samples: int = 2
     least_s: float = 0.0
-    unit: Unit | None = None
-    screen: tuple[float, float] | None = None
     dpi: float = 96.0
     cpi: float | None = None
     target: str | None = None
     columns: dict[str, str | int] | None = None
     time_unit: TimeUnit | None = None
     y_up: bool = False
-    px_per_unit: float | None = None
+    px_per_unit: float | tuple[float, float] | None = None
     records: str | None = None
 
     def __post_init__(self) -> None:
         bounds = (
             ("cut", self.cut, self.cut in (None, "clicks", "bursts", "whole"), "clicks, bursts or whole"),
-            (
-                "unit",
-                self.unit,
-                self.unit in (None, *get_args(Unit)),
-                "pix, height, norm, cm, m or deg",
-            ),
             ("least_samples", self.least_samples, self.least_samples >= 2, "at least 2"),
             ("least_s", self.least_s, self.least_s >= 0, "at least 0 s"),
             ("dpi", self.dpi, DPI[0] <= self.dpi <= DPI[1], f"in [{DPI[0]:g}, {DPI[1]:g}] px per inch"),
@@ -81,15 +71,20 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             (
                 "px_per_unit",
                 self.px_per_unit,
-                self.px_per_unit is None or 0 < self.px_per_unit <= MOST_PX,
+                all(0 < gain <= MOST_PX for gain in self.gain),
                 f"above 0 and at most {MOST_PX:g} px in a unit",
             ),
-            ("screen", self.screen, self.screen is None or min(self.screen) > 0, "above 0 px both ways"),
         )
         for name, value, good, bound in bounds:
             if not good:
                 raise ParameterError(f"{name} must be {bound}, received {value!r}", field=name, value=value)
         _check_columns(self.columns or {})
+
+    @property
+    def gain(self) -> tuple[float, float]:
+        """Pixels in a unit across and down; 1 where ``px_per_unit`` does not say it."""
+        px = 1.0 if self.px_per_unit is None else self.px_per_unit
+        return px if isinstance(px, tuple) else (px, px)
 
 
 def columns_of(text: str) -> dict[str, str | int]:
@@ -108,6 +103,18 @@ def columns_of(text: str) -> dict[str, str | int]:
             raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}", field="columns", value=text)
         columns[field.strip()] = column.strip()
     return columns
+
+
+def px_per_unit_of(text: str) -> float | tuple[float, float]:
+    """Parse pixels in a unit, ``38`` or those across and down, ``960,540``; raises ParameterError."""
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) not in (1, 2):
+        message = f"px_per_unit must be a number of px, or two as X,Y, received {text!r}"
+        raise ParameterError(message, field="px_per_unit", value=text)
+    return numbers[0] if len(numbers) == 1 else (numbers[0], numbers[1])
 
 
 def _check_columns(columns: dict[str, str | int]) -> None:
