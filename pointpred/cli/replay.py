@@ -11,7 +11,7 @@ import typer
 from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.output_files import check_target, write_json
 from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import Cpi, Dpi, as_given, to_read, with_reading
+from pointpred.cli.reading_options import as_given, to_read, with_reading
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
@@ -71,8 +71,8 @@ def replay(
     token: Annotated[
         str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
     *,
     reading: Reading,
 ) -> None:

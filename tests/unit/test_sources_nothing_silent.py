@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources import Reading, read_any
 

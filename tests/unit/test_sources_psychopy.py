@@ -44,7 +44,7 @@ def test_degrees_are_not_taken_for_pixels(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match="--px-per-unit 38 for deg"):
         read_any(path)
     told = written(tmp_path, DEGREES | {"units": "deg"}, name="told.csv")
-    with pytest.raises(RecordingError, match="positions in deg need .* --px-per-unit 38 for deg"):
+    with pytest.raises(RecordingError, match=r"positions in deg need .* --px-per-unit 38 for deg"):
         read_any(told)
     [recording] = read_any(told, Reading(px_per_unit=40.0))
     np.testing.assert_array_equal(recording.events.table[:, 1], [-500, 160, 370])
