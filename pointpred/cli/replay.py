@@ -18,8 +18,8 @@ from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.cli.replay_tables import DriveDocument, ReplayDocument
+    from pointpred.live.socket import Replayed
     from pointpred.recording import Recording
-    from pointpred.replaying import Replayed
     from pointpred.sources import Reading
 
 PAGE = "As the mouse of a page"
@@ -125,7 +125,7 @@ def replay(
 def _send(to: str, recording: Recording, **options: Any) -> Replayed:
     """Play to a service, with the options of ``replay_to``."""
     from pointpred.cli.progress import following
-    from pointpred.replaying import replay_to
+    from pointpred.live.socket import replay_to
 
     with following() as progress:
         played = replay_to(to, recording, progress=progress, **options)
@@ -138,8 +138,9 @@ def _drive(
 ) -> DriveDocument:
     """Play as the mouse of a page, with the options of ``drive_mouse``, and print what was done."""
     from pointpred.cli.replay_tables import DriveDocument, DrivenTrialRow
-    from pointpred.replaying import drive_mouse, open_page
-    from pointpred.replaying.trials import playable_trials, trial_name
+    from pointpred.live.devtools import open_page
+    from pointpred.live.mouse import drive_mouse
+    from pointpred.live.replay_trials import playable_trials, trial_name
 
     places, skipped = playable_trials(recording, names)
     print_skipped(skipped)

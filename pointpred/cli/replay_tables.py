@@ -5,9 +5,9 @@ from __future__ import annotations
 import msgspec
 
 from pointpred.console import results
+from pointpred.live.socket import Replayed
 from pointpred.protocol.server_messages import Score
 from pointpred.recording import Skip
-from pointpred.replaying import Replayed
 
 
 class ReplayedTrialRow(msgspec.Struct, frozen=True):

@@ -11,8 +11,8 @@ import msgspec
 
 from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.replaying.devtools import Page
-from pointpred.replaying.pacing import due
+from pointpred.live.devtools import Page
+from pointpred.live.pacing import due
 
 BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 """Bits of W3C ``buttons`` and their names in the DevTools protocol."""

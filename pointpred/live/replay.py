@@ -9,11 +9,11 @@ from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
 from pointpred.events import Pair
+from pointpred.live import replay_trials as recorded
 from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
-from pointpred.replaying import trials as recorded
 from pointpred.server.garbage import tune_collector
 
 

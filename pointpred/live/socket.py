@@ -15,6 +15,8 @@ from msgspec import structs
 
 from pointpred.client import Connection, connect
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.live.pacing import due
+from pointpred.live.replay_trials import playable_trials
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable
@@ -23,8 +25,6 @@ from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
-from pointpred.replaying.pacing import due
-from pointpred.replaying.trials import playable_trials
 from pointpred.scoring import prepare, replay
 
 Progress = Callable[[str, int, int], None]

@@ -16,13 +16,12 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
+from pointpred.live.pacing import due
+from pointpred.live.replay_trials import select_trials
+from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
-from pointpred.replaying import replay_to
-from pointpred.replaying.pacing import due
-from pointpred.replaying.socket import unlike
-from pointpred.replaying.trials import select_trials
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
@@ -38,7 +37,7 @@ def listener() -> Iterator[Listener]:
 @pytest.fixture(autouse=True)
 def patient(monkeypatch: pytest.MonkeyPatch) -> None:
     """An answer may take long where many share the processors."""
-    monkeypatch.setattr("pointpred.replaying.socket.connect", partial(connect, timeout_s=PATIENCE_S))
+    monkeypatch.setattr("pointpred.live.socket.connect", partial(connect, timeout_s=PATIENCE_S))
 
 
 SAMPLE = sample()
@@ -141,8 +140,8 @@ def test_one_bit_is_seen() -> None:
 
 def test_rows_come_when_they_are_due(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = [5.0]
-    monkeypatch.setattr("pointpred.replaying.pacing.time.perf_counter", lambda: clock[0])
-    monkeypatch.setattr("pointpred.replaying.pacing.time.sleep", lambda s: clock.__setitem__(0, clock[0] + s))
+    monkeypatch.setattr("pointpred.live.pacing.time.perf_counter", lambda: clock[0])
+    monkeypatch.setattr("pointpred.live.pacing.time.sleep", lambda s: clock.__setitem__(0, clock[0] + s))
     t = np.array([7.0, 7.0, 7.5, 7.75, 8.0])
     handed = []
     for first, stop in due(t, 2.0):
