@@ -177,7 +177,8 @@ def live(
             raise ParameterError(
                 f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
-    from pointpred.live.replay import follow_replay, playable_trials
+    from pointpred.live.replay import follow_replay
+    from pointpred.live.replay_trials import playable_trials
 
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)

@@ -1,26 +1,53 @@
-"""Which trials of a recording are played, and why the others are left out."""
+"""A recording that is played: which of its trials, why others are left out, and when each event is due."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+import math
+import time
+from collections.abc import Callable, Sequence
 
+import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
+from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
-from pointpred.recording import Recording, Skip
+from pointpred.recording import Recording, Skip, Trial
+
+MOST_AT_ONCE = 256
+"""Most events that are handed out together."""
 
 
-def trial_name(recording: Recording, k: int) -> str:
-    """The name of a trial within its recording: that of its user, and its own."""
-    trial = recording.trials[k]
-    return f"{trial.user}-{trial.trial}"
+class PlayedTrial(msgspec.Struct, frozen=True):
+    """A trial to play, and its events, at least one, in the order of their times."""
+
+    about: Trial
+    events: EventColumns
+
+    @property
+    def name(self) -> str:
+        """Its name within the recording: that of its user, and its own."""
+        return f"{self.about.user}-{self.about.trial}"
+
+
+def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:
+    """The trials to play, and the skipped trials; all trials are played without names.
+
+    Raises ParameterError for a name that no trial has.
+    """
+    trials, skipped = [], [] if names else list(recording.skipped)
+    for k in select_trials(recording, names):
+        about, events = recording.trials[k], recording.rows(k)
+        if reason := _problem(events):
+            skipped.append(Skip(about.trial, reason, user=about.user))
+        else:
+            trials.append(PlayedTrial(about, events))
+    return trials, tuple(skipped)
 
 
 def select_trials(recording: Recording, names: Sequence[str]) -> list[int]:
     """Indices of trials named as USER-TRIAL or by number from 1, or of all; raises ParameterError."""
-    places = {trial_name(recording, k): k for k in range(len(recording.trials))}
+    places = {f"{trial.user}-{trial.trial}": k for k, trial in enumerate(recording.trials)}
     selected = []
     for name in names:
         if name in places:
@@ -38,25 +65,8 @@ def select_trials(recording: Recording, names: Sequence[str]) -> list[int]:
     return list(dict.fromkeys(selected)) if names else list(range(len(recording.trials)))
 
 
-def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[int], tuple[Skip, ...]]:
-    """Indices of the trials to play, and the skipped trials; all trials are played without names.
-
-    Raises ParameterError for a name that no trial has.
-    """
-    places = select_trials(recording, names)
-    skips = {k: skip for k in places if (skip := skip_of(recording, k)) is not None}
-    skipped = (*(() if names else recording.skipped), *skips.values())
-    return [k for k in places if k not in skips], skipped
-
-
-def skip_of(recording: Recording, k: int) -> Skip | None:
-    """Why a trial cannot be played event by event; ``None`` where it can."""
-    trial, events = recording.trials[k], recording.rows(k)
-    reason = _problem(events)
-    return None if reason is None else Skip(trial.trial, reason, user=trial.user)
-
-
-def _problem(events: EventColumns) -> str | None:
+def _problem(events: EventColumns) -> str:
+    """Why events cannot be played one by one; empty where they can."""
     if len(events) == 0:
         return "has no events"
     wrong = np.flatnonzero(~np.isfinite(events.table[:, :3]).all(axis=1))
@@ -65,4 +75,55 @@ def _problem(events: EventColumns) -> str | None:
     back = np.flatnonzero(np.diff(events.t) < 0.0)
     if len(back):
         return f"event {back[0] + 1} of the trial: time runs backwards"
-    return None
+    return ""
+
+
+class Pacing:
+    """Hands out rows when they are due: at the recorded times, faster, or as fast as they are taken.
+
+    ``at_s``: when each row is due at speed 1, growing; ``speed`` 2 takes half the time, infinity never waits.
+    The first ``take`` begins. Rows that became due while the last ones were used come together, at most
+    ``most``. Raises ParameterError for a speed that is not positive.
+
+    >>> pacing = Pacing(np.array([0.0, 0.001, 0.002]), math.inf, most=2)
+    >>> pacing.take(), pacing.take(), pacing.take()
+    (range(0, 2), range(2, 3), range(3, 3))
+    """
+
+    def __init__(
+        self,
+        at_s: FloatArray,
+        speed: float = 1.0,
+        *,
+        most: int = MOST_AT_ONCE,
+        clock: Callable[[], float] = time.perf_counter,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        if not speed > 0.0:
+            raise ParameterError(f"speed must be a positive number, received {speed!r}")
+        self.speed = speed
+        self.begun = False
+        self._at_s, self._most, self._clock, self._sleep = at_s, most, clock, sleep
+        self._began_s, self._next = 0.0, 0
+
+    @property
+    def ended(self) -> bool:
+        """Whether every row was handed out."""
+        return self._next == len(self._at_s)
+
+    def take(self, timeout_s: float = math.inf) -> range:
+        """The rows that are due, after waiting at most ``timeout_s`` for the next; none after the last."""
+        if not self.begun:
+            self.begun, self._began_s = True, self._clock()
+        first = stop = self._next
+        if math.isinf(self.speed):
+            stop += self._most
+        elif not self.ended:
+            at_s, beginning_s = self._at_s, self._at_s[0]
+            wait_s = self._began_s + (at_s[first] - beginning_s) / self.speed - self._clock()
+            if wait_s > 0.0:
+                self._sleep(min(wait_s, timeout_s))
+            passed_s = beginning_s + (self._clock() - self._began_s) * self.speed
+            stop = max(first + (wait_s <= timeout_s), int(np.searchsorted(at_s, passed_s, side="right")))
+        self._next = min(stop, first + self._most, len(self._at_s))
+        return range(first, self._next)
