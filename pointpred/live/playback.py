@@ -159,10 +159,10 @@ def _timeline(trials: Sequence[PlayedTrial]) -> tuple[FloatArray, list[float]]:
     """When each event is due at speed 1, and how much later than recorded each trial is shown, s."""
     due_s, shifts_s, shown_s = [], [], -math.inf
     for trial in trials:
-        t = trial.events.t
-        shift_s = 0.0 if t[0] >= shown_s else shown_s + GAP_S - float(t[0])
-        start_s = due_s[-1][-1] + min(t[0] + shift_s - shown_s, GAP_MOST_S) if due_s else 0.0
-        due_s.append(start_s + (t - t[0]))
+        t, first_s = trial.events.t, float(trial.events.t[0])
+        shift_s = 0.0 if first_s >= shown_s else shown_s + GAP_S - first_s
+        start_s = float(due_s[-1][-1]) + min(first_s + shift_s - shown_s, GAP_MOST_S) if due_s else 0.0
+        due_s.append(start_s + (t - first_s))
         shifts_s.append(shift_s)
         shown_s = float(t[-1]) + shift_s
     return np.concatenate(due_s), shifts_s

@@ -119,11 +119,12 @@ class Pacing:
         if math.isinf(self.speed):
             stop += self._most
         elif not self.ended:
-            at_s, beginning_s = self._at_s, self._at_s[0]
-            wait_s = self._began_s + (at_s[first] - beginning_s) / self.speed - self._clock()
+            beginning_s, next_s = float(self._at_s[0]), float(self._at_s[first])
+            wait_s = self._began_s + (next_s - beginning_s) / self.speed - self._clock()
             if wait_s > 0.0:
                 self._sleep(min(wait_s, timeout_s))
             passed_s = beginning_s + (self._clock() - self._began_s) * self.speed
-            stop = max(first + (wait_s <= timeout_s), int(np.searchsorted(at_s, passed_s, side="right")))
+            stop = int(np.searchsorted(self._at_s, passed_s, side="right"))
+            stop = max(stop, first + (wait_s <= timeout_s))
         self._next = min(stop, first + self._most, len(self._at_s))
         return range(first, self._next)
