@@ -157,7 +157,9 @@ class PlayedPipeline:
 
 def _timeline(trials: Sequence[PlayedTrial]) -> tuple[FloatArray, list[float]]:
     """When each event is due at speed 1, and how much later than recorded each trial is shown, s."""
-    due_s, shifts_s, shown_s = [], [], -math.inf
+    due_s: list[FloatArray] = []
+    shifts_s: list[float] = []
+    shown_s = -math.inf
     for trial in trials:
         t, first_s = trial.events.t, float(trial.events.t[0])
         shift_s = 0.0 if first_s >= shown_s else shown_s + GAP_S - first_s
