@@ -29,7 +29,7 @@ STDIN, SPOOLED = "-", "stdin"
 PANEL = "For recordings in other formats"
 TABLES = "For a table of your own"
 
-PARSED = {"columns": columns_of, "px_per_unit": px_per_unit_of}
+PARSED: dict[str, Callable[[str], Any]] = {"columns": columns_of, "px_per_unit": px_per_unit_of}
 """What reads the text of an option that is neither a word nor a number."""
 
 
