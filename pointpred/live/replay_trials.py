@@ -100,7 +100,7 @@ class Pacing:
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
         if not speed > 0.0:
-            raise ParameterError(f"speed must be a positive number, received {speed!r}")
+            raise ParameterError(f"speed must be positive, received {speed!r}")
         self.speed = speed
         self.begun = False
         self._at_s, self._most, self._clock, self._sleep = at_s, most, clock, sleep
