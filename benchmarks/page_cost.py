@@ -24,7 +24,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import NamedTuple
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 
 WEB = Path(__file__).parents[1] / "server" / "web"

@@ -10,7 +10,7 @@ from ipaddress import ip_address, ip_network
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, field_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.predictors.kinematic import coefficient_file
@@ -74,7 +74,6 @@ class Settings(BaseSettings):
         min_length=8,
         description="Secret that clients must send; generated when other machines can reach the service.",
     )
-    show_token: bool = Field(default=False, description="Print the token in full, once, at the start.")
     record: Path | None = Field(
         default=None, description="Folder in which sessions are recorded; not given: nothing is recorded."
     )
@@ -97,12 +96,12 @@ class Settings(BaseSettings):
     max_events_per_s: int = Field(
         default=20_000, ge=1, le=10**8, description="Most events a second in one session."
     )
-    max_events_per_frame: int = Field(default=1024, ge=1, le=10**5, description="Most events in one frame.")
     max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Most bytes in one frame.")
     max_targets: int = Field(default=1000, ge=0, le=10**5, description="Most targets in one session.")
     idle_s: float = Field(
         default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
     )
+    _token_made_up: bool = PrivateAttr(default=False)
 
     @field_validator("allow_host")
     @classmethod
@@ -151,8 +150,7 @@ class Settings(BaseSettings):
     @property
     def limits(self) -> Limits:
         """What a session may do."""
-        names = Limits.__struct_fields__
-        return Limits(**{name: getattr(self, name) for name in names})
+        return Limits(**self.model_dump(include=set(Limits.__struct_fields__)))
 
     @property
     def share(self) -> int:
@@ -164,7 +162,14 @@ class Settings(BaseSettings):
         """The same, with a token made up where other machines can reach it, directly or by a proxy."""
         if self.token is not None or (is_loopback(self.host) and not self.trust_proxy):
             return self
-        return self.model_copy(update={"token": secrets.token_urlsafe(24), "show_token": True})
+        guarded = self.model_copy(update={"token": secrets.token_urlsafe(24)})
+        guarded._token_made_up = True
+        return guarded
+
+    @property
+    def address_query(self) -> str:
+        """The end of the address that is printed: a token made up here, which nobody knows yet."""
+        return f"?token={self.token}" if self._token_made_up else ""
 
     def printable(self) -> dict[str, object]:
         """Every setting, the token masked: printed on start."""

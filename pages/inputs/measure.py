@@ -154,8 +154,6 @@ def options_of(file: File) -> str:
         text = str(value)
         if isinstance(value, dict):
             text = ",".join(f"{field}={column}" for field, column in value.items())
-        elif isinstance(value, list):
-            text = "x".join(map(str, value))
         words += [f"--{name.replace('_', '-')}"] if value is True else [f"--{name.replace('_', '-')}", text]
     return f"`{shlex.join(words)}`" if words else "none"
 

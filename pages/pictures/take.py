@@ -24,7 +24,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pointpred.datasets import sample
-from pointpred.replaying import Page, open_page
+from pointpred.live.devtools import Page, open_page
 
 SIZES = {1440: 900, 1024: 768, 390: 844}
 THEMES = ("light", "dark")

@@ -43,7 +43,7 @@ def convert(
 
       pointpred convert my.csv --columns t=time,x=px,y=py --time-unit ms --out my_samples.csv
 
-      pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out psychopy_samples.csv
+      pointpred convert psychopy_data.csv --px-per-unit 1080 --out psychopy_samples.csv
     """
     check_recording(out, force or source.is_dir())
     from pointpred.sources import write_recordings

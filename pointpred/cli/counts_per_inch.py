@@ -12,12 +12,11 @@ from pointpred.devices.source import DeviceSource
 from pointpred.errors import ParameterError
 from pointpred.events import CPI
 
+DISTANCE_CM = 10.0
 QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)"
 
 
-def counts_per_inch(
-    source: DeviceSource, cpi: float | None, measured: bool, distance_cm: float
-) -> float | None:
+def counts_per_inch(source: DeviceSource, cpi: float | None, measured: bool) -> float | None:
     """Counts per inch: given, measured with the open source, or asked for where somebody can answer."""
     if cpi is not None and measured:
         raise ParameterError("give either --cpi or --measure-cpi", field="cpi")
@@ -25,7 +24,7 @@ def counts_per_inch(
         answer = typer.prompt(QUESTION, value_proc=_cpi)
         measured, cpi = answer == "m", answer if isinstance(answer, float) else None
     if measured:
-        return _measured(source, distance_cm)
+        return _measured(source)
     if cpi is None:
         remarks().print("no --cpi: one count counts as one px, and speeds of the hand are guesses")
     return cpi
@@ -45,14 +44,14 @@ def _cpi(answer: str) -> float | str:
     return value
 
 
-def _measured(source: DeviceSource, distance_cm: float) -> float:
+def _measured(source: DeviceSource) -> float:
     remarks().print(
-        f"Put the mouse against a ruler, move it {distance_cm:g} cm in a straight line, then hold it still "
+        f"Put the mouse against a ruler, move it {DISTANCE_CM:g} cm in a straight line, then hold it still "
         "for a second."
     )
-    resolution = measure(source, distance_cm)
+    resolution = measure(source, DISTANCE_CM)
     remarks().print(
-        f"{resolution.counts:.0f} counts over {distance_cm:g} cm: {resolution.cpi:.0f} CPI, within about 3 %"
+        f"{resolution.counts:.0f} counts over {DISTANCE_CM:g} cm: {resolution.cpi:.0f} CPI, within about 3 %"
     )
     if not resolution.straight:
         remarks().print(

@@ -44,11 +44,8 @@ def live(
         typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse, as on its box."),
     ] = None,
     measure_cpi: Annotated[
-        bool, typer.Option("--measure-cpi", help="Measure the counts per inch first, with a ruler.")
+        bool, typer.Option("--measure-cpi", help="Measure the counts per inch first, with a ruler of 10 cm.")
     ] = False,
-    distance_cm: Annotated[
-        float, typer.Option(min=1.0, max=100.0, help="With --measure-cpi: length of the move, cm.")
-    ] = 10.0,
     dpi: Annotated[
         float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
     ] = None,
@@ -161,7 +158,7 @@ def live(
         follow_device(
             DeviceOptions(device, lsl, cursor, transfer, display, measure_cpi, person),
             outputs(cpi, dpi),
-            lambda source, cpi: counts_per_inch(source, cpi, measure_cpi, distance_cm),
+            lambda source, cpi: counts_per_inch(source, cpi, measure_cpi),
         )
         return
     for name, value in (
@@ -177,7 +174,8 @@ def live(
             raise ParameterError(
                 f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
-    from pointpred.live.replay import follow_replay, playable_trials
+    from pointpred.live.replay import follow_replay
+    from pointpred.live.replay_trials import playable_trials
 
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Any, Literal, get_type_hints, overload
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args, get_origin, get_type_hints, overload
 
 import typer
 
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.sources.reading import AS_IS, Reading, columns_of, px_per_unit_of
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
     from pointpred.recording import Recording
-    from pointpred.sources import Reading, StoredRecording
+    from pointpred.sources import StoredRecording
 
 SAMPLE = "sample"
 """In the place of a file, unless there is one of that name: the embedded sample."""
@@ -28,50 +29,8 @@ STDIN, SPOOLED = "-", "stdin"
 PANEL = "For recordings in other formats"
 TABLES = "For a table of your own"
 
-Cut = Annotated[
-    str | None,
-    typer.Option(help="How to cut a stream into trials: clicks, bursts or whole.", rich_help_panel=PANEL),
-]
-PauseS = Annotated[
-    float | None, typer.Option(help="A pause longer than this ends a burst, s (0.3).", rich_help_panel=PANEL)
-]
-Unit = Annotated[
-    str | None,
-    typer.Option(help="Unit of positions: pix, height, norm, cm, m or deg.", rich_help_panel=PANEL),
-]
-Screen = Annotated[
-    str | None, typer.Option(help="Size of the screen in px, as 1920x1080.", rich_help_panel=PANEL)
-]
-Cpi = Annotated[float | None, typer.Option(help="Counts per inch of the device.", rich_help_panel=PANEL)]
-Dpi = Annotated[float | None, typer.Option(help="Pixels per inch of the screen (96).", rich_help_panel=PANEL)]
-Target = Annotated[
-    str | None,
-    typer.Option(
-        help="Selector of the element that is the goal, as '#left' (jsPsych).", rich_help_panel=PANEL
-    ),
-]
-Columns = Annotated[
-    str | None,
-    typer.Option(
-        metavar="t=NAME,x=NAME,y=NAME",
-        help="Which column is which, by name or by place from 0; also user, trial, buttons, target_x, "
-        "target_y, target_w, dx, dy. Not given: guessed from the usual names.",
-        rich_help_panel=TABLES,
-    ),
-]
-TimeUnit = Annotated[
-    str | None,
-    typer.Option(help="Unit of the column t: s, ms, us, ns, or iso (date and time).", rich_help_panel=TABLES),
-]
-YUp = Annotated[bool, typer.Option("--y-up", help="y grows upwards.", rich_help_panel=TABLES)]
-PxPerUnit = Annotated[
-    float | None,
-    typer.Option(help="Pixels in one unit of x, y and the target (1).", rich_help_panel=TABLES),
-]
-Records = Annotated[
-    str | None,
-    typer.Option(help="Path to the rows in nested JSON, such as data.trials.", rich_help_panel=TABLES),
-]
+PARSED: dict[str, Callable[[str], Any]] = {"columns": columns_of, "px_per_unit": px_per_unit_of}
+"""What reads the text of an option that is neither a word nor a number."""
 
 
 def check_exists(value: Any) -> Any:
@@ -178,56 +137,28 @@ def recordings_in(
         raise
 
 
-def reading(
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
-    target: Target = None,
-) -> Reading:
-    """The options as a ``Reading``; raises ParameterError."""
-    from pointpred.sources import Reading
-    from pointpred.sources.reading import columns_of
-
-    options: dict[str, Any] = {
-        "cut": cut,
-        "pause_s": pause_s,
-        "unit": unit,
-        "screen": None if screen is None else _size(screen),
-        "cpi": cpi,
-        "dpi": dpi,
-        "columns": None if columns is None else columns_of(columns),
-        "time_unit": time_unit,
-        "y_up": y_up,
-        "px_per_unit": px_per_unit,
-        "records": records,
-        "target": target,
-    }
-    return Reading(**{name: value for name, value in options.items() if value is not None})
+def reading(**options: Any) -> Reading:
+    """The options that are given as a ``Reading``; raises ParameterError."""
+    given = {name: value for name, value in options.items() if value is not None}
+    return Reading(
+        **{name: PARSED[name](value) if name in PARSED else value for name, value in given.items()}
+    )
 
 
 def options_in(reading: Reading) -> list[tuple[str, object]]:
     """The options that differ from their defaults, by the name of their parameter."""
-    from pointpred.sources.reading import AS_IS
-
     values = [(name, getattr(reading, name)) for name in reading.__struct_fields__]
     return [(name, value) for name, value in values if value != getattr(AS_IS, name)]
 
 
 def with_reading(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the options of ``reading``, and what they say as its parameter ``reading``.
+    """Give a command the options of a ``Reading``, and what they say as its parameter ``reading``.
 
-    An option that the command declares itself, such as ``cpi``, is passed to both.
+    An option that the command has itself, such as ``cpi``, is passed to both; where the command does not say
+    what it means, it means what it does for ``Reading``.
     """
     own = {name: one for name, one in _parameters(command).items() if name != "reading"}
-    options = _parameters(reading)
+    options = dict(_options())
 
     @wraps(command)
     def run(**arguments: Any) -> None:
@@ -235,21 +166,32 @@ def with_reading(command: Callable[..., None]) -> Callable[..., None]:
         command(**{name: arguments[name] for name in own}, reading=values)
 
     # The interface of the command line is made from the signature and the annotations.
-    shown = own | {name: one for name, one in options.items() if name not in own}
+    declared = {name for name, one in own.items() if get_origin(one.annotation) is Annotated}
+    shown = own | {name: one for name, one in options.items() if name not in declared}
     run.__dict__["__signature__"] = Signature(list(shown.values()))
     run.__annotations__ = {name: one.annotation for name, one in shown.items()}
     return run
 
 
+def _options() -> Iterator[tuple[str, Parameter]]:
+    """The fields of a ``Reading`` that a command can be told, as its parameters."""
+    for name, annotated in get_type_hints(Reading, include_extras=True).items():
+        if get_origin(annotated) is not Annotated:
+            continue
+        kind, about = get_args(annotated)
+        flag = kind is bool
+        value: Any = float if float in (kind, *get_args(kind)) and name not in PARSED else str
+        option = typer.Option(
+            *([f"--{name.replace('_', '-')}"] if flag else []),
+            help=about.description,
+            metavar=about.extra["metavar"],
+            rich_help_panel=TABLES if about.extra["table"] else PANEL,
+        )
+        kind = Annotated[bool if flag else value | None, option]
+        yield name, Parameter(name, Parameter.KEYWORD_ONLY, default=False if flag else None, annotation=kind)
+
+
 def _parameters(function: Callable[..., Any]) -> dict[str, Parameter]:
-    """The parameters with their types, of which ``Reading`` is not looked up: its room is slow to load."""
-    types = get_type_hints(function, localns={"Reading": object}, include_extras=True)
+    """The parameters with their types."""
+    types = get_type_hints(function, localns={"Reading": Reading}, include_extras=True)
     return {name: one.replace(annotation=types[name]) for name, one in signature(function).parameters.items()}
-
-
-def _size(text: str) -> tuple[float, float]:
-    width, _, height = text.lower().partition("x")
-    try:
-        return float(width), float(height)
-    except ValueError:
-        raise ParameterError(f"screen must be WIDTHxHEIGHT in px, received {text!r}") from None

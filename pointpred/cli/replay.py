@@ -7,19 +7,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from msgspec import structs
 
 from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.output_files import check_target, write_json
 from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import Cpi, Dpi, as_given, to_read, with_reading
-from pointpred.console import remarks
+from pointpred.cli.reading_options import as_given, to_read, with_reading
+from pointpred.console import remarks, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
-    from pointpred.cli.replay_tables import DriveDocument, ReplayDocument
+    from pointpred.live.socket import Replayed
     from pointpred.recording import Recording
-    from pointpred.replaying import Replayed
     from pointpred.sources import Reading
 
 PAGE = "As the mouse of a page"
@@ -71,8 +71,8 @@ def replay(
     token: Annotated[
         str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
     *,
     reading: Reading,
 ) -> None:
@@ -101,7 +101,7 @@ def replay(
     names = trial or []
     if devtools is not None:
         driven = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
-        _finish(driven, json, agree=True)
+        _finish(driven, json, played=bool(driven["trials"]))
         return
     assert to is not None
     played = _send(
@@ -115,17 +115,17 @@ def replay(
         coefficients=own,
         token=token,
     )
-    from pointpred.cli.replay_tables import document, print_played
-
     if str(json) != "-":
-        print_played(played)
-    _finish(document(played), json, agree=played.agrees)
+        _print(played)
+    _finish(played, json, played=bool(played.trials))
+    if not played.agree:
+        raise typer.Exit(1)
 
 
 def _send(to: str, recording: Recording, **options: Any) -> Replayed:
     """Play to a service, with the options of ``replay_to``."""
     from pointpred.cli.progress import following
-    from pointpred.replaying import replay_to
+    from pointpred.live.socket import replay_to
 
     with following() as progress:
         played = replay_to(to, recording, progress=progress, **options)
@@ -135,39 +135,59 @@ def _send(to: str, recording: Recording, **options: Any) -> Replayed:
 
 def _drive(
     devtools: str, url: str | None, recording: Recording, names: list[str], **options: Any
-) -> DriveDocument:
-    """Play as the mouse of a page, with the options of ``drive_mouse``, and print what was done."""
-    from pointpred.cli.replay_tables import DriveDocument, DrivenTrialRow
-    from pointpred.replaying import drive_mouse, open_page
-    from pointpred.replaying.trials import playable_trials, trial_name
+) -> dict[str, Any]:
+    """Play as the mouse of a page, with the options of ``drive_mouse``; prints and returns what was done."""
+    from pointpred.live.devtools import open_page
+    from pointpred.live.mouse import drive_mouse
+    from pointpred.live.replay_trials import playable_trials
 
-    places, skipped = playable_trials(recording, names)
+    played, skipped = playable_trials(recording, names)
     print_skipped(skipped)
     trials = []
     with open_page(devtools, url) as page:
-        for k in places:
-            driven = drive_mouse(page, recording.rows(k), **options)
-            trials.append(
-                DrivenTrialRow(
-                    trial_name(recording, k), driven.moves, driven.presses, driven.releases, driven.seconds
-                )
-            )
+        for one in played:
+            driven = drive_mouse(page, one.events, **options)
+            trials.append({"trial": one.name, **structs.asdict(driven)})
             remarks().print(
-                f"{trial_name(recording, k)}: {driven.moves} moves, {driven.presses} presses, "
+                f"{one.name}: {driven.moves} moves, {driven.presses} presses, "
                 f"{driven.releases} releases in {driven.seconds:.2f} s",
                 markup=False,
             )
-    return DriveDocument(recording=recording.name, trials=trials, skipped=skipped)
+    return {"version": 1, "recording": recording.name, "trials": trials, "skipped": skipped}
 
 
-def _finish(document: ReplayDocument | DriveDocument, json: Path | None, *, agree: bool) -> None:
-    """Write the JSON; raise RecordingError where nothing was played, and exit with 1 where answers differ."""
+def _finish(document: object, json: Path | None, *, played: bool) -> None:
+    """Write the JSON; raise RecordingError where nothing was played."""
     if json is not None:
         write_json(document, json)
-    if not document.trials:
+    if not played:
         raise RecordingError("no trial could be played; see the reasons above")
-    if not agree:
-        raise typer.Exit(1)
+
+
+def _print(played: Replayed) -> None:
+    """One line a trial, and how many are as the batch."""
+    from rich.table import Table
+
+    table = Table("trial", "events", "error, px", "batch, px", "no prediction, px", "s", "as the batch")
+    for one in played.trials:
+        errors = one.score.time_averaged_px, one.batch.time_averaged_px, one.score.hold_px
+        verdict = "bit for bit" if one.agree else f"{one.unlike} of {one.predictions} differ"
+        if one.unlike == 0 and not one.agree:
+            verdict = "the scores differ"
+        if one.gave_way:
+            verdict += f", {one.gave_way} gave way"
+        table.add_row(
+            f"{one.user}-{one.trial}",
+            str(one.events),
+            *("-" if error is None else f"{error:.1f}" for error in errors),
+            f"{one.seconds:.2f}",
+            verdict,
+        )
+    results().print(table)
+    same = sum(one.agree for one in played.trials)
+    results().print(
+        f"{same} of {len(played.trials)} trials as the local batch, bit for bit ({played.predictor})"
+    )
 
 
 def _pair(text: str) -> tuple[float, float]:

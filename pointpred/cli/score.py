@@ -11,7 +11,7 @@ import typer
 from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.executor_options import PANEL, ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import Cpi, Dpi, as_given, to_read, with_reading
+from pointpred.cli.reading_options import as_given, to_read, with_reading
 from pointpred.cli.score_inputs import Reasons, in_memory, in_memory_or_stored, leave_out
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
@@ -73,8 +73,8 @@ def score(
         ),
     ] = None,
     coefficients: Coefficients = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
     *,
     reading: Reading,
 ) -> None:

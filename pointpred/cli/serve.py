@@ -52,9 +52,6 @@ def serve(
     token: Annotated[
         str | None, typer.Option(help="Secret of at least 8 characters that clients must send.")
     ] = None,
-    show_token: Annotated[
-        bool | None, typer.Option("--show-token", help="Print the token in full at the start.")
-    ] = None,
     record: Annotated[
         Path | None,
         typer.Option(metavar="FOLDER", help="Record every session in this folder. Off by default."),
@@ -77,7 +74,6 @@ def serve(
         ),
     ] = None,
     max_events_per_s: Annotated[int | None, typer.Option(help="Most events a second in one session.")] = None,
-    max_events_per_frame: Annotated[int | None, typer.Option(help="Most events in one frame.")] = None,
     max_frame_bytes: Annotated[int | None, typer.Option(help="Most bytes in one frame.")] = None,
     max_targets: Annotated[int | None, typer.Option(help="Most targets in one session.")] = None,
     idle_s: Annotated[

@@ -37,11 +37,9 @@ class ServiceStart:
 
     def announce(self) -> None:
         """The page can be opened."""
-        shown = self.settings
-        token = f"?token={shown.token}" if shown.token and shown.show_token else ""
         self._screen.write(CLEAR if self._watched else "")
         self._screen.flush()
-        typer.echo(self.address + token)
+        typer.echo(self.address + self.settings.address_query)
 
     def progress(self, progress: Progress) -> None:
         """What is being compiled."""

@@ -46,9 +46,7 @@ class PageService:
         self._listening = listening
         service = Service(settings)
         service.live = feed
-        shown = service.settings
-        token = f"?token={shown.token}" if shown.token and shown.show_token else ""
-        self.address = address(settings.host, listening) + token
+        self.address = address(settings.host, listening) + service.settings.address_query
         self._announced = True
         self._server = make_server(HostRule(settings.host, settings.allow_host), service, self._announce)
 

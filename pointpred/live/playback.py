@@ -5,33 +5,26 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from typing import Literal, Self
 
 import msgspec
+import numpy as np
 
-from pointpred.columns import EventColumns
+from pointpred.columns import FloatArray
 from pointpred.devices.cursor_paths import Space
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import ParameterError
 from pointpred.events import PointerEvent, Prediction
+from pointpred.live.replay_trials import Pacing, PlayedTrial
 from pointpred.pipeline import Pipeline
 
 GAP_S = 0.5
 """Pause before a trial whose times begin before those of the trial before it ended."""
 GAP_MOST_S = 1.0
 """A longer pause between two trials is shortened to this."""
-MOST_AT_ONCE = 256
-"""Events handed out together where no pace is kept."""
 
 Begin = Literal["", "trial", "person"]
-
-
-class PlayedTrial(msgspec.Struct, frozen=True):
-    """A trial to play: whose it is, its name, and its events, at least one, in the order of their times."""
-
-    user: str
-    name: str
-    events: EventColumns
 
 
 class PlayedEvent(PointerEvent, frozen=True, kw_only=True):
@@ -56,7 +49,7 @@ class PlayedSource(ClosedOnExit):
     ``speed``: 1 as recorded, 2 twice as fast, infinity without waiting. The first ``take`` that may wait
     begins, once ``hold`` returns false; ``ended`` is true when everything was taken. A trial whose
     times do not follow those before it is shown later, and computed with the times as recorded. Memory: the
-    recording and one event ahead. Raises ParameterError for a speed that is not positive, or no trial.
+    recording, and 8 bytes an event. Raises ParameterError for a speed that is not positive, or no trial.
     """
 
     lost = unreadable = resynchronised = 0
@@ -70,65 +63,47 @@ class PlayedSource(ClosedOnExit):
         *,
         speed: float = 1.0,
         words: str = "seconds",
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = time.perf_counter,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
-        if not speed > 0.0:
-            raise ParameterError(f"speed must be a positive number, received {speed!r}")
         if not trials:
             raise ParameterError(f"{path}: no trial to play")
         self.name = name
         self.path = path
         self.clock = f"the recording's own: {words}"
         self.trials = len(trials)
-        self.speed = speed
         self.hold: Callable[[], bool] = lambda: False
         self.ended = False
         self.playing = ""
         """Which trial the newest event belongs to, and its place among all."""
-        self._clock, self._sleep = clock, sleep
-        self._schedule = _schedule(trials)
-        self._next = next(self._schedule, None)
-        self._began: float | None = None
+        due_s, shifts_s = _timeline(trials)
+        self._pacing = Pacing(due_s, speed, clock=clock, sleep=sleep)
+        self._reports = _reports(trials, shifts_s)
+        self._sleep = sleep
 
     @property
     def pace(self) -> str:
         """How many trials are played, and how fast, in words."""
         many = f"{self.trials} trials" if self.trials != 1 else "1 trial"
-        if math.isinf(self.speed):
+        speed = self._pacing.speed
+        if math.isinf(speed):
             return f"{many}, without waiting"
-        speed = "as recorded" if self.speed == 1.0 else f"{self.speed:g} times as fast as recorded"
-        return f"{many}, {speed}"
+        words = "as recorded" if speed == 1.0 else f"{speed:g} times as fast as recorded"
+        return f"{many}, {words}"
 
     def take(self, timeout_s: float) -> list[Report]:
         """The events that are due, after waiting at most ``timeout_s`` for the next one."""
-        if self._began is None and (timeout_s <= 0.0 or self.hold()):
+        if self.ended or (not self._pacing.begun and (timeout_s <= 0.0 or self.hold())):
             self._sleep(timeout_s)
             return []
-        if self._began is None:
-            self._began = self._clock()
-        if self._next is None:
-            self._sleep(timeout_s)
-            return []
-        if (wait_s := self._wait_s(self._next[0])) > 0.0:
-            self._sleep(min(wait_s, timeout_s))
-        taken: list[Report] = []
-        while self._next is not None and len(taken) < MOST_AT_ONCE and self._wait_s(self._next[0]) <= 0.0:
-            _, self.playing, report = self._next
-            taken.append(report)
-            self._next = next(self._schedule, None)
-        self.ended = self._next is None
-        return taken
+        taken = list(islice(self._reports, len(self._pacing.take(timeout_s))))
+        if taken:
+            self.playing = taken[-1][0]
+        self.ended = self._pacing.ended
+        return [report for _, report in taken]
 
     def close(self) -> None:
         """Nothing is open."""
-
-    def _wait_s(self, at_s: float) -> float:
-        """How long until what is due ``at_s`` after the beginning, at speed 1."""
-        if math.isinf(self.speed):
-            return 0.0
-        assert self._began is not None
-        return self._began + at_s / self.speed - self._clock()
 
 
 class PlayedPath:
@@ -173,20 +148,31 @@ class PlayedPipeline:
         return type(self)(self._pipeline.fresh())
 
 
-def _schedule(trials: Sequence[PlayedTrial]) -> Iterator[tuple[float, str, Report]]:
-    """When each event is due, s after the beginning at speed 1; in which trial; and the event."""
-    due_s, shown_s, user = 0.0, -math.inf, None
-    for place, trial in enumerate(trials, 1):
-        first_s = float(trial.events.t[0])
+def _timeline(trials: Sequence[PlayedTrial]) -> tuple[FloatArray, list[float]]:
+    """When each event is due at speed 1, and how much later than recorded each trial is shown, s."""
+    due_s: list[FloatArray] = []
+    shifts_s: list[float] = []
+    shown_s = -math.inf
+    for trial in trials:
+        t, first_s = trial.events.t, float(trial.events.t[0])
         shift_s = 0.0 if first_s >= shown_s else shown_s + GAP_S - first_s
-        start_s = due_s if place == 1 else due_s + min(first_s + shift_s - shown_s, GAP_MOST_S)
-        begin: Begin = "trial" if trial.user == user else "person"
+        start_s = float(due_s[-1][-1]) + min(first_s + shift_s - shown_s, GAP_MOST_S) if due_s else 0.0
+        due_s.append(start_s + (t - first_s))
+        shifts_s.append(shift_s)
+        shown_s = float(t[-1]) + shift_s
+    return np.concatenate(due_s), shifts_s
+
+
+def _reports(trials: Sequence[PlayedTrial], shifts_s: Sequence[float]) -> Iterator[tuple[str, Report]]:
+    """In which trial each event is, and the event."""
+    user = None
+    for place, (trial, shift_s) in enumerate(zip(trials, shifts_s, strict=True), 1):
+        begin: Begin = "trial" if trial.about.user == user else "person"
         where = f"{trial.name}, {place} of {len(trials)}"
         for event in trial.events.events():
-            shown_s, due_s = event.t + shift_s, start_s + (event.t - first_s)
-            yield due_s, where, _report(event, shown_s, begin)
+            yield where, _report(event, event.t + shift_s, begin)
             begin = ""
-        user = trial.user
+        user = trial.about.user
 
 
 def _report(event: PointerEvent, shown_s: float, begin: Begin) -> PlayedReport:

@@ -9,21 +9,12 @@ from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
 from pointpred.events import Pair
-from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
+from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource
+from pointpred.live.replay_trials import PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
-from pointpred.recording import Recording, Skip
-from pointpred.replaying import trials as recorded
+from pointpred.recording import Recording
 from pointpred.server.garbage import tune_collector
-
-
-def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:
-    """The trials to play, all where none is named, and those that cannot be; raises ParameterError."""
-    places, left_out = recorded.playable_trials(recording, names)
-    return [
-        PlayedTrial(recording.trials[k].user, recorded.trial_name(recording, k), recording.rows(k))
-        for k in places
-    ], left_out
 
 
 def follow_replay(

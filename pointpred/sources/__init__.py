@@ -1,13 +1,19 @@
 """Recordings of every known format, read from files and written to files."""
 
-from pointpred.sources.conversion import Summary, convert, write_recordings
-from pointpred.sources.known_formats import FORMATS, Format, format_of
-from pointpred.sources.own.growing import write_in_parts
-from pointpred.sources.own.recordings import read, write
-from pointpred.sources.own.stored import StoredRecording
-from pointpred.sources.read_files import open_any, read_any
-from pointpred.sources.reading import Reading
-from pointpred.sources.trials.segmentation import Piece, cut_at_clicks, cut_at_pauses
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pointpred.sources.conversion import Summary, convert, write_recordings
+    from pointpred.sources.known_formats import FORMATS, Format, format_of
+    from pointpred.sources.own.growing import write_in_parts
+    from pointpred.sources.own.recordings import read, write
+    from pointpred.sources.own.stored import StoredRecording
+    from pointpred.sources.read_files import open_any, read_any
+    from pointpred.sources.reading import Reading
+    from pointpred.sources.trials.segmentation import Piece, cut_at_clicks, cut_at_pauses
 
 __all__ = [
     "FORMATS",
@@ -27,3 +33,21 @@ __all__ = [
     "write_in_parts",
     "write_recordings",
 ]
+
+MODULES = (
+    *("reading", "own.growing", "own.recordings", "own.stored", "trials.segmentation"),
+    *("known_formats", "read_files", "conversion"),
+)
+"""Where the public names are; loaded when one is first used, since commands need the options of ``Reading``
+before they read anything."""
+
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        if name not in __all__:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        for place in MODULES:
+            module = import_module(f"{__name__}.{place}")
+            globals().update({one: getattr(module, one) for one in __all__ if hasattr(module, one)})
+        return globals()[name]

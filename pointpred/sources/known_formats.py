@@ -102,7 +102,7 @@ FORMATS: tuple[Format, ...] = (
         "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
     ),
     Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
-    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit", "unit")),
+    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit",)),
     Format(
         "jspsych",
         jspsych.TITLE,

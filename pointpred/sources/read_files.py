@@ -36,7 +36,7 @@ def read_any(
     columns: Mapping[str, str | int] | None = None,
     time_unit: TimeUnit | None = None,
     y_up: bool | None = None,
-    px_per_unit: float | None = None,
+    px_per_unit: float | tuple[float, float] | None = None,
     records: str | None = None,
 ) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
@@ -127,7 +127,6 @@ def _of_tables(reading: Reading, form: Format) -> list[str]:
         "y_up",
         "px_per_unit",
         "records",
-        "unit",
         *(("time_unit",) if form.key != "own" else ()),
     )
     return [name for name in names if getattr(reading, name) not in (None, False)]

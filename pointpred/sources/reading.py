@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
 import msgspec
 
@@ -12,7 +12,6 @@ from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
-Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""
@@ -23,76 +22,89 @@ MOST_PX = 1e9
 """Most pixels in a unit: the bound of positions."""
 
 
+def told(meaning: str, *, table: bool = False, metavar: str | None = None) -> msgspec.Meta:
+    """What a command says of a field; ``table``: it is for tables of one's own."""
+    return msgspec.Meta(description=meaning, extra={"table": table, "metavar": metavar})
+
+
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
     """Options for reading foreign recordings; own recordings contain all of this.
 
-    ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for the format's default;
-    ``pause_s`` > 0 s ends a burst; trials of fewer than ``least_samples`` >= 2 or shorter
-    than ``least_s`` >= 0 s are skipped.
-    ``unit`` of positions if the experiment chose it (PsychoPy), ``None`` for the file's; ``screen`` width and
-    height in px, needed for the units height and norm, ``px_per_unit`` for deg; ``dpi`` in [1, 1e5] px per
-    inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the device, stored in the
-    provenance; ``target``: the selector of the page's element that is the goal (jsPsych).
+    The fields that say what they mean are options of every command that reads recordings. ``cut``: ``None``
+    for the format's default; trials of a stream with fewer than ``least_samples`` >= 2 or shorter than
+    ``least_s`` >= 0 s are skipped. ``cpi`` in [1, 1e6] is stored in the provenance; ``dpi`` in [1, 1e5] is
+    for positions in cm or m. ``px_per_unit`` in (0, 1e9], one number or those across and down, is for
+    positions in another unit than px and than the file says (PsychoPy, any table).
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; other fields are guessed from the usual names, or unknown if t, x and y are all
-    named. ``time_unit`` of the column t, ``iso`` for dates and times; ``y_up`` if y grows upwards;
-    ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target; ``records``: the path to the rows in a
-    file of nested objects, as ``data.trials``.
+    named.
     """
 
-    cut: Cut | None = None
-    pause_s: float = 0.3
+    cut: Annotated[
+        Cut | None, told("How to cut a stream into trials: clicks, bursts (at pauses of 0.3 s) or whole.")
+    ] = None
+    cpi: Annotated[float | None, told("Counts per inch of the device.")] = None
+    dpi: Annotated[float, told("Pixels per inch of the screen (96).")] = 96.0
+    columns: Annotated[
+        dict[str, str | int] | None,
+        told(
+            "Which column is which, by name or by place from 0; also user, trial, buttons, target_x, "
+            "target_y, target_w, dx, dy. Not given: guessed from the usual names.",
+            table=True,
+            metavar="t=NAME,x=NAME,y=NAME",
+        ),
+    ] = None
+    time_unit: Annotated[
+        TimeUnit | None, told("Unit of the column t: s, ms, us, ns, or iso (date and time).", table=True)
+    ] = None
+    y_up: Annotated[bool, told("y grows upwards.", table=True)] = False
+    px_per_unit: Annotated[
+        float | tuple[float, float] | None,
+        told(
+            "Pixels in one unit of x, y and the target (1); X,Y where they differ across and down.",
+            table=True,
+            metavar="NUMBER",
+        ),
+    ] = None
+    records: Annotated[
+        str | None, told("Path to the rows in nested JSON, such as data.trials.", table=True)
+    ] = None
+    target: Annotated[str | None, told("Selector of the element that is the goal, as '#left' (jsPsych).")] = (
+        None
+    )
     least_samples: int = 2
     least_s: float = 0.0
-    unit: Unit | None = None
-    screen: tuple[float, float] | None = None
-    dpi: float = 96.0
-    cpi: float | None = None
-    target: str | None = None
-    columns: dict[str, str | int] | None = None
-    time_unit: TimeUnit | None = None
-    y_up: bool = False
-    px_per_unit: float | None = None
-    records: str | None = None
 
     def __post_init__(self) -> None:
         bounds = (
-            ("cut", self.cut, self.cut in (None, "clicks", "bursts", "whole"), "clicks, bursts or whole"),
-            (
-                "unit",
-                self.unit,
-                self.unit in (None, *get_args(Unit)),
-                "pix, height, norm, cm, m or deg",
-            ),
-            ("pause_s", self.pause_s, self.pause_s > 0, "above 0 s"),
-            ("least_samples", self.least_samples, self.least_samples >= 2, "at least 2"),
-            ("least_s", self.least_s, self.least_s >= 0, "at least 0 s"),
-            ("dpi", self.dpi, DPI[0] <= self.dpi <= DPI[1], f"in [{DPI[0]:g}, {DPI[1]:g}] px per inch"),
+            ("cut", self.cut in (None, *get_args(Cut)), "clicks, bursts or whole"),
+            ("least_samples", self.least_samples >= 2, "at least 2"),
+            ("least_s", self.least_s >= 0, "at least 0 s"),
+            ("dpi", DPI[0] <= self.dpi <= DPI[1], f"in [{DPI[0]:g}, {DPI[1]:g}] px per inch"),
             (
                 "cpi",
-                self.cpi,
                 self.cpi is None or CPI[0] <= self.cpi <= CPI[1],
                 f"in [{CPI[0]:g}, {CPI[1]:g}] counts per inch",
             ),
-            (
-                "time_unit",
-                self.time_unit,
-                self.time_unit in (None, "s", "ms", "us", "ns", "iso"),
-                "s, ms, us, ns or iso",
-            ),
+            ("time_unit", self.time_unit in (None, *get_args(TimeUnit)), "s, ms, us, ns or iso"),
             (
                 "px_per_unit",
-                self.px_per_unit,
-                self.px_per_unit is None or 0 < self.px_per_unit <= MOST_PX,
+                all(0 < gain <= MOST_PX for gain in self.gain),
                 f"above 0 and at most {MOST_PX:g} px in a unit",
             ),
-            ("screen", self.screen, self.screen is None or min(self.screen) > 0, "above 0 px both ways"),
         )
-        for name, value, good, bound in bounds:
+        for name, good, bound in bounds:
             if not good:
+                value = getattr(self, name)
                 raise ParameterError(f"{name} must be {bound}, received {value!r}", field=name, value=value)
         _check_columns(self.columns or {})
+
+    @property
+    def gain(self) -> tuple[float, float]:
+        """Pixels in a unit across and down; 1 where ``px_per_unit`` does not say it."""
+        px = 1.0 if self.px_per_unit is None else self.px_per_unit
+        return px if isinstance(px, tuple) else (px, px)
 
 
 def columns_of(text: str) -> dict[str, str | int]:
@@ -111,6 +123,18 @@ def columns_of(text: str) -> dict[str, str | int]:
             raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}", field="columns", value=text)
         columns[field.strip()] = column.strip()
     return columns
+
+
+def px_per_unit_of(text: str) -> float | tuple[float, float]:
+    """Parse pixels in a unit, ``38`` or those across and down, ``960,540``; raises ParameterError."""
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) not in (1, 2):
+        message = f"px_per_unit must be a number of px, or two as X,Y, received {text!r}"
+        raise ParameterError(message, field="px_per_unit", value=text)
+    return numbers[0] if len(numbers) == 1 else (numbers[0], numbers[1])
 
 
 def _check_columns(columns: dict[str, str | int]) -> None:

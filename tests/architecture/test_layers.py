@@ -72,8 +72,7 @@ MAY_IMPORT = {
     "protocol": PIPELINE | {"targets", "scoring"},
     "server": PIPELINE | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "pointpred"},
     "client": {"errors", "events", "rows", "columns", "registry", "protocol"},
-    "replaying": PIPELINE | {"scoring", "protocol", "client"},
-    "live": PIPELINE | {"console", "devices", "sources", "protocol", "server", "replaying"},
+    "live": PIPELINE | {"console", "devices", "sources", "scoring", "protocol", "client", "server"},
     "cli": PIPELINE
     | {
         "targets",
@@ -93,7 +92,6 @@ MAY_IMPORT = {
         "protocol",
         "server",
         "client",
-        "replaying",
         "console",
         "live",
         "pointpred",

@@ -19,7 +19,7 @@ from pointpred.client.session import hello_message
 from tests.unit.talking import Talk, events
 
 ROWS = [[i / 60, 3.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(12)]
-ROOMS = ("cli", "client", "devices", "live", "protocol", "replaying", "server")
+ROOMS = ("cli", "client", "devices", "live", "protocol", "server")
 """Where live people are served."""
 
 
@@ -56,7 +56,7 @@ def test_every_default_is_the_recommended_one() -> None:
         "pointpred.cli.live.live",
         "pointpred.cli.replay.replay",
         "pointpred.client.session.hello_message",
-        "pointpred.replaying.socket.replay_to",
+        "pointpred.live.socket.replay_to",
     } <= set(found)
 
 

@@ -20,7 +20,8 @@ from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import ParameterError
 from pointpred.events import Pair
-from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
+from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource
+from pointpred.live.replay_trials import PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
@@ -58,7 +59,7 @@ TRIALS = [("ann", 0.1, 300.0), ("ann", 0.1, 500.0), ("ann", 9.7, -400.0), ("bob"
 
 
 def parts() -> list[PlayedTrial]:
-    return [PlayedTrial(user, f"{user}-{i}", reach(t, way, i)) for i, (user, t, way) in enumerate(TRIALS)]
+    return [PlayedTrial(Trial(user, str(i)), reach(t, way, i)) for i, (user, t, way) in enumerate(TRIALS)]
 
 
 def played(trials: Sequence[PlayedTrial], speed: float = 1.0, **more: Any) -> tuple[PlayedSource, Clock]:
@@ -79,9 +80,9 @@ def pairs_of(trials: Sequence[PlayedTrial], speed: float = math.inf) -> list[Pai
 def batch(trials: Sequence[PlayedTrial]) -> FloatArray:
     """Predictions of the recording as ``run`` makes them: a fresh pipeline a person, a beginning a trial."""
     tables = []
-    for user in dict.fromkeys(trial.user for trial in trials):
+    for user in dict.fromkeys(trial.about.user for trial in trials):
         pipeline = build(NAME)
-        for trial in (one for one in trials if one.user == user):
+        for trial in (one for one in trials if one.about.user == user):
             pipeline.reset()
             tables.append(run(pipeline, trial.events).table)
     return np.concatenate(tables)
@@ -112,7 +113,7 @@ def test_shown_times_grow_and_stay_as_recorded_where_they_can() -> None:
 
 @pytest.mark.parametrize("speed", [1.0, 2.0])
 def test_events_come_when_they_came(speed: float) -> None:
-    trial = PlayedTrial("ann", "a", EventColumns.of([5.0, 5.1, 5.4], [0.0, 1.0, 2.0], [0.0, 0.0, 0.0]))
+    trial = PlayedTrial(Trial("ann", "a"), EventColumns.of([5.0, 5.1, 5.4], [0.0, 1.0, 2.0], [0.0, 0.0, 0.0]))
     source, clock = played([trial], speed)
     came: list[tuple[float, float]] = []
     while not source.ended:
@@ -142,7 +143,7 @@ def test_a_speed_must_be_positive(speed: float) -> None:
 def file(tmp_path: Path) -> Path:
     """The trials as our CSV."""
     trials = parts()
-    names = [Trial(trial.user, str(i)) for i, trial in enumerate(trials)]
+    names = [trial.about for trial in trials]
     write(Recording.of("study", [trial.events for trial in trials], names), tmp_path / "study_samples.csv")
     return tmp_path / "study_samples.csv"
 
@@ -182,7 +183,7 @@ def test_some_trials_are_played_in_the_order_asked_for(command: Callable[..., An
         (["--replay", "FILE", "--trial", "nobody"], 2, "nobody"),
         (["--replay", "FILE", "--speed", "0"], 2, "speed"),
         (["--trial", "1"], 2, "--replay"),
-        (["--pause-s", "1"], 2, "--replay"),
+        (["--cut", "whole"], 2, "--replay"),
     ],
 )
 def test_wrong_use_is_one_line(

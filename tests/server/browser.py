@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.replaying import Page, open_page
+from pointpred.live.devtools import Page, open_page
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = (

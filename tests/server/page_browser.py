@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 
 SHIFTS = """

@@ -10,7 +10,7 @@ from urllib.request import urlopen
 import pytest
 from websockets.sync.client import connect as dial
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.pages_elsewhere import page_elsewhere

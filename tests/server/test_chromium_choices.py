@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from pointpred.columns import EventColumns
+from pointpred.live.devtools import Page
+from pointpred.live.mouse import drive_mouse
 from pointpred.protocol.server_messages import Limits
-from pointpred.replaying import Page, drive_mouse
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from pointpred.server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import Listener, soon

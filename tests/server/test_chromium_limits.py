@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
+from pointpred.live.devtools import Page
 from pointpred.protocol.server_messages import Limits
-from pointpred.replaying import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 from tests.server.test_chromium_client import CONNECT, connected

@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from pointpred import EventColumns, Pipeline, build, run
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 from tests.server.test_chromium_client import CONNECT

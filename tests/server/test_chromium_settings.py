@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from pointpred import RECOMMENDED
-from pointpred.replaying import Page
+from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 from tests.server.running import PATIENCE_S, running

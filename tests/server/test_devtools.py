@@ -12,7 +12,8 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError, SourceError
-from pointpred.replaying import Page, drive_mouse, open_page
+from pointpred.live.devtools import Page, open_page
+from pointpred.live.mouse import drive_mouse
 from tests.server import browser
 from tests.server.listener import Listener
 

@@ -16,13 +16,11 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
+from pointpred.live.replay_trials import Pacing, select_trials
+from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
-from pointpred.replaying import replay_to
-from pointpred.replaying.pacing import due
-from pointpred.replaying.socket import unlike
-from pointpred.replaying.trials import select_trials
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
@@ -38,7 +36,7 @@ def listener() -> Iterator[Listener]:
 @pytest.fixture(autouse=True)
 def patient(monkeypatch: pytest.MonkeyPatch) -> None:
     """An answer may take long where many share the processors."""
-    monkeypatch.setattr("pointpred.replaying.socket.connect", partial(connect, timeout_s=PATIENCE_S))
+    monkeypatch.setattr("pointpred.live.socket.connect", partial(connect, timeout_s=PATIENCE_S))
 
 
 SAMPLE = sample()
@@ -51,10 +49,10 @@ def test_socket_and_batch_agree_bit_for_bit(listener: Listener, predictor: str) 
     assert [(one.user, one.predictions) for one in played.trials] == [
         (SAMPLE.trials[k].user, len(SAMPLE.rows(k))) for k in (0, 239, 119)
     ]
-    assert played.agrees
+    assert played.agree
     for one in played.trials:
         assert one.unlike == one.gave_way == 0
-        assert one.score == one.local
+        assert one.score == one.batch
         assert one.score.time_averaged_px is not None
 
 
@@ -64,7 +62,7 @@ def test_coefficients_of_ones_own_are_named_to_the_service(tmp_path: Path) -> No
         np.savez(path, **{**shipped, "offset2": shipped["offset2"] + np.float32(0.5)})
     asked = {"predictor": "kinematic", "speed": math.inf, "trials": ["1"]}
     with Listener(coefficients={"me": path}) as service:
-        assert replay_to(service.url, SAMPLE, coefficients=("me", path), **asked).agrees
+        assert replay_to(service.url, SAMPLE, coefficients=("me", path), **asked).agree
         other = replay_to(service.url, SAMPLE, coefficients=("me", coefficient_file.OWN), **asked)
     assert other.trials[0].unlike > 0
 
@@ -104,7 +102,7 @@ def test_a_service_that_answers_otherwise_is_found_out(monkeypatch: pytest.Monke
     monkeypatch.setattr(PointingSession, "receive", forgetful)
     with Listener() as listener:
         played = replay_to(listener.url, SAMPLE, speed=math.inf, trials=["1"])
-    assert not played.agrees
+    assert not played.agree
     assert 0 < played.trials[0].unlike < played.trials[0].events
 
 
@@ -116,7 +114,7 @@ def test_each_user_meets_a_predictor_that_knows_nobody(listener: Listener, predi
     names = ["1", "2", "3", str(other + 1)]
     before = len(listener.messages("hello"))
     played = replay_to(listener.url, SAMPLE, predictor=predictor, speed=math.inf, trials=names)
-    assert played.agrees
+    assert played.agree
     assert len(listener.messages("hello")) == before + 2
     heard = {}
     for first in (names[:3], []):
@@ -139,15 +137,15 @@ def test_one_bit_is_seen() -> None:
     assert unlike(PredictionColumns(table[[2, 0]]), PredictionColumns(table)) == 1  # out of order
 
 
-def test_rows_come_when_they_are_due(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rows_come_when_they_are_due() -> None:
     clock = [5.0]
-    monkeypatch.setattr("pointpred.replaying.pacing.time.perf_counter", lambda: clock[0])
-    monkeypatch.setattr("pointpred.replaying.pacing.time.sleep", lambda s: clock.__setitem__(0, clock[0] + s))
     t = np.array([7.0, 7.0, 7.5, 7.75, 8.0])
+    pacing = Pacing(t, 2.0, clock=lambda: clock[0], sleep=lambda s: clock.__setitem__(0, clock[0] + s))
     handed = []
-    for first, stop in due(t, 2.0):
-        handed.append((first, stop, clock[0]))
-        clock[0] += 0.2 if first == 2 else 0.0  # sending takes long: what fell due meanwhile comes together
+    while due := pacing.take():
+        handed.append((due.start, due.stop, clock[0]))
+        # sending takes long: what fell due meanwhile comes together
+        clock[0] += 0.2 if due.start == 2 else 0.0
     assert handed == [(0, 2, 5.0), (2, 3, 5.25), (3, 4, 5.45), (4, 5, 5.5)]
 
 
@@ -156,7 +154,7 @@ def test_it_keeps_the_recorded_pace(listener: Listener) -> None:
     recording = Recording.of("line", [EventColumns.of(t, 1000 * t, 0 * t)], [Trial("ann", "1")])
     for speed in (1.0, 4.0):
         (one,) = replay_to(listener.url, recording, speed=speed, predictor="hold").trials
-        assert one.agrees
+        assert one.agree
         assert one.seconds >= 0.4 / speed
 
 
@@ -165,7 +163,7 @@ def test_counts_that_are_not_whole_travel_as_text(listener: Listener) -> None:
     path = EventColumns.of(t, 1000 * t, 0 * t, 0.5 + 0 * t, 0 * t)
     recording = Recording.of("line", [path], [Trial("ann", "1")])
     played = replay_to(listener.url, recording, speed=math.inf, cpi=800.0)
-    assert played.agrees
+    assert played.agree
     assert listener.messages("hello")[-1]["encoding"] == "json"
 
 

@@ -45,7 +45,7 @@ def test_a_file_of_that_name_comes_first(folder: Path) -> None:
     (folder / "sample").mkdir()
     for file in folder.glob("mine_*.csv"):
         file.rename(folder / "sample" / file.name)
-    (one,) = recordings_in(Path("sample"), reading(None, None, None, None, None, None))
+    (one,) = recordings_in(Path("sample"), reading())
     assert len(one.trials) == 3
 
 

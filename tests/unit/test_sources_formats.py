@@ -116,15 +116,14 @@ def test_psychopy_turns_y() -> None:
 @pytest.mark.parametrize(
     ("reading", "gain"),
     [
-        (Reading(unit="height", screen=(1600, 900)), (900, 900)),
-        (Reading(unit="norm", screen=(1600, 900)), (800, 450)),
-        (Reading(unit="cm", dpi=127.0), (50, 50)),
+        (Reading(px_per_unit=900.0), (900, 900)),
+        (Reading(px_per_unit=(800.0, 450.0)), (800, 450)),
     ],
 )
 def test_psychopy_in_the_units_of_the_experiment(reading: Reading, gain: tuple[float, float]) -> None:
     table = one("psychopy.csv", reading).events.table
     np.testing.assert_allclose(table[0, 1:3], [-100 * gain[0], -50 * gain[1]], rtol=1e-12)
-    assert one("psychopy.csv", reading).provenance.unit == reading.unit
+    assert one("psychopy.csv", reading).provenance.unit == "told"
 
 
 def test_psychopy_says_when_the_unit_cannot_be_pixels(tmp_path: Path) -> None:
@@ -132,9 +131,7 @@ def test_psychopy_says_when_the_unit_cannot_be_pixels(tmp_path: Path) -> None:
     path.write_text('mouse.x,mouse.y,mouse.time\n"[-0.3, 0.4]","[0.1, 0.2]","[0.0, 0.1]"\n', encoding="utf-8")
     with pytest.raises(RecordingError, match="hardly pix"):
         read_any(path)
-    with pytest.raises(RecordingError, match="height needs the screen's size"):
-        read_any(path, Reading(unit="height"))
-    (recording,) = read_any(path, Reading(unit="height", screen=(1000, 500)))
+    (recording,) = read_any(path, Reading(px_per_unit=500.0))
     np.testing.assert_allclose(recording.events.y, [-50, -100], rtol=1e-12)
 
 
@@ -231,12 +228,11 @@ def test_an_unknown_file_names_every_format(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "value"),
     [
-        ("pause_s", 0.0),
         ("least_samples", 1),
         ("least_s", -1.0),
         ("dpi", 0.0),
         ("cpi", -1.0),
-        ("screen", (0, 5)),
+        ("px_per_unit", (0.0, 5.0)),
     ],
 )
 def test_reading_refuses_what_cannot_be(name: str, value: object) -> None:

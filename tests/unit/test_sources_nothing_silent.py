@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources import Reading, read_any
 
@@ -38,16 +37,11 @@ def test_a_participant_whose_name_begins_with_a_hash_is_read(first: str, tmp_pat
     assert "comment lines between the rows left out: 1" in recording.notes
 
 
-def test_positions_in_cm_are_converted_by_the_dots_per_inch(tmp_path: Path) -> None:
-    recording = read(tmp_path, "t_ms,x,y", rows(), Reading(unit="cm", dpi=254))
-    assert recording.events.x.tolist() == pytest.approx([100 * x for _, x, _ in ROWS])
-    metres = read(tmp_path, "t_ms,x,y", rows(), Reading(unit="m", dpi=254))
-    assert metres.events.x.tolist() == pytest.approx([10000 * x for _, x, _ in ROWS])
-
-
-def test_a_unit_that_needs_more_than_that_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RecordingError, match="--px-per-unit"):
-        read(tmp_path, "t_ms,x,y", rows(), Reading(unit="deg"))
+def test_positions_are_converted_by_the_pixels_in_a_unit_across_and_down(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y", rows(), Reading(px_per_unit=(960.0, 540.0)))
+    assert recording.events.x.tolist() == pytest.approx([960 * x for _, x, _ in ROWS])
+    assert recording.events.y.tolist() == pytest.approx([540 * y for _, _, y in ROWS])
+    assert recording.provenance.unit == "units of 960 and 540 px"
 
 
 @pytest.mark.parametrize("reading", [Reading(cut="bursts"), Reading(records="data")], ids=["cut", "records"])

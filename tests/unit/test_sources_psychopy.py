@@ -33,7 +33,7 @@ def written(folder: Path, *rows: dict[str, Any], separator: str = ",", name: str
 def test_pixels_are_assumed_with_a_note_and_taken_without_when_told(tmp_path: Path) -> None:
     path = written(tmp_path, TRACK)
     [assumed] = read_any(path)
-    [told] = read_any(path, Reading(unit="pix"))
+    [told] = read_any(path, Reading(px_per_unit=1.0))
     assert sum("taken as px" in note for note in assumed.notes) == 1
     assert not any("taken as px" in note for note in told.notes)
     np.testing.assert_array_equal(assumed.events.table, told.events.table)
@@ -41,16 +41,17 @@ def test_pixels_are_assumed_with_a_note_and_taken_without_when_told(tmp_path: Pa
 
 def test_degrees_are_not_taken_for_pixels(tmp_path: Path) -> None:
     path = written(tmp_path, DEGREES)
-    with pytest.raises(RecordingError, match="--unit deg --px-per-unit"):
+    with pytest.raises(RecordingError, match="--px-per-unit 38 for deg"):
         read_any(path)
-    with pytest.raises(RecordingError, match="--px-per-unit"):
-        read_any(path, Reading(unit="deg"))
-    [recording] = read_any(path, Reading(unit="deg", px_per_unit=40.0))
+    told = written(tmp_path, DEGREES | {"units": "deg"}, name="told.csv")
+    with pytest.raises(RecordingError, match=r"positions in deg need .* --px-per-unit 38 for deg"):
+        read_any(told)
+    [recording] = read_any(told, Reading(px_per_unit=40.0))
     np.testing.assert_array_equal(recording.events.table[:, 1], [-500, 160, 370])
     np.testing.assert_array_equal(recording.events.table[:, 2], [0, -60, -80])
     assert recording.provenance.unit == "deg"
     assert not any("no effect" in note for note in recording.notes)
-    [pixels] = read_any(path, Reading(unit="pix"))
+    [pixels] = read_any(path, Reading(px_per_unit=1.0))
     np.testing.assert_array_equal(pixels.events.table[:, 1], [-12.5, 4, 9.25])
 
 

@@ -1,18 +1,19 @@
-"""The unit of positions: from ``Reading``, from a column, or pixels if that is plausible."""
+"""The unit of positions: from a column, from ``Reading``, or pixels if that is plausible."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.events import METRES_PER_INCH
-from pointpred.sources.reading import Reading, Unit
+from pointpred.sources.reading import Reading
 
+Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 LEAST_PX = 2.0
 MOST_DEG = 40.0
 """Fractional positions that all lie closer to the centre than this are unlikely to be pixels."""
@@ -24,12 +25,17 @@ SPELLINGS: dict[str, Unit] = {
     "degflat": "deg",
     "degflatpos": "deg",
 }
+SIZES = {
+    "height": "--px-per-unit 1080 for height, the screen's height in px",
+    "norm": "--px-per-unit 960,540 for norm, half its width and height",
+    "cm": "--px-per-unit 37.8 for cm, the pixels per inch / 2.54",
+    "deg": "--px-per-unit 38 for deg, the distance to the screen in px times tan 1 deg",
+}
+"""What says how many pixels are in a unit, by example."""
 
 
-def unit_of(rows: Sequence[dict[str, Any]], reading: Reading) -> tuple[Unit | None, list[str]]:
-    """The unit from ``reading`` or from a column with one unit in every row, and a note; or ``None``."""
-    if reading.unit is not None:
-        return reading.unit, []
+def unit_of(rows: Sequence[dict[str, Any]]) -> tuple[Unit | None, list[str]]:
+    """The unit from a column with one unit in every row, and a note; or ``None``."""
     for name in dict.fromkeys(name for row in rows for name in row):
         cells = {str(row.get(name) or "").strip().lower() for row in rows} - {""}
         if name.lower().rpartition(".")[2] in NAMES and len(cells) == 1:
@@ -41,25 +47,13 @@ def unit_of(rows: Sequence[dict[str, Any]], reading: Reading) -> tuple[Unit | No
 
 
 def gain_of(path: Path, unit: Unit, reading: Reading) -> tuple[float, float]:
-    """Pixels per unit, horizontally and vertically; raises RecordingError if an option is missing."""
-    if reading.px_per_unit is not None:
-        return reading.px_per_unit, reading.px_per_unit
-    if unit == "pix":
-        return 1.0, 1.0
+    """Pixels per unit, across and down; raises RecordingError if ``reading`` has to say it."""
+    if reading.px_per_unit is not None or unit == "pix":
+        return reading.gain
     if unit in ("cm", "m"):
         gain = reading.dpi / (100.0 * METRES_PER_INCH if unit == "cm" else METRES_PER_INCH)
         return gain, gain
-    if unit == "deg":
-        raise RecordingError(
-            f"{path}: positions in deg need the pixels in a degree: --unit deg --px-per-unit PIXELS "
-            "(distance to the screen in px times tan 1 deg)"
-        )
-    if reading.screen is None:
-        raise RecordingError(
-            f"{path}: the unit {unit} needs the screen's size in px: --unit {unit} --screen 1920x1080"
-        )
-    width, height = reading.screen
-    return (height, height) if unit == "height" else (width / 2, height / 2)
+    raise RecordingError(f"{path}: positions in {unit} need the pixels in a unit: {SIZES[unit]}")
 
 
 def check_pixels(path: Path, positions: Sequence[FloatArray]) -> list[str]:
@@ -68,12 +62,13 @@ def check_pixels(path: Path, positions: Sequence[FloatArray]) -> list[str]:
     fractions = any(bool((part != np.round(part)).any()) for part in positions)
     if positions and far < LEAST_PX:
         raise RecordingError(
-            f"{path}: no position leaves +-{LEAST_PX:g}, so the unit is hardly pix; say the experiment's "
-            "unit and the screen's size: --unit height --screen 1920x1080 (or norm; or --unit cm)"
+            f"{path}: no position leaves +-{LEAST_PX:g}, so the unit is hardly pix; say the pixels in the "
+            f"experiment's unit: {SIZES['height']}; {SIZES['norm']}; {SIZES['cm']}"
         )
     if positions and far < MOST_DEG and fractions:
         raise RecordingError(
             f"{path}: no position leaves +-{MOST_DEG:g} and some have fractions, which looks like degrees "
-            "or cm; say the experiment's unit: --unit deg --px-per-unit PIXELS, --unit cm, or --unit pix"
+            f"or cm; say the pixels in the experiment's unit: {SIZES['deg']}; {SIZES['cm']}; "
+            "--px-per-unit 1 for pixels"
         )
-    return ["unit of positions: taken as px, for the file does not say it; --unit says another"]
+    return ["unit of positions: taken as px, for the file does not say it; --px-per-unit says another"]

@@ -21,7 +21,6 @@ from pointpred.sources.columns.clock_units import HEAD, counts_frames, is_number
 from pointpred.sources.columns.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
 from pointpred.sources.columns.names import similar_names
-from pointpred.sources.columns.position_units import gain_of
 from pointpred.sources.columns.restarts import join_columns
 from pointpred.sources.columns.trials import Rows, recording_of_rows
 from pointpred.sources.reading import NEEDED, Reading
@@ -56,11 +55,7 @@ def _position_notes(events: EventColumns, reading: Reading) -> list[str]:
     if not len(events):
         return []
     notes = []
-    if (
-        reading.px_per_unit is None
-        and reading.unit is None
-        and max(np.ptp(events.x), np.ptp(events.y)) <= 1.0
-    ):
+    if reading.px_per_unit is None and max(np.ptp(events.x), np.ptp(events.y)) <= 1.0:
         notes.append(
             "all positions lie within 1 px: are they shares of the screen, or metres? --px-per-unit converts"
         )
@@ -78,7 +73,7 @@ class _MappedTable:
         self._arrays: dict[str, Any] = {}
         self.mapping, self.notes = mapping(path, self.names, reading, self._same, self.column)
         self._check_sure()
-        across, down = gain_of(path, reading.unit or "pix", reading)
+        across, down = reading.gain
         down = -down if reading.y_up else down
         self.gains = {"x": across, "y": down, "target_x": across, "target_y": down, "target_w": across}
 
@@ -131,10 +126,10 @@ class _MappedTable:
     def provenance(self, how: str) -> Provenance:
         """The provenance, from the table and ``reading``."""
         reading = self.reading
-        converted = reading.px_per_unit is not None or reading.unit not in (None, "pix")
+        px = " and ".join(f"{gain:g}" for gain in dict.fromkeys(reading.gain))
         return Provenance(
             self.table.format,
-            unit=f"units of {self.gains['x']:g} px" if converted else "px",
+            unit="px" if reading.px_per_unit is None else f"units of {px} px",
             origin="as in the file",
             y_axis="up" if reading.y_up else "down",
             clock=f"column {self.mapping['t']}{how}",

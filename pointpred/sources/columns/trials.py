@@ -19,7 +19,7 @@ from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.assembly import assemble
 from pointpred.sources.trials.conditions import TARGET, conditions_of, one_value
 from pointpred.sources.trials.keys import codes_of, keys_of
-from pointpred.sources.trials.segmentation import cut
+from pointpred.sources.trials.segmentation import PAUSE_S, cut
 
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
 LONG_S, GAP_S = 10.0, 1.0
@@ -221,7 +221,7 @@ def _assumptions(one: bool, user: str, methods: dict[str, int], reading: Reading
     notes = [f"one user, {user!r}: no column for users"] if one else []
     words = {
         "clicks": "cut at clicks",
-        "bursts": f"cut at pauses of {reading.pause_s:g} s",
+        "bursts": f"cut at pauses of {PAUSE_S:g} s",
         "whole": "one trial",
     }
     how = " or ".join(words[method] for method in methods)

@@ -34,9 +34,9 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` with several mouse components.
 
-    Assumes s, the origin in the centre of the screen and y up; y is negated, the origin stays. The unit is
-    ``reading.unit``, with ``reading.screen`` for height and norm, ``reading.dpi`` for cm and m and
-    ``reading.px_per_unit`` for deg; by default the unit in a column ``units``, else pixels, with a note.
+    Assumes s, the origin in the centre of the screen and y up; y is negated, the origin stays. The unit has
+    ``reading.px_per_unit``; by default it is the one in a column ``units``, by ``reading.dpi`` for cm and m,
+    else pixels, with a note.
     Cells are separated by commas, semicolons or tabs. Without a column of users, a file has one user.
     Trials of which only clicks were saved are skipped. The other short cells of a row are conditions.
     Raises RecordingError, also if pixels would have to be assumed and are implausible.
@@ -48,7 +48,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
     rows = table.to_pylist()
     lists = Lists(path)
-    unit, unit_notes = unit_of(rows, reading)
+    unit, unit_notes = unit_of(rows)
     gain = gain_of(path, unit or "pix", reading)
     users, column, more = people_of(path, rows, USERS)
     own = tuple(f"{mouse}." for mouse in mice)

@@ -13,14 +13,12 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
-import pyarrow.csv as pacsv
 
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.files.arrow_files import in_memory
 from pointpred.sources.files.encodings import read_unpacked, stem_of
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.tables.header import Header, parse_header, says_appended
@@ -106,15 +104,12 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]
     if rest.partition(b"\n")[0] != ",".join(columns).encode():
         raise RecordingError(f"{path}: expected the columns {', '.join(columns)} below the header")
     words = {name: pa.string() for name in ("user", "trial")}
-    options = pacsv.ConvertOptions(
-        column_types={name: pa.float64() for name in columns} | words,
-        null_values=[""],
-        strings_can_be_null=True,
-    )
-    try:
-        table = pacsv.read_csv(pa.BufferReader(in_memory(BytesIO(rest))), convert_options=options)
-    except (pa.ArrowException, UnicodeError) as error:
-        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    types = {name: pa.float64() for name in columns} | words
+    table = arrow_tables.parse_csv(path, BytesIO(rest), types)
+    for name in columns if pa.types.is_string(table[columns[-1]].type) else ():
+        wrong = {} if name in words else arrow_tables.numbers(table[name])[1]
+        for row, cell in wrong.items():
+            raise RecordingError(f"{path}: {row_name(row)}: {name} is {cell!r}, expected a number")
     cut = len(data) - end
     notes = [f"{path.name}: the last line is cut after {cut} bytes and left aside"] if cut else []
     return table, header, notes

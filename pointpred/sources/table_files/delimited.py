@@ -10,11 +10,9 @@ from typing import Any
 import msgspec
 import pyarrow as pa
 import pyarrow.compute as pc
-import pyarrow.csv as pacsv
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Skip
-from pointpred.sources.files.arrow_files import in_memory
 from pointpred.sources.files.encodings import UTF_8, open_utf8
 from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.table_files.delimited_layout import MOST_COLUMNS, Layout, is_row, layout_of
@@ -24,7 +22,6 @@ from pointpred.sources.tables.column_table import ColumnTable
 
 TITLE = "a table of samples (delimited text)"
 HEAD = 1 << 16
-LARGEST_BLOCK = 1 << 25
 COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*(\r\n|\n|\r|$)", re.MULTILINE)
 LINE = re.compile(rb"\r\n|\n|\r")
 MOST_ODD = 0.2
@@ -119,27 +116,8 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
 def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]:
     """The rows as an Arrow table of words, and the number of cells of each deviating row."""
     odd: dict[int, int] = {}
-
-    def other(row: Any) -> str:
-        odd[row.number - 1] = row.actual_columns
-        return "skip"
-
-    try:
-        table = pacsv.read_csv(
-            pa.BufferReader(in_memory(io.BytesIO(body))),
-            read_options=pacsv.ReadOptions(
-                column_names=layout.columns, use_threads=False, block_size=min(len(body), LARGEST_BLOCK)
-            ),
-            parse_options=pacsv.ParseOptions(
-                delimiter=layout.separator, newlines_in_values=b'"' in body, invalid_row_handler=other
-            ),
-            convert_options=pacsv.ConvertOptions(
-                column_types=dict.fromkeys(layout.columns, pa.string()), strings_can_be_null=False
-            ),
-        )
-    except (pa.ArrowException, ValueError) as error:
-        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
-    return table, odd
+    types = dict.fromkeys(layout.columns, pa.string())
+    return arrow_tables.parse_csv(path, io.BytesIO(body), types, layout.separator, odd=odd), odd
 
 
 def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Callable, Collection, Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -17,10 +18,9 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.sources.files.arrow_files import open_file
+from pointpred.sources.files.arrow_files import in_memory, open_file
 from pointpred.sources.files.encodings import UTF_8, head_of, is_ended, open_utf8
 from pointpred.sources.reading import row_name
-from pointpred.sources.tables.csv_rows import parse_csv
 from pointpred.sources.tables.header import NO_HEADER, Header, parse_header
 
 MARK = b"# pointpred:"
@@ -29,6 +29,7 @@ KEY = b"pointpred"
 NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
 NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
 CELL_MOST = 40
+LARGEST_BLOCK = 1 << 25
 UNENDED = "the last line has no end: the file may be cut"
 PLAIN = (
     pa.types.is_string,
@@ -122,24 +123,83 @@ def read_parquet(path: Path) -> tuple[Any, Header]:
 def read_csv(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
     """The table in a CSV file and the header in its first line, if there is one."""
     with open_utf8(path) as (file, encoding):
-        table, header = _rows(path, file, text, separator)
+        first = file.readline(1 << 26).removeprefix(UTF_8)
+        marked = first.startswith(MARK)
+        columns = file.readline(1 << 26) if marked else first
+        header = _header(path, first[len(MARK) :] if marked else None)
+        if marked and not is_ended(path):
+            raise RecordingError(
+                f"{path}: truncated, the last row does not end with a line break", code="truncated"
+            )
+        names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
+        words = {name: pa.string() for name in names if text(name)}
+        numeric = {name: pa.float64() for name in names if name not in words}
+        table = parse_csv(path, file, words | numeric, separator, skip=int(marked))
     return table, msgspec.structs.replace(header, notes=(*header.notes, *filter(None, [encoding.note])))
 
 
-def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool], separator: str) -> tuple[Any, Header]:
-    """The table and the header of an opened file of UTF-8."""
-    first = file.readline(1 << 26).removeprefix(UTF_8)
-    marked = first.startswith(MARK)
-    columns = file.readline(1 << 26) if marked else first
-    header = _header(path, first[len(MARK) :] if marked else None)
-    if marked and not is_ended(path):
-        raise RecordingError(
-            f"{path}: truncated, the last row does not end with a line break", code="truncated"
+def parse_csv(
+    path: Path,
+    file: BinaryIO,
+    types: dict[str, Any],
+    separator: str = ",",
+    *,
+    skip: int = 0,
+    odd: dict[int, int] | None = None,
+) -> Any:
+    """The rows below ``skip`` lines of the open ``file``, named ``path`` in messages: every CSV is read here.
+
+    Without ``odd`` the first row names the columns. They have the named Arrow ``types``, or are all strings
+    if a cell is not of its type; an empty cell is null. A row that is cut or too long is an error with its
+    number as ``value``. With ``odd`` the columns are named as ``types`` are, and an empty cell is an empty
+    string. Rows that are cut or too long are left out, and the number of their cells is added to ``odd`` by
+    their row. Raises RecordingError.
+    """
+    rows, named = in_memory(file), odd is not None
+    wrong: list[Any] = []
+
+    def remember(row: Any) -> str:
+        wrong.append(row)
+        return "skip" if named else "error"
+
+    def parsed(types: dict[str, Any], handler: Any = None) -> Any:
+        return pacsv.read_csv(
+            pa.BufferReader(rows),
+            read_options=pacsv.ReadOptions(
+                skip_rows=skip,
+                column_names=list(types) if named else None,
+                use_threads=handler is None,
+                block_size=min(max(rows.size, 1), LARGEST_BLOCK),  # Arrow needs the longest row in one block
+            ),
+            parse_options=pacsv.ParseOptions(
+                delimiter=separator, newlines_in_values=True, invalid_row_handler=handler
+            ),
+            convert_options=pacsv.ConvertOptions(
+                column_types=types,
+                null_values=[""],
+                strings_can_be_null=not named,
+                quoted_strings_can_be_null=False,
+            ),
         )
-    names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
-    words = {name: pa.string() for name in names if text(name)}
-    numeric = {name: pa.float64() for name in names if name not in words}
-    return parse_csv(path, file, int(marked), words | numeric, separator), header
+
+    try:
+        with suppress(pa.ArrowInvalid):
+            return parsed(types)
+        # In order, so that Arrow numbers the rows, and without threads, which must not call Python.
+        table = parsed(dict.fromkeys(types, pa.string()), remember)
+    except UNREADABLE as error:
+        if not wrong or named:
+            raise unreadable(path, error) from error
+        number = wrong[0].number - 2 - skip
+        raise RecordingError(
+            f"{path}: {row_name(number)}: {wrong[0].actual_columns} cells, "
+            f"expected {wrong[0].expected_columns}; cut or mixed up?",
+            code="bad_row",
+            value=number,
+        ) from error
+    if odd is not None:
+        odd |= {row.number - 1 - skip: row.actual_columns for row in wrong}
+    return table
 
 
 def _header(path: Path, encoded: bytes | None) -> Header:

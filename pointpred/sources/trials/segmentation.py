@@ -14,6 +14,9 @@ from pointpred.sources.reading import Cut, Reading
 from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.assembly import BUTTONS, DX, DY, T, X, Y, assemble
 
+PAUSE_S = 0.3
+"""A longer standstill separates two movements."""
+
 
 class Piece(msgspec.Struct, frozen=True):
     """Rows ``start`` up to ``stop``: a trial if ``reason`` is empty, otherwise why it is not one."""
@@ -37,7 +40,7 @@ def cut(events: EventColumns, how: Cut, reading: Reading) -> list[Piece]:
     if how == "clicks":
         pieces = cut_at_clicks(events)
     elif how == "bursts":
-        pieces = cut_at_pauses(events, reading.pause_s)
+        pieces = cut_at_pauses(events)
     else:
         pieces = [Piece(0, len(events))]
     return [_check(piece, events, reading) for piece in pieces]
@@ -73,7 +76,7 @@ def cut_at_clicks(events: EventColumns) -> list[Piece]:
     return pieces
 
 
-def cut_at_pauses(events: EventColumns, pause_s: float = 0.3) -> list[Piece]:
+def cut_at_pauses(events: EventColumns, pause_s: float = PAUSE_S) -> list[Piece]:
     """Bursts: runs of movement with no standstill longer than ``pause_s``.
 
     Assumes that a pause separates two movements. Limitation: hesitations are cut apart, movements without a

@@ -11,8 +11,8 @@ import msgspec
 
 from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.replaying.devtools import Page
-from pointpred.replaying.pacing import due
+from pointpred.live.devtools import Page
+from pointpred.live.replay_trials import Pacing
 
 BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 """Bits of W3C ``buttons`` and their names in the DevTools protocol."""
@@ -43,13 +43,13 @@ def drive_mouse(
     is released there. Raises SourceError where the browser refuses a command or goes away, ParameterError
     for a speed or a scale that is not positive.
     """
-    for name, value in (("speed", speed), ("scale", scale)):
-        if not value > 0.0:
-            raise ParameterError(f"{name} must be positive, received {value!r}")
+    if not scale > 0.0:
+        raise ParameterError(f"scale must be positive, received {scale!r}")
+    pacing = Pacing(events.t, speed)
     counts: Counter[str] = Counter()
     rows, held, x, y, began = events.table.tolist(), 0, 0.0, 0.0, time.perf_counter()
-    for first, stop in due(events.t, speed):
-        for row in rows[first:stop]:
+    while due := pacing.take():
+        for row in rows[due.start : due.stop]:
             x, y = (scale * value + shift for value, shift in zip(row[1:3], offset, strict=True))
             buttons = 0 if math.isnan(row[5]) else int(row[5])
             for command in _commands(x, y, held, buttons):

@@ -15,6 +15,7 @@ from msgspec import structs
 
 from pointpred.client import Connection, connect
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.live.replay_trials import Pacing, PlayedTrial, playable_trials
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable
@@ -23,8 +24,6 @@ from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
-from pointpred.replaying.pacing import due
-from pointpred.replaying.trials import playable_trials
 from pointpred.scoring import prepare, replay
 
 Progress = Callable[[str, int, int], None]
@@ -32,41 +31,34 @@ SHARE = 0.9
 """The part of a service's limit on events a second that is used, so that its clock and ours may differ."""
 
 
-class ReplayedTrial(msgspec.Struct, frozen=True):
-    """One trial as the service answered it; ``unlike`` counts the predictions that differ in any bit."""
+class ReplayedTrial(msgspec.Struct, frozen=True, kw_only=True):
+    """One trial as the service answered it, and as the local batch does.
+
+    ``gave_way``: predictions that the service replaced by newer ones before it could send them; ``unlike``:
+    those received that differ from the batch's in any bit; ``agree``: none does, nor the score.
+    """
 
     user: str
     trial: str
     events: int
     predictions: int
+    gave_way: int
     unlike: int
-    score: Score
-    local: Score
     seconds: float
-
-    @property
-    def agrees(self) -> bool:
-        """Whether every bit of the predictions received, and of the score, is as in the batch."""
-        return self.unlike == 0 and self.score == self.local
-
-    @property
-    def gave_way(self) -> int:
-        """Predictions that the service replaced by newer ones before it could send them."""
-        return self.events - self.predictions
+    agree: bool
+    score: Score
+    batch: Score
 
 
-class Replayed(msgspec.Struct, frozen=True):
-    """A recording played to a service."""
+class Replayed(msgspec.Struct, frozen=True, kw_only=True):
+    """A recording played to a service; ``agree``: every trial agrees with the batch bit for bit."""
 
+    version: int = 1
     recording: str
     predictor: str
+    agree: bool
     trials: tuple[ReplayedTrial, ...]
     skipped: tuple[Skip, ...]
-
-    @property
-    def agrees(self) -> bool:
-        """Whether every trial agrees with the batch bit for bit."""
-        return all(trial.agrees for trial in self.trials)
 
 
 def replay_to(
@@ -96,9 +88,9 @@ def replay_to(
     own: dict[str, Any] = {} if coefficients is None else {"coefficients": coefficients[1]}
     pipeline = build(predictor, cpi=cpi, dpi=dpi, **own)
     played, skipped = playable_trials(recording, trials)
-    local = batch_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
-    total, done, answers = sum(len(recording.rows(k)) for k in played), 0, []
-    for _, turn in groupby(played, key=lambda k: recording.trials[k].user):
+    local = batch_scores(played, pipeline, cpi=cpi, dpi=dpi)
+    total, done, answers = sum(len(one.events) for one in played), 0, []
+    for _, turn in groupby(zip(played, local, strict=True), key=lambda pair: pair[0].about.user):
         with connect(
             url,
             predictor=predictor,
@@ -110,12 +102,18 @@ def replay_to(
             token=token,
         ) as connection:
             player = _Player(connection, pipeline.fresh(), speed)
-            for k in turn:
-                answers.append(player.play(recording, k, local[k]))
-                done += len(recording.rows(k))
+            for one, score in turn:
+                answers.append(player.play(one, score))
+                done += len(one.events)
                 if progress is not None:
                     progress(recording.name, done, total)
-    return Replayed(recording.name, predictor, tuple(answers), skipped)
+    return Replayed(
+        recording=recording.name,
+        predictor=predictor,
+        agree=all(one.agree for one in answers),
+        trials=tuple(answers),
+        skipped=skipped,
+    )
 
 
 class _Player:
@@ -128,9 +126,9 @@ class _Player:
         most = SHARE * connection.limits.max_events_per_s
         self._rate = TokenBucket(most, time.monotonic())
 
-    def play(self, recording: Recording, k: int, local: Score) -> ReplayedTrial:
+    def play(self, one: PlayedTrial, local: Score) -> ReplayedTrial:
         """Play one trial, marked, and compare the answers with those of the batch."""
-        about, events = recording.trials[k], recording.rows(k)
+        about, events = one.about, one.events
         goal = (about.target_x, about.target_y, about.target_w)
         began = time.perf_counter()
         self.connection.trial("start", Goal(*goal) if all(map(math.isfinite, goal)) else None)
@@ -139,25 +137,27 @@ class _Player:
         score = self.connection.trial("end")
         assert score is not None
         self.pipeline.reset()  # as the session does: what it knows of the person stays
-        batch = run(self.pipeline, EventColumns(events.table))
+        differ = unlike(received, run(self.pipeline, EventColumns(events.table)))
         return ReplayedTrial(
-            about.user,
-            about.trial,
-            len(events),
-            len(received),
-            unlike(received, batch),
-            score,
-            local,
-            seconds,
+            user=about.user,
+            trial=about.trial,
+            events=len(events),
+            predictions=len(received),
+            gave_way=len(events) - len(received),
+            unlike=differ,
+            seconds=seconds,
+            agree=differ == 0 and score == local,
+            score=score,
+            batch=local,
         )
 
     def _stream(self, events: EventColumns) -> PredictionColumns:
         """Every prediction; at infinite speed a frame waits for the answers to the last one."""
-        parts = []
-        for first, stop in due(events.t, self.speed):
-            while not self._rate.take(stop - first, time.monotonic()):
-                time.sleep((stop - first) / self._rate.most)
-            self.connection.send(events.rows(first, stop))
+        parts, pacing = [], Pacing(events.t, self.speed)
+        while due := pacing.take():
+            while not self._rate.take(len(due), time.monotonic()):
+                time.sleep(len(due) / self._rate.most)
+            self.connection.send(events.rows(due.start, due.stop))
             parts.append(self.connection.columns() if math.isinf(self.speed) else self.connection.poll())
         parts.append(self.connection.columns())
         return PredictionColumns(np.concatenate([part.table for part in parts]))
@@ -197,21 +197,20 @@ def _rows(
 
 
 def batch_scores(
-    recording: Recording, places: Sequence[int], pipeline: Pipeline, *, cpi: float | None, dpi: float
-) -> dict[int, Score]:
+    played: Sequence[PlayedTrial], pipeline: Pipeline, *, cpi: float | None, dpi: float
+) -> list[Score]:
     """The offline score of each trial, as the service sends scores.
 
     Each trial gets a user of its own, as a service scores a marked trial with a predictor that knows nobody.
     """
-    parts = [recording.rows(k) for k in places]
-    trials = [structs.replace(recording.trials[k], user=str(k)) for k in places]
-    prepared = prepare(Recording.of("replay", parts, trials), cpi=cpi, dpi=dpi)
+    trials = [structs.replace(one.about, user=str(place)) for place, one in enumerate(played)]
+    prepared = prepare(Recording.of("replay", [one.events for one in played], trials), cpi=cpi, dpi=dpi)
     errors, floor = replay(prepared, pipeline), replay(prepared, build("hold", cpi=cpi, dpi=dpi))
     scored = {id(one.trial): row for row, one in enumerate(prepared.trials)}
     reasons = {(skip.user, skip.trial): skip.reason for skip in prepared.skipped}
-    return {
-        k: score_of(prepared, scored[id(trial)], errors, floor)
+    return [
+        score_of(prepared, scored[id(trial)], errors, floor)
         if id(trial) in scored
-        else Score(len(part), reason=reasons[trial.user, trial.trial])
-        for k, part, trial in zip(places, parts, trials, strict=True)
-    }
+        else Score(len(one.events), reason=reasons[trial.user, trial.trial])
+        for one, trial in zip(played, trials, strict=True)
+    ]
