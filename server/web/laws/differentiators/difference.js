@@ -1,6 +1,6 @@
 // Written by `make page` from difference.py: change that and run it again.
 import * as $sampling from "./sampling.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const SHORTEST_S = 4;
 export const AT = 5;
 export const TIME = 17;
@@ -21,7 +21,7 @@ export function step(memory, event) {
   const verdict = values_1[0];
   const start = values_1[4];
   if (verdict < 0) {
-    return $pointpred_records.refused(-verdict, memory[AT + $sampling.T]);
+    return $records.refused(-verdict, memory[AT + $sampling.T]);
   }
   if (verdict === $sampling.RESTARTED) {
     memory.fill(0, TIME, SPAN_S + 1);

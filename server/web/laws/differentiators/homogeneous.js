@@ -1,7 +1,7 @@
 // Written by `make page` from homogeneous.py: change that and run it again.
 import { smaller } from "../arithmetic.js";
 import * as $sampling from "./sampling.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const SUBSTEPS_MOST = 10000;
 export const SETTLING_SPEED_M_S = 0.3;
 export const CHATTER_MOST_M_S = 0.05;
@@ -47,7 +47,7 @@ export function step(memory, event) {
   const before_v = values_1[3];
   const start = values_1[4];
   if (verdict < 0) {
-    return $pointpred_records.refused(-verdict, memory[AT + $sampling.T]);
+    return $records.refused(-verdict, memory[AT + $sampling.T]);
   }
   if (verdict === $sampling.RESTARTED) {
     memory.fill(0, ZX, SLOPE + 2);

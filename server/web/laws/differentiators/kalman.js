@@ -1,7 +1,7 @@
 // Written by `make page` from kalman.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 import * as $sampling from "./sampling.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const SETTLED_RADIANS = 4;
 export const START_SPEED_M_S = 0.3;
 export const START_ACCELERATION_M_S2 = 5;
@@ -87,7 +87,7 @@ export function step(memory, event) {
   const dt = values_1[1];
   const start = values_1[4];
   if (verdict < 0) {
-    return $pointpred_records.refused(-verdict, memory[AT + $sampling.T]);
+    return $records.refused(-verdict, memory[AT + $sampling.T]);
   }
   if (verdict === $sampling.RESTARTED) {
     restart(memory, X, memory[NOISE]);

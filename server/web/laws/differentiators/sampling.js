@@ -1,5 +1,5 @@
 // Written by `make page` from sampling.py: change that and run it again.
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const METRES_PER_COUNT = 0;
 export const METRES_PER_PX = 1;
 export const GAP_S = 2;
@@ -20,8 +20,8 @@ export const MERGED = 0;
 export const RESTARTED = 1;
 export const MOVED = 2;
 export function fill(values, memory) {
-  memory[METRES_PER_COUNT] = values[0] > 0 ? $pointpred_records.METRES_PER_INCH / values[0] : 0;
-  memory[METRES_PER_PX] = $pointpred_records.METRES_PER_INCH / values[1];
+  memory[METRES_PER_COUNT] = values[0] > 0 ? $records.METRES_PER_INCH / values[0] : 0;
+  memory[METRES_PER_PX] = $records.METRES_PER_INCH / values[1];
   for (let i = GAP_S, end_1 = values.length; i < end_1; i++) {
     memory[i] = values[i];
   }
@@ -34,19 +34,19 @@ export function accept(memory, at, event) {
   const dy = event[4];
   const buttons = event[5];
   const started = memory[at + STARTED] === 1;
-  let fault = $pointpred_records.fault_of_event(event);
-  if (fault === $pointpred_records.FINE && started && t < memory[at + T]) {
-    fault = $pointpred_records.ORDER;
+  let fault = $records.fault_of_event(event);
+  if (fault === $records.FINE && started && t < memory[at + T]) {
+    fault = $records.ORDER;
   }
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return [-fault, 0, 0, 0, false];
   }
   const dt = t - memory[at + T];
   const released = (Math.trunc(memory[at + BUTTONS]) & ~Math.trunc(buttons)) !== 0;
-  const start = !started || released || dt > memory[PAUSE_S] + $pointpred_records.ROUNDING_S;
+  const start = !started || released || dt > memory[PAUSE_S] + $records.ROUNDING_S;
   const counted = dx === dx && memory[METRES_PER_COUNT] > 0;
   const merged = started && dt === 0;
-  const restarted = !started || dt > memory[GAP_S] + $pointpred_records.ROUNDING_S || merged && memory[at + SAMPLES] === 1;
+  const restarted = !started || dt > memory[GAP_S] + $records.ROUNDING_S || merged && memory[at + SAMPLES] === 1;
   if (restarted) {
     memory[at + U] = 0;
     memory[at + V] = 0;

@@ -1,7 +1,7 @@
 // Written by `make page` from delphian.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const SLOPE = 0;
 export const OFFSET = 1;
@@ -18,7 +18,7 @@ export function step(memory, motion) {
   const values_1 = $predictors_movement.follow(memory, AT, m);
   const fault = values_1[0];
   const new_ = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const phase = $predictors_movement.phase(memory, AT, m);
@@ -40,12 +40,12 @@ export function step(memory, motion) {
     memory[FALLEN] = 1;
   }
   if (memory[FALLEN] === 0 || memory[UNIT_X] === 0 && memory[UNIT_Y] === 0) {
-    return $pointpred_records.endpoint(m[0], NaN, NaN, phase);
+    return $records.endpoint(m[0], NaN, NaN, phase);
   }
   const ahead = larger(memory[SLOPE] * peak + memory[OFFSET], 0);
   const end_x = memory[PEAK_X] + ahead * memory[UNIT_X];
   const end_y = memory[PEAK_Y] + ahead * memory[UNIT_Y];
-  return $pointpred_records.endpoint(m[0], end_x, end_y, phase);
+  return $records.endpoint(m[0], end_x, end_y, phase);
 }
 export const DelphianPredictor = {
   step: step,

@@ -1,16 +1,16 @@
 // Written by `make page` from hold.py: change that and run it again.
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const AT = 0;
 export function step(memory, motion) {
   const m = motion;
   const values_1 = $predictors_movement.follow(memory, AT, m);
   const fault = values_1[0];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
-  return $pointpred_records.endpoint(m[0], m[1], m[2], $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], m[1], m[2], $predictors_movement.phase(memory, AT, m));
 }
 export const HoldPredictor = {
   step: step,

@@ -2,7 +2,7 @@
 import { square } from "../arithmetic.js";
 import * as $differentiators_kalman from "../differentiators/kalman.js";
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const PRIOR_SPEED = 100;
 export const PRIOR_ACCELERATION = 1000;
@@ -46,12 +46,12 @@ export function step(memory, motion) {
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const x0 = memory[AT + $predictors_movement.X0];
   const y0 = memory[AT + $predictors_movement.Y0];
-  if (new_ || dt > memory[GAP_S] + $pointpred_records.ROUNDING_S) {
+  if (new_ || dt > memory[GAP_S] + $records.ROUNDING_S) {
     expect_rest(memory, m[1] - x0, m[2] - y0);
   } else if (dt > 0) {
     expect(memory, dt, last_x - x0, last_y - y0);
@@ -65,7 +65,7 @@ export function step(memory, motion) {
   const py = values_3[0];
   const vy_px = values_3[1];
   const ay_px = values_3[2];
-  return $pointpred_records.endpoint(m[0], x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, AT, m));
 }
 export const KalmanPredictor = {
   step: step,

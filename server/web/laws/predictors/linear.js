@@ -1,7 +1,7 @@
 // Written by `make page` from linear.py: change that and run it again.
 import { larger, smaller } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const CAPACITY = 8;
 export const HORIZON_S = 0;
@@ -12,7 +12,7 @@ export const PAST = 12;
 export function remember(memory, t, x, y) {
   const count = Math.trunc(memory[COUNT]);
   const same = count > 0 && memory[PAST] === t;
-  if (count > 0 && !same && t - memory[PAST] < memory[WINDOW_S] / CAPACITY - $pointpred_records.ROUNDING_S) {
+  if (count > 0 && !same && t - memory[PAST] < memory[WINDOW_S] / CAPACITY - $records.ROUNDING_S) {
     return;
   }
   if (!same) {
@@ -29,7 +29,7 @@ export function before(memory, t) {
   let place = -1;
   for (let i = 0, end_1 = Math.trunc(memory[COUNT]); i < end_1; i++) {
     const age = t - memory[PAST + 3 * i];
-    if (age > 0 && (place < 0 || age <= memory[WINDOW_S] + $pointpred_records.ROUNDING_S)) {
+    if (age > 0 && (place < 0 || age <= memory[WINDOW_S] + $records.ROUNDING_S)) {
       place = PAST + 3 * i;
     }
   }
@@ -43,7 +43,7 @@ export function step(memory, motion) {
   const values_1 = $predictors_movement.follow(memory, AT, m);
   const fault = values_1[0];
   const new_ = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   if (new_) {
@@ -57,10 +57,10 @@ export function step(memory, motion) {
   const before_y = values_2[3];
   remember(memory, m[0], m[1], m[2]);
   if (!any_before) {
-    return $pointpred_records.endpoint(m[0], NaN, NaN, phase);
+    return $records.endpoint(m[0], NaN, NaN, phase);
   }
   const ahead = memory[HORIZON_S] / larger(m[0] - before_t, memory[WINDOW_S] / CAPACITY);
-  return $pointpred_records.endpoint(m[0], m[1] + ahead * (m[1] - before_x), m[2] + ahead * (m[2] - before_y), phase);
+  return $records.endpoint(m[0], m[1] + ahead * (m[1] - before_x), m[2] + ahead * (m[2] - before_y), phase);
 }
 export const LinearPredictor = {
   step: step,

@@ -1,7 +1,7 @@
 // Written by `make page` from minimum_jerk.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const AT = 0;
 export function progress(ratio) {
@@ -12,13 +12,13 @@ export function step(memory, motion) {
   const m = motion;
   const values_1 = $predictors_movement.follow(memory, AT, m);
   const fault = values_1[0];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const phase = $predictors_movement.phase(memory, AT, m);
   const peak = memory[AT + $predictors_movement.PEAK];
   if (peak < $predictors_movement.STILL_M_S) {
-    return $pointpred_records.endpoint(m[0], NaN, NaN, phase);
+    return $records.endpoint(m[0], NaN, NaN, phase);
   }
   const values_2 = progress(hypot(m[3], m[4]) / peak);
   const tau = values_2[0];

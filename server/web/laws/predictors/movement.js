@@ -1,6 +1,6 @@
 // Written by `make page` from movement.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const STILL_M_S = 0.002;
 export const CORRECTIVE_FRACTION = 0.2;
 export const NUMBERS = 7;
@@ -20,7 +20,7 @@ export const CORRECTIVE = 2;
 export function fault_of(memory, at, m) {
   const size = Math.abs(m[0]) + Math.abs(m[1]) + Math.abs(m[2]) + Math.abs(m[3]) + Math.abs(m[4]) + Math.abs(m[5]) + Math.abs(m[6]);
   if (size < Infinity) {
-    return memory[at + KNOWN] === 1 && m[0] < memory[at + T] ? $pointpred_records.ORDER : $pointpred_records.FINE;
+    return memory[at + KNOWN] === 1 && m[0] < memory[at + T] ? $records.ORDER : $records.FINE;
   }
   let worst = 0;
   for (let i = 1; i < NUMBERS; i++) {
@@ -28,17 +28,17 @@ export function fault_of(memory, at, m) {
       worst = i;
     }
   }
-  return $pointpred_records.MOTION_FIELD + worst;
+  return $records.MOTION_FIELD + worst;
 }
 export function refuse(memory, at, m, fault) {
-  return $pointpred_records.refused(fault, fault === $pointpred_records.ORDER ? memory[at + T] : m[fault - $pointpred_records.MOTION_FIELD]);
+  return $records.refused(fault, fault === $records.ORDER ? memory[at + T] : m[fault - $records.MOTION_FIELD]);
 }
 export function follow(memory, at, m) {
   const t = m[0];
   const x = m[1];
   const y = m[2];
   const fault = fault_of(memory, at, m);
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return [fault, false, 0];
   }
   const new_ = m[8] === 1 || memory[at + KNOWN] === 0;
@@ -59,7 +59,7 @@ export function follow(memory, at, m) {
   memory[at + X] = x;
   memory[at + Y] = y;
   memory[at + PEAK] = larger(memory[at + PEAK], hypot(m[3], m[4]));
-  return [$pointpred_records.FINE, new_, dt];
+  return [$records.FINE, new_, dt];
 }
 export function phase(memory, at, m) {
   const speed = hypot(m[3], m[4]);

@@ -1,7 +1,7 @@
 // Written by `make page` from switched.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $drem from "../regression/drem.js";
 import * as $stage from "../stage.js";
 export const UNKNOWNS = 3;
@@ -45,7 +45,7 @@ export function step(memory, motion) {
   const values_1 = $predictors_movement.follow(memory, AT, m);
   const fault = values_1[0];
   const new_ = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   if (new_) {
@@ -56,7 +56,7 @@ export function step(memory, motion) {
   const since = m[0] - memory[AT + $predictors_movement.T0];
   const end_x = x0 + advance(memory, X_AXIS, since, m[1] - x0, m[3], m[5]);
   const end_y = y0 + advance(memory, Y_AXIS, since, m[2] - y0, m[4], m[6]);
-  return $pointpred_records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
 }
 export const SwitchedPredictor = {
   step: step,

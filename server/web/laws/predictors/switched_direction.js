@@ -2,7 +2,7 @@
 import { hypot } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
 import * as $submovement from "./submovement.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const RISE = 0;
 export const TYPICAL_S = 1;
@@ -59,7 +59,7 @@ export function step(memory, motion) {
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   if (new_) {
@@ -78,7 +78,7 @@ export function step(memory, motion) {
   if (braking > 0 && ahead_s * braking > memory[STOPPING] * speed * speed) {
     ahead_s = memory[STOPPING] * speed * speed / braking;
   }
-  return $pointpred_records.endpoint(m[0], m[1] + ahead_s * px_m * m[3], m[2] + ahead_s * px_m * m[4], phase);
+  return $records.endpoint(m[0], m[1] + ahead_s * px_m * m[3], m[2] + ahead_s * px_m * m[4], phase);
 }
 export const SwitchedDirectionPredictor = {
   step: step,

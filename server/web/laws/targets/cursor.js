@@ -1,6 +1,6 @@
 // Written by `make page` from cursor.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 export const PAUSE_S = 0.3;
 export const SPEED_S = 0.03;
 export const SLOWER_S = 0.06;
@@ -22,12 +22,12 @@ export const SLOW = 13;
 export const PEAK = 14;
 export const STATES = 15;
 export function usable(t, x, y) {
-  return Math.abs(t) < $pointpred_records.LATEST_S && Math.abs(x) <= $pointpred_records.LARGEST && Math.abs(y) <= $pointpred_records.LARGEST;
+  return Math.abs(t) < $records.LATEST_S && Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
 }
 export function follow(memory, t, x, y, pressed) {
   const dt = t - memory[T];
   const released = memory[PRESSED] === 1 && pressed === 0;
-  const starts = memory[KNOWN] === 0 || released || dt > PAUSE_S + $pointpred_records.ROUNDING_S;
+  const starts = memory[KNOWN] === 0 || released || dt > PAUSE_S + $records.ROUNDING_S;
   if (starts) {
     memory[T0] = t;
     memory[X0] = x;

@@ -1,6 +1,6 @@
 // Written by `make page` from posterior.py: change that and run it again.
 import { larger, smaller } from "../arithmetic.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $cursor from "./cursor.js";
 import * as $evidence from "./evidence.js";
 import * as $rectangles from "./rectangles.js";
@@ -21,7 +21,7 @@ export function lawful(predicted) {
   const sxy = predicted[3];
   const syy = predicted[4];
   const tail = predicted[5];
-  if (!((0 < sxx && sxx <= $pointpred_records.LARGEST * $pointpred_records.LARGEST) && (0 < syy && syy <= $pointpred_records.LARGEST * $pointpred_records.LARGEST) && Math.abs(sxy) <= $pointpred_records.LARGEST * $pointpred_records.LARGEST)) {
+  if (!((0 < sxx && sxx <= $records.LARGEST * $records.LARGEST) && (0 < syy && syy <= $records.LARGEST * $records.LARGEST) && Math.abs(sxy) <= $records.LARGEST * $records.LARGEST)) {
     return false;
   }
   return sxx * syy - sxy * sxy > FLATTEST * sxx * syy && (tail !== tail || TAILS[0] <= tail && tail <= TAILS[1]);
@@ -33,7 +33,7 @@ export function scores(memory, table, answer, coefficients, elsewhere, out) {
   let sxy = answer[4];
   let syy = answer[5];
   const tail = answer[8];
-  const claimed = Math.abs(x) <= $pointpred_records.LARGEST && Math.abs(y) <= $pointpred_records.LARGEST;
+  const claimed = Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
   if (!claimed) {
     x = memory[$cursor.X];
     y = memory[$cursor.Y];

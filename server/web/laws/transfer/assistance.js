@@ -1,6 +1,6 @@
 // Written by `make page` from assistance.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $pixels from "./pixels.js";
 export const RHO = 0;
 export const STRENGTH = 1;
@@ -73,7 +73,7 @@ export function guarded_step(memory, report) {
   const values_2 = $pixels.accept(memory, GUARDED, t, dx, dy);
   const usable = values_2[0];
   const dt = values_2[1];
-  if (!usable || Math.abs(off_x) > $pointpred_records.LARGEST || Math.abs(off_y) > $pointpred_records.LARGEST) {
+  if (!usable || Math.abs(off_x) > $records.LARGEST || Math.abs(off_y) > $records.LARGEST) {
     return [NaN, NaN, NaN, NaN, NaN];
   }
   const scale = $pixels.turn(memory, GUARDED, t, dt, dx, dy);

@@ -1,6 +1,6 @@
 // Written by `make page` from pixels.py: change that and run it again.
 import { hypot, smaller } from "../arithmetic.js";
-import * as $pointpred_records from "../records.js";
+import * as $records from "../records.js";
 import * as $functions from "./functions.js";
 export const PX_PER_COUNT = 0;
 export const METRES_PER_COUNT = 1;
@@ -20,7 +20,7 @@ export function carry(memory, at, moved_px) {
   return whole;
 }
 export function accept(memory, at, t, dx, dy) {
-  const fine = Math.abs(t) <= $pointpred_records.LATEST_S && Math.abs(dx) <= $pointpred_records.LARGEST && Math.abs(dy) <= $pointpred_records.LARGEST;
+  const fine = Math.abs(t) <= $records.LATEST_S && Math.abs(dx) <= $records.LARGEST && Math.abs(dy) <= $records.LARGEST;
   if (memory[at + STARTED] === 0) {
     return [fine, memory[at + PERIOD_S]];
   }
@@ -45,7 +45,7 @@ export function lay_out(memory, own, device, function_) {
     memory[i] = own[i];
   }
   memory[at + PX_PER_COUNT] = dpi / cpi;
-  memory[at + METRES_PER_COUNT] = $pointpred_records.METRES_PER_INCH / cpi;
+  memory[at + METRES_PER_COUNT] = $records.METRES_PER_INCH / cpi;
   memory[at + PERIOD_S] = period_s;
   memory[at + GAP_S] = gap_s;
   for (let i = 0; i < $functions.SLOTS; i++) {

@@ -1,5 +1,5 @@
 // Written by `make page` from moments.py: change that and run it again.
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 export const COUNT = 0;
 export const APART = 1;
 export const CURSOR_X = 2;
@@ -42,7 +42,7 @@ export function new_moment(memory, at, cursor, width, most) {
 export function moment_at(memory, at, k, span, share, width) {
   const start = span[0];
   const end = span[1];
-  const due = share * (end - start) + $pointpred_records.ROUNDING_S + 0.5 * memory[at + APART];
+  const due = share * (end - start) + $records.ROUNDING_S + 0.5 * memory[at + APART];
   while (k + 1 < memory[at + COUNT] && memory[at + FIRST + width * (k + 1) + T] - start <= due) {
     k += 1;
   }

@@ -2,7 +2,7 @@
 import { hypot } from "../../arithmetic.js";
 import * as $quartic from "./quartic.js";
 import * as $predictors_movement from "../movement.js";
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 import * as $least_squares from "../../regression/least_squares.js";
 import * as $stage from "../../stage.js";
 export const DEGREE = 0;
@@ -53,7 +53,7 @@ export function step(memory, motion) {
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const travelled = memory[AT + $predictors_movement.PATH];
@@ -81,7 +81,7 @@ export function step(memory, motion) {
     end_x = accepted ? memory[ACCEPTED_X] : NaN;
     end_y = accepted ? memory[ACCEPTED_Y] : NaN;
   }
-  return $pointpred_records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
 }
 export const KinematicEndpointPredictor = {
   step: step,

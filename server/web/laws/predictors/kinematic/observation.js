@@ -3,7 +3,7 @@ import * as $features from "./features.js";
 import * as $history from "./history.js";
 import * as $track from "./track.js";
 import * as $predictors_movement from "../movement.js";
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 export const TRACK = 9;
 export const TRACK_BEFORE = 38;
 export const HEAD_BEFORE = 67;
@@ -28,7 +28,7 @@ export function follow(memory, at, m) {
   const values_1 = $predictors_movement.follow(memory, at, m);
   const fault = values_1[0];
   const new_ = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return [fault, [0, 0, 0, 0]];
   }
   if (new_ || m[0] === memory[at + $predictors_movement.T0]) {
@@ -46,13 +46,13 @@ export function follow(memory, at, m) {
   const values_2 = $history.past(memory, at + HISTORY, point, $track.SPAN_S);
   const path_before = values_2[2];
   $track.advance(memory, here, point, m, (point[3] - path_before) / $track.SPAN_S);
-  return [$pointpred_records.FINE, point];
+  return [$records.FINE, point];
 }
 export function observe(memory, at, m, out) {
   const values_1 = follow(memory, at, m);
   const fault = values_1[0];
   const point = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return [fault, [0, 0, 0, 0]];
   }
   const here = at + TRACK;
@@ -62,5 +62,5 @@ export function observe(memory, at, m, out) {
     $features.fill_pace(memory, here, point, m, frame, out);
     $features.fill_lags(memory, at + HISTORY, point, frame, out);
   }
-  return [$pointpred_records.FINE, frame];
+  return [$records.FINE, frame];
 }

@@ -5,7 +5,7 @@ import * as $features from "./features.js";
 import * as $kinematic_network from "./network.js";
 import * as $observation from "./observation.js";
 import * as $predictors_movement from "../movement.js";
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 import * as $stage from "../../stage.js";
 export const AT = 0;
 export function bounded_exp(logarithm, bounds) {
@@ -17,7 +17,7 @@ export function step(memory, motion, coefficients) {
   const values_1 = $observation.observe(memory, AT, m, values);
   const fault = values_1[0];
   const frame = values_1[1];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, AT, m, fault);
   }
   const phase = $predictors_movement.phase(memory, AT, m);
@@ -25,7 +25,7 @@ export function step(memory, motion, coefficients) {
   const ux = frame[2];
   const uy = frame[3];
   if (reach === 0) {
-    return $pointpred_records.endpoint(m[0], m[1], m[2], phase);
+    return $records.endpoint(m[0], m[1], m[2], phase);
   }
   const out = new Float64Array($kinematic_network.OUTPUTS);
   const calibration_at = $kinematic_network.evaluate(coefficients, values, out);

@@ -2,7 +2,7 @@
 import { hypot, larger, smaller } from "../../arithmetic.js";
 import * as $matching from "./matching.js";
 import * as $predictors_movement from "../movement.js";
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 export function distance(memory, at) {
   const away_x = memory[at + $predictors_movement.X] - memory[at + $predictors_movement.X0];
   return hypot(away_x, memory[at + $predictors_movement.Y] - memory[at + $predictors_movement.Y0]);
@@ -38,7 +38,7 @@ export function step(memory, motion) {
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
-  if (fault !== $pointpred_records.FINE) {
+  if (fault !== $records.FINE) {
     return $predictors_movement.refuse(memory, at, m, fault);
   }
   const phase = $predictors_movement.phase(memory, at, m);
@@ -62,12 +62,12 @@ export function step(memory, motion) {
     best = $matching.winner(memory, at, dt > 0 ? 1 : 0);
   }
   if (best < 0 || !(away > 0)) {
-    return $pointpred_records.endpoint(m[0], NaN, NaN, phase);
+    return $records.endpoint(m[0], NaN, NaN, phase);
   }
   const ahead = memory[$matching.template(memory, best) + $matching.DISTANCE] / away - 1;
   const x0 = memory[at + $predictors_movement.X0];
   const y0 = memory[at + $predictors_movement.Y0];
-  return $pointpred_records.endpoint(m[0], m[1] + ahead * (m[1] - x0), m[2] + ahead * (m[2] - y0), phase);
+  return $records.endpoint(m[0], m[1] + ahead * (m[1] - x0), m[2] + ahead * (m[2] - y0), phase);
 }
 export const TemplatePredictor = {
   step: step,

@@ -1,6 +1,6 @@
 // Written by `make page` from cutting.py: change that and run it again.
 import { hypot, larger } from "../../arithmetic.js";
-import * as $pointpred_records from "../../records.js";
+import * as $records from "../../records.js";
 export const ONSET_PX = 3;
 export const ARRIVAL_PX = 8;
 export const ARRIVAL_SHARE = 0.03;
@@ -23,7 +23,7 @@ export function fault(rows, first, stop) {
     return [EMPTY, first];
   }
   for (let i = first; i < stop; i++) {
-    if ($pointpred_records.fault_of_event($pointpred_records.event_at(rows, i)) !== $pointpred_records.FINE) {
+    if ($records.fault_of_event($records.event_at(rows, i)) !== $records.FINE) {
       return [UNUSABLE, i];
     }
     if (i > first && rows[i][0] < rows[i - 1][0]) {
