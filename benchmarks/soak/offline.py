@@ -17,7 +17,7 @@ from pointpred.events import PHASES
 from pointpred.protocol.frames import row_of_prediction
 from pointpred.protocol.records import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
-from pointpred.server.recorder.files import PREDICTED
+from pointpred.recorder.files import PREDICTED
 from pointpred.sources.own.appended import VALUES
 
 CPI, DPI = 800.0, 96.0

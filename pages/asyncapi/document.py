@@ -16,7 +16,7 @@ from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
 from pointpred.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack_predictions
 from pointpred.protocol.server_messages import SERVER_MESSAGES
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 CHANNEL = {"$ref": "#/channels/stream"}
 PREDICTIONS = ["prediction", "binaryPredictions", "cursor"]

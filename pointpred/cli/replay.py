@@ -138,8 +138,8 @@ def _drive(
 ) -> DriveDocument:
     """Play as the mouse of a page, with the options of ``drive_mouse``, and print what was done."""
     from pointpred.cli.replay_tables import DriveDocument, DrivenTrialRow
+    from pointpred.playable import playable_trials, trial_name
     from pointpred.replaying import drive_mouse, open_page
-    from pointpred.replaying.trials import playable_trials, trial_name
 
     places, skipped = playable_trials(recording, names)
     print_skipped(skipped)

@@ -9,20 +9,20 @@ from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
 from pointpred.events import Pair
+from pointpred.garbage import tune_collector
 from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
+from pointpred.playable import playable_trials as playable_places
+from pointpred.playable import trial_name
 from pointpred.recording import Recording, Skip
-from pointpred.replaying import trials as recorded
-from pointpred.server.garbage import tune_collector
 
 
 def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:
     """The trials to play, all where none is named, and those that cannot be; raises ParameterError."""
-    places, left_out = recorded.playable_trials(recording, names)
+    places, left_out = playable_places(recording, names)
     return [
-        PlayedTrial(recording.trials[k].user, recorded.trial_name(recording, k), recording.rows(k))
-        for k in places
+        PlayedTrial(recording.trials[k].user, trial_name(recording, k), recording.rows(k)) for k in places
     ], left_out
 
 
@@ -50,12 +50,12 @@ def follow_replay(
 
 def _end_with(run: LiveRun, source: PlayedSource) -> None:
     """End with the recording, after viewers were shown the last of it; with a page, begin once it is open."""
-    feed = run.feed
+    page = run.page
 
     def end(pairs: Sequence[Pair]) -> None:
         if source.ended and not pairs:
             run.stopping.set()
 
     run.session.watchers.append(end)
-    if feed is not None:
-        source.hold = lambda: not feed.watched
+    if page is not None:
+        source.hold = lambda: not page.watched

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.protocol.client_messages import Goal, Hello
-from pointpred.server.recorder.files import SessionFiles, prediction_rows, sample_rows, trial_row
+from pointpred.recorder.files import SessionFiles, prediction_rows, sample_rows, trial_row
 
 NOTHING: FloatArray = np.empty((0, 6))
 

@@ -16,6 +16,7 @@ from msgspec import structs
 from pointpred.client import Connection, connect
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
+from pointpred.playable import playable_trials
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable
 from pointpred.protocol.scores import score_of
@@ -24,7 +25,6 @@ from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
 from pointpred.replaying.pacing import due
-from pointpred.replaying.trials import playable_trials
 from pointpred.scoring import prepare, replay
 
 Progress = Callable[[str, int, int], None]

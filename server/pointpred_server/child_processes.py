@@ -1,4 +1,4 @@
-"""Further processes that run a module of this package, whatever the current folder holds."""
+"""Further processes that run a module of this distribution, whatever the current folder holds."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pointpred
+import pointpred_server
 
 
 def command(module: str, *arguments: str) -> list[str]:
@@ -15,7 +16,7 @@ def command(module: str, *arguments: str) -> list[str]:
 
 
 def environment() -> dict[str, str]:
-    """The environment of this process, in which the same package is imported first."""
-    package = str(Path(pointpred.__file__).parent.parent)
-    paths = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
+    """The environment of this process, in which the same packages are imported first."""
+    packages = [str(Path(file).parent.parent) for file in (pointpred.__file__, pointpred_server.__file__)]
+    paths = os.pathsep.join(filter(None, (*packages, os.environ.get("PYTHONPATH"))))
     return os.environ | {"PYTHONPATH": paths}

@@ -10,9 +10,9 @@ from pointpred import build, run
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
+from pointpred.recorder.session_recorder import SessionRecorder
+from pointpred.recorder.writer import Recorder
 from pointpred.recording import Recording
-from pointpred.server.recorder.session_recorder import SessionRecorder
-from pointpred.server.recorder.writer import Recorder
 
 HELLO = Hello(1, "switched", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
 Opened = Callable[..., Recorder]

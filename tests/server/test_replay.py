@@ -16,15 +16,15 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
+from pointpred.playable import select_trials
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.replaying import replay_to
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
-from pointpred.replaying.trials import select_trials
-from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

@@ -23,10 +23,10 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, PlaceChooser, around, choice_law
 from pointpred.transfer import assistance
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.settings import Settings
 
 Frame = dict[str, Any] | bytes
 

@@ -11,13 +11,12 @@ from pointpred.errors import ParameterError
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.protocol.client_messages import Hello, Setting
+from pointpred.protocol.client_messages import Hello, Setting, cpi_of, dpi_of
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import build, takes
-from pointpred.server.sessions.costs import memory_of
+from pointpred_server.sessions.costs import memory_of
 
-DPI = 96.0
 COEFFICIENTS = "coefficients"
 NO_COEFFICIENTS: Mapping[str, Path] = {}
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor", "person": "person"}
@@ -28,16 +27,6 @@ MEMORY_MOST = 2**20
 """Bytes that the stages of a session remember: they are copied for each frame."""
 SUBSTEPS_MOST = 200
 """Sub-steps that one event may take in a session: they take some 15 us, an event without any takes 1 us."""
-
-
-def cpi_of(hello: Hello) -> float | None:
-    """Counts per inch of the client's device; ``None`` where the hello has none."""
-    return hello.device.cpi if hello.device else None
-
-
-def dpi_of(hello: Hello) -> float:
-    """Pixels per inch of the client's screen."""
-    return hello.screen.dpi if hello.screen else DPI
 
 
 def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Pipeline:

@@ -12,11 +12,11 @@ from pointpred.events import Place
 from pointpred.protocol.client_messages import Goal, Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Choice, Likely
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.work import Slices
 from pointpred.targets import Choice as Change
 from pointpred.targets import Chooser
 from pointpred.targets import Target as Rectangle
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.work import Slices
 
 LIKELIEST = 5
 """Targets that are sent with a prediction."""

@@ -17,7 +17,7 @@ from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording, Trial
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
-from pointpred.server.sessions.target_tracker import Outcome
+from pointpred_server.sessions.target_tracker import Outcome
 
 MOST_EVENTS = 100_000
 """A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""

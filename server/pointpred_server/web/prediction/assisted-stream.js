@@ -1,4 +1,4 @@
-// Sessions whose cursor is moved here: counts in, the assisted cursor and predictions out; as `server/sessions/assisted_stream.py`.
+// Sessions whose cursor is moved here: counts in, the assisted cursor and predictions out; as `server/pointpred_server/sessions/assisted_stream.py`.
 
 import { LARGEST } from "../laws/events.js";
 import { as_normal as asNormal } from "../laws/regions.js";

@@ -1,4 +1,4 @@
-// The predicting side of a session in the page: events in, predictions out; as `server/sessions/prediction_stream.py`.
+// The predicting side of a session in the page: events in, predictions out; as `server/pointpred_server/sessions/prediction_stream.py`.
 
 import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
