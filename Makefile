@@ -52,7 +52,7 @@ faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow tests/observers tests/camera tests/reproduction
 
-page: $(READY)  ## translate the laws to JavaScript, into server/web/laws
+page: $(READY)  ## translate the laws to JavaScript, into server/pointpred_server/web/laws
 	$(BIN)/python -m translation
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in pages/
@@ -91,17 +91,18 @@ fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
-	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
+	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info server/build server/*.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # What running needs, and nothing that only tests, reports, cameras or observers do.
-$(RUNS): pyproject.toml constraints.txt
+$(RUNS): pyproject.toml server/pyproject.toml constraints.txt
 	@'$(PYTHON)' -c '$(NEW_ENOUGH)' 2>/dev/null || { echo "pointpred needs Python 3.11 or later," \
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	@echo 'installing what running needs into .venv, about half a minute' >&2
 	'$(PYTHON)' -m venv .venv
-	$(BIN)/python $(INSTALL) .
-	$(BIN)/python -m compileall -q pointpred server datasets
+	$(BIN)/python $(INSTALL) '.[live,client]'
+	$(BIN)/python $(INSTALL) server
+	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
 $(READY): $(RUNS)

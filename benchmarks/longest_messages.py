@@ -2,7 +2,7 @@
 
 Writes ``pages/costs/longest_messages.json``: for each message the processor time on the event loop and, where
 another thread does a part of it, there, in ms; the least of several tries. The bounds of
-``server/sessions/costs.py`` come from it.
+``server/pointpred_server/sessions/costs.py`` come from it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pages.arguments import parse
 from pages.data import PAGES, Table, keep
 from pointpred.protocol.packed import EVENT
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 TRIES = 7
 LIMITS = Limits()

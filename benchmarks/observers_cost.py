@@ -7,7 +7,6 @@ from time import process_time
 import numpy as np
 
 from pages.arguments import parse
-from pointpred.columns import FloatArray
 from pointpred.observers import (
     Generator,
     Persidskii,
@@ -18,6 +17,7 @@ from pointpred.observers import (
     steady_state_map,
 )
 from pointpred.observers.examples import UNMEASURED, two_masses
+from pointpred.records import FloatArray
 from pointpred.stage import CompiledStage
 
 STATES = (2, 4, 8, 16)

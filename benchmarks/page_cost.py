@@ -27,7 +27,7 @@ from typing import NamedTuple
 from pointpred.live.devtools import Page
 from tests.server import browser
 
-WEB = Path(__file__).parents[1] / "server" / "web"
+WEB = Path(__file__).parents[1] / "server" / "pointpred_server" / "web"
 SIZE = 1250, 700
 ELEMENTS = """{ document.body.innerHTML = ''; document.body.style = 'margin: 0; position: relative';
 for (let i = 0; i < COUNT; i += 1) {

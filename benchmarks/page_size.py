@@ -17,7 +17,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-WEB = Path(__file__).resolve().parents[1] / "server" / "web"
+WEB = Path(__file__).resolve().parents[1] / "server" / "pointpred_server" / "web"
 STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)

@@ -11,14 +11,15 @@ APP="${APP:-/opt/pointpred}"
 PORT="${PORT:-8765}"
 USER_ID=65532
 
-step_wheel() { # build the wheel
+step_wheel() { # build the wheels of the library and of the service
     "$PYTHON" -m venv "$APP"
-    "$APP/bin/python" -m pip wheel --quiet --no-deps --disable-pip-version-check -w "$APP/wheels" "$SOURCE"
+    "$APP/bin/python" -m pip wheel --quiet --no-deps --disable-pip-version-check -w "$APP/wheels" \
+        "$SOURCE" "$SOURCE/server"
 }
 
-step_install() { # install it with the versions the project is tested with
+step_install() { # install them with the versions the project is tested with
     "$APP/bin/python" -m pip install --quiet --disable-pip-version-check --no-cache-dir \
-        -c "$SOURCE/constraints.txt" "$APP"/wheels/pointpred-*.whl
+        -c "$SOURCE/constraints.txt" "$APP"/wheels/*.whl
     rm -r "$APP/wheels"
     cp "$SOURCE/container/healthy.py" "$APP/healthy.py"
 }

@@ -1,4 +1,4 @@
-"""Optional libraries: which extra brings them, and the command that installs it here."""
+"""Optional libraries and distributions: what brings them, and the command that installs it here."""
 
 from __future__ import annotations
 
@@ -7,15 +7,19 @@ import shlex
 import sys
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
+from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 from pointpred.errors import MissingExtraError
 
+SYSTEM = {"linux": ("hidraw", "Xlib"), "darwin": ("Quartz",)}
+"""What reads mice and the cursor on each system."""
 EXTRAS = {
     "report": ("jinja2", "matplotlib", "pandas", "scipy", "statsmodels"),
     "tables": ("openpyxl", "pyxdf"),
-    "lsl": ("pylsl",),
+    "live": (*SYSTEM.get(sys.platform, ()), "pylsl"),
+    "client": ("websockets",),
     "train": ("scipy",),
     "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
     "camera": ("cv2",),
@@ -47,10 +51,21 @@ def missing_extra(extra: str, why: str) -> MissingExtraError:
     return MissingExtraError(f"{why}. Install it, which takes about a minute: {install_command(extra)}")
 
 
+def missing_distribution(name: str, why: str) -> MissingExtraError:
+    """The error for a distribution that is not installed; ``why`` says what is in it."""
+    checkout = _checkout()
+    folder = name.removeprefix("pointpred-")
+    command = _pip("-e", str(Path(checkout, folder))) if checkout else _pip(name)
+    return MissingExtraError(f"{why} is in {name}, which is not installed. Install it: {command}")
+
+
 def install_command(extra: str) -> str:
     """The shell command that installs an extra for the Python that runs, from the checkout if it runs one."""
     checkout = _checkout()
-    what = ["-e", f"{checkout}[{extra}]"] if checkout else [f"pointpred[{extra}]"]
+    return _pip("-e", f"{checkout}[{extra}]") if checkout else _pip(f"pointpred[{extra}]")
+
+
+def _pip(*what: str) -> str:
     return f"{shlex.quote(sys.executable or 'python')} -m pip install {shlex.join(what)}"
 
 

@@ -1,4 +1,4 @@
-"""Write the laws in JavaScript into server/web/laws: ``python -m translation``, or ``make page``."""
+"""Write the laws in JavaScript for the page: ``python -m translation``, or ``make page``."""
 
 from __future__ import annotations
 
@@ -7,4 +7,4 @@ from pathlib import Path
 from translation.modules import write
 
 if __name__ == "__main__":
-    write(Path(__file__).resolve().parent.parent / "server" / "web" / "laws")
+    write(Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web" / "laws")

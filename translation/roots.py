@@ -9,7 +9,7 @@ from pathlib import Path
 
 from translation.source import Name
 
-WEB = Path(__file__).resolve().parent.parent / "server" / "web"
+WEB = Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web"
 LAWS = "laws/"
 OTHERS = ("laws/", "vendor/")
 """Folders of modules that are not the page's own."""

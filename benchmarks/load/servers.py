@@ -53,7 +53,8 @@ def service(
     """``pointpred serve`` of the source tree in ``root``, once everything is compiled."""
     words = ["-m", "pointpred", "serve", "--port", "0", *(["--workers", str(workers)] if workers > 1 else [])]
     limits = RAISED if raised else {"POINTPRED_MAX_SESSIONS": "1000"}
-    with _process(words, cores, root, {**limits, "PYTHONPATH": str(root)}) as (process, lines):
+    path = os.pathsep.join((str(root), str(root / "server")))
+    with _process(words, cores, root, {**limits, "PYTHONPATH": path}) as (process, lines):
         address = next(line.strip() for line in lines if line.startswith("http"))
         wait_until_compiled(address)
         _wait_until_idle(process.pid)

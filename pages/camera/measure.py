@@ -26,7 +26,7 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,

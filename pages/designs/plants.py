@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import UndecidedError
 from pointpred.observers import (
     Box,
@@ -23,6 +22,7 @@ from pointpred.observers import (
     invariant_observer,
 )
 from pointpred.observers.stationary import filter_start
+from pointpred.records import FloatArray
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
 SLOW = 1e-5

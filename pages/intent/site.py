@@ -21,7 +21,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from translation.modules import planes
 
 PACKAGE = "js.foresight@4.2.1"
-WEB, HERE = ROOT / "server" / "web", PAGES / "intent"
+WEB, HERE = ROOT / "server" / "pointpred_server" / "web", PAGES / "intent"
 HTML = """<!doctype html><title>side by side</title>
 <style>body { margin: 0; overflow: hidden } .target { position: absolute; background: #ddd }
 .overlapping .target { pointer-events: none }</style>

@@ -15,7 +15,7 @@ from pages.arguments import parse
 from pages.data import Table, keep
 
 COLUMNS = ("package", "licence", "needed for")
-OWN = "pointpred"
+OWN = {"pointpred", "pointpred-server"}
 CLASSIFIED = {
     "Apache Software License": "Apache-2.0",
     "BSD License": "BSD",
@@ -55,9 +55,9 @@ def licence_of(name: str) -> str | None:
 
 
 def needed_by(extras: tuple[str, ...]) -> set[str]:
-    """The packages that pointpred with these extras installs, itself excepted."""
+    """The packages that pointpred with these extras and its service install, themselves excepted."""
     found: set[str] = set()
-    waiting = [(OWN, extras)]
+    waiting: list[tuple[str, tuple[str, ...]]] = [("pointpred", extras), ("pointpred-server", ())]
     while waiting:
         name, wanted = waiting.pop()
         try:
@@ -68,8 +68,8 @@ def needed_by(extras: tuple[str, ...]) -> set[str]:
             marker = requirement.marker
             there = marker is None or any(marker.evaluate({"extra": extra}) for extra in ("", *wanted))
             key = canonicalize_name(requirement.name)
-            if there and (key not in found or key == OWN):
-                if key != OWN:
+            if there and (key not in found or key in OWN):
+                if key not in OWN:
                     found.add(key)
                 waiting.append((requirement.name, tuple(requirement.extras)))
     return found
@@ -88,7 +88,7 @@ def provided(own: Distribution) -> tuple[str, ...]:
 
 
 def main() -> None:
-    running, extras = needed_by(()), needed_by(provided(distribution(OWN)))
+    running, extras = needed_by(()), needed_by(provided(distribution("pointpred")))
     rows = [(name, licence_of(name) or "unknown", purpose(name, running, extras)) for name in packages()]
     keep("licences", {"licences": Table.of(COLUMNS, rows)})
 

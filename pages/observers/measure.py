@@ -10,7 +10,7 @@ import numpy as np
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.sets import folder_with
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
 
 

@@ -36,20 +36,25 @@ SYSTEMS = (
 
 
 def main() -> None:
-    about = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    extras = {name: needs for name, needs in about["optional-dependencies"].items() if name != "dev"}
+    library, server = (
+        tomllib.loads((ROOT / folder / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+        for folder in ("", "server")
+    )
+    extras = library["optional-dependencies"].items()
+    needs = {one["name"]: one["dependencies"] for one in (library, server)}
+    needs |= {f"extra {name}": lines for name, lines in extras if name != "dev"}
     lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pinned = {canonicalize_name(line.partition("=")[0]): line for line in lines if "==" in line}
     missing = 0
     for name, system, platforms in SYSTEMS:
-        for what, start in {"": about["dependencies"], **extras}.items():
+        for what, start in needs.items():
             needed = [pinned.get(one, one) for one in sorted(closure(start, system))]
             absent = (
                 [] if there(needed, platforms) else [one for one in needed if not there([one], platforms)]
             )
             missing += bool(absent)
             text = f"no wheel of {', '.join(absent)}" if absent else f"{len(needed)} wheels"
-            print(f"{name}: {f'extra {what}' if what else 'pointpred'}: {text}", flush=True)
+            print(f"{name}: {what}: {text}", flush=True)
     sys.exit(missing > 0)
 
 

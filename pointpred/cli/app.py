@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+from collections.abc import Callable
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -15,7 +16,6 @@ import pointpred
 from pointpred.cli.camera import app as camera
 from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
-from pointpred.cli.demo import demo
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
 from pointpred.cli.help_text import add_help
@@ -27,13 +27,27 @@ from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
 from pointpred.cli.reproduce import reproduce
 from pointpred.cli.score import score
-from pointpred.cli.serve import serve
 from pointpred.cli.simulate import simulate
 from pointpred.cli.train import train
 from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.extras import missing_distribution
 
 DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+
+ELSEWHERE = {"demo": "pointpred-server", "serve": "pointpred-server"}
+"""Commands of distributions that may not be installed."""
+ANYTHING = {"ignore_unknown_options": True, "allow_extra_args": True}
+
+
+def _absent(name: str, distribution: str) -> Callable[[], None]:
+    """What stands for a command of a distribution that is not installed: it says how to install it."""
+
+    def command() -> None:
+        raise missing_distribution(distribution, f"'pointpred {name}'")
+
+    return command
+
 
 app = typer.Typer(
     name="pointpred",
@@ -44,19 +58,25 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, train, simulate, convert, predictors, serve, demo, replay, reproduce, live, doctor):
+for command in (score, train, simulate, convert, predictors, replay, reproduce, live, doctor):
     app.command()(command)
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
 app.add_typer(observers, name="observers")
 app.add_typer(recordings, name="recordings")
-for entry in entry_points(group="pointpred.commands"):  # of the distributions installed beside this one
+installed = entry_points(group="pointpred.commands")  # of the distributions installed beside this one
+for entry in sorted(installed):
     command = entry.load()
     if isinstance(command, typer.Typer):
         app.add_typer(command, name=entry.name)
     else:
         app.command(entry.name)(command)
+for name, distribution in ELSEWHERE.items():
+    if name not in installed.names:
+        app.command(name, hidden=True, add_help_option=False, context_settings=ANYTHING)(
+            _absent(name, distribution)
+        )
 add_help(app)
 
 

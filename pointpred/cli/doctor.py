@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable
 from contextlib import closing
+from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -20,7 +21,6 @@ from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
 
 OLDEST = (3, 11)
-LOOPBACK = "127.0.0.1"
 
 
 class Finding(msgspec.Struct, frozen=True):
@@ -185,20 +185,14 @@ def folders() -> list[Finding]:
     return findings
 
 
-def port() -> list[Finding]:
-    """Whether the page can be served."""
-    from pointpred.cli.serve import PORT, TRIES
-    from pointpred.server.listening import listen
-
-    try:
-        with listen(LOOPBACK, PORT, TRIES) as opened:
-            free = opened.getsockname()[1]
-    except SourceError as error:
-        return [Finding("port", "broken", str(error), "pointpred serve --port 0 takes any free one")]
-    if free != PORT:
-        return [Finding("port", "good", f"{PORT} is in use; 'pointpred serve' takes {free}")]
-    return [Finding("port", "good", f"{PORT} is free on {LOOPBACK}")]
+def distributions() -> list[Finding]:
+    """What the distributions installed beside this one look at."""
+    return [
+        finding
+        for entry in sorted(entry_points(group="pointpred.checks"))
+        for finding in run_check(entry.load())
+    ]
 
 
-CHECKS = (python, laws, extras, devices, cursor, folders, port)
+CHECKS = (python, laws, extras, devices, cursor, folders, distributions)
 """In the order in which one thing builds on another."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -12,19 +11,16 @@ from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.output_files import check_target
 from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
 from pointpred.cli.reading_options import as_given, options_in, to_read, with_reading
-from pointpred.cli.serve import open_port, settings_of
 from pointpred.errors import ParameterError
-from pointpred.events import CPI, DPI
+from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
-    from pointpred.live.page import PageService
     from pointpred.live.run import OutputOptions
-    from pointpred.server.live_feed import LiveFeed
     from pointpred.sources import Reading
 
 REPLAY = "Without a device"
-LSL = "Lab Streaming Layer (extra lsl)"
+LSL = "Lab Streaming Layer (extra live)"
 DPI_USUAL = 96.0
 
 
@@ -138,7 +134,11 @@ def live(
         raise ParameterError("--host and --port need --serve", field="serve")
     check_target(person)
     parameters = with_coefficients([predictor], coefficients).get(predictor, {})
-    page = _page(host, port) if serve else None
+    page = None
+    if serve:
+        from pointpred.live.page import page_opener
+
+        page = page_opener(host, port)
 
     def outputs(cpi: float | None, dpi: float | None) -> OutputOptions:
         from pointpred.live.run import OutputOptions
@@ -184,25 +184,6 @@ def live(
     about = recording.provenance
     resolutions = outputs(about.cpi if cpi is None else cpi, about.dpi if dpi is None else dpi)
     follow_replay(replay, recording, trials, pace, resolutions)
-
-
-def _page(host: str | None, port: int | None) -> Callable[[LiveFeed], PageService]:
-    """What opens the page of a session; raises ParameterError for settings that are wrong."""
-    settings = settings_of(
-        {name: value for name, value in (("host", host), ("port", port)) if value is not None}
-    )
-    if settings.workers > 1:
-        raise ParameterError(
-            f"POINTPRED_WORKERS is {settings.workers}, but a device is served from the one process that "
-            "reads it; unset it, or set it to 1"
-        )
-
-    def page(feed: LiveFeed) -> PageService:
-        from pointpred.live.page import PageService
-
-        return PageService(feed, settings, open_port(settings))
-
-    return page
 
 
 def _check_new(option: str, file: Path) -> None:

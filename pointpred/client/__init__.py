@@ -1,7 +1,11 @@
-"""The Python client: the calls of the browser client, for scripts and tests."""
+"""The Python client: the calls of the browser client, for scripts and tests. Needs the extra ``client``."""
 
-from pointpred.client.async_connection import AsyncConnection, connect_async
-from pointpred.client.connection import Connection, connect
-from pointpred.client.session import ServiceError
+from pointpred.extras import require
+
+require("client", "the client of a service")
+
+from pointpred.client.async_connection import AsyncConnection, connect_async  # noqa: E402
+from pointpred.client.connection import Connection, connect  # noqa: E402
+from pointpred.client.session import ServiceError  # noqa: E402
 
 __all__ = ["AsyncConnection", "Connection", "ServiceError", "connect", "connect_async"]

@@ -13,8 +13,8 @@ import msgspec
 from pointpred.devices.cursor_paths import PositionReport
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import SourceError
-from pointpred.events import PointerEvent
-from pointpred.extras import require
+from pointpred.extras import missing_extra
+from pointpred.records import PointerEvent
 
 PURPOSE = "Lab Streaming Layer"
 TRIES = 5
@@ -29,9 +29,10 @@ BUFFER = 600
 
 def library() -> Any:
     """The module pylsl; raises MissingExtraError, and SourceError where its library cannot be loaded."""
-    require("lsl", PURPOSE)
     try:
         import pylsl
+    except ImportError as error:
+        raise missing_extra("live", f"{PURPOSE} needs pylsl") from error
     except (RuntimeError, OSError) as error:
         raise SourceError(f"{PURPOSE} cannot be loaded: {' '.join(str(error).split())}") from error
     return pylsl

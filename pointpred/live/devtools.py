@@ -11,10 +11,14 @@ from urllib.parse import quote, urlsplit
 from urllib.request import Request, urlopen
 
 import msgspec
-from websockets.exceptions import ConnectionClosed, InvalidHandshake
-from websockets.sync.client import connect as dial
 
 from pointpred.errors import ParameterError, SourceError
+from pointpred.extras import require
+
+require("client", "a replay to a page")
+
+from websockets.exceptions import ConnectionClosed, InvalidHandshake  # noqa: E402
+from websockets.sync.client import connect as dial  # noqa: E402
 
 START = "chromium --headless --remote-debugging-port=9222 --user-data-dir=$(mktemp -d)"
 IN_FLIGHT = 512

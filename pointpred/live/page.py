@@ -1,72 +1,52 @@
-"""The session on the page: a service whose ``/v1/live`` is fed by it."""
+"""The page of a live session, which another distribution serves."""
 
 from __future__ import annotations
 
-import socket
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable
+from importlib.metadata import entry_points
+from typing import Protocol
 
-import typer
-from msgspec.structs import replace
-
-from pointpred.events import Pair
-from pointpred.live.session import LiveSession, LiveState
-from pointpred.protocol.live_messages import Attached, Status
-from pointpred.server.access import HostRule
-from pointpred.server.listening import address, make_server
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred.extras import missing_distribution
+from pointpred.live.session import LiveSession
+from pointpred.protocol.live_messages import Curve
 
 
-def live_feed(session: LiveSession, predictor: str, cpi: float | None, dpi: float) -> LiveFeed:
-    """The feed of a session for viewers of the page."""
-    source = session.source
-    attached = Attached(source.name, source.clock, session.space, session.words, predictor, cpi, dpi)
-    feed = LiveFeed(attached, lambda: status_of(session.state()))
+class LivePage(Protocol):
+    """A page that shows a session."""
 
-    def update_device(pairs: Sequence[Pair]) -> None:
-        """Another device may be followed by now."""
-        if (feed.attached.name, feed.attached.clock) != (source.name, source.clock):
-            feed.attached = replace(feed.attached, name=source.name, clock=source.clock)
+    @property
+    def address(self) -> str:
+        """Where it is opened, with the token where that is shown."""
 
-    session.watchers += [update_device, feed.take]
-    return feed
+    @property
+    def watched(self) -> bool:
+        """Whether there are viewers."""
 
+    def show_curve(self, curve: Curve) -> None:
+        """Show the newest transfer function; from any thread."""
 
-def status_of(state: LiveState) -> Status:
-    """The state of a session as the message to its viewers."""
-    return Status(**{name: getattr(state, name) for name in Status.__struct_fields__})
-
-
-class PageService:
-    """A service on a listening socket, as ``pointpred serve`` starts it, with the feed of a session."""
-
-    def __init__(self, feed: LiveFeed, settings: Settings, listening: socket.socket) -> None:
-        self._listening = listening
-        service = Service(settings)
-        service.live = feed
-        self.address = address(settings.host, listening) + service.settings.address_query
-        self._announced = True
-        self._server = make_server(HostRule(settings.host, settings.allow_host), service, self._announce)
+    def fail(self, reason: str) -> None:
+        """The device has failed: tell the viewers why; from any thread."""
 
     def run(self, stopping: threading.Event, *, announce: bool) -> None:
         """Serve until interrupted or until ``stopping`` is set, which it is afterwards.
 
         ``announce``: print the address once the page can be opened.
         """
-        self._announced = announce
-        threading.Thread(target=self._stop_with, args=(stopping,), daemon=True).start()
-        try:
-            with self._listening:
-                self._server.run([self._listening])
-        finally:
-            stopping.set()
 
-    def _announce(self) -> None:
-        if self._announced:
-            typer.echo(self.address)
 
-    def _stop_with(self, stopping: threading.Event) -> None:
-        stopping.wait()
-        self._server.should_exit = True
+OpenPage = Callable[[LiveSession, str, float | None, float], LivePage]
+"""Opens the page of a session, from its predictor, counts per inch and dpi."""
+
+
+def page_opener(host: str | None, port: int | None) -> OpenPage:
+    """What opens the page, on an address or port that may be given.
+
+    It is the entry point ``page`` of the group ``pointpred.live``. Raises MissingExtraError where no
+    distribution has one, ParameterError for settings that are wrong.
+    """
+    for entry in entry_points(group="pointpred.live", name="page"):
+        opener: OpenPage = entry.load()(host, port)
+        return opener
+    raise missing_distribution("pointpred-server", "the page of a device")

@@ -1,4 +1,4 @@
-"""Recording a session into a file, by the recorder of the service."""
+"""Recording a session into a file."""
 
 from __future__ import annotations
 
@@ -10,13 +10,11 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.events import Pair
-from pointpred.protocol.client_messages import Hello
+from pointpred.protocol.client_messages import Hello, cpi_of, dpi_of
+from pointpred.recorder.files import SessionFiles
+from pointpred.recorder.writer import Recorder, about_of
 from pointpred.recording import Provenance
-from pointpred.rows import prediction_row
-from pointpred.server.recorder.files import SessionFiles
-from pointpred.server.recorder.writer import Recorder, about_of
+from pointpred.records import EventColumns, Pair, PredictionColumns, prediction_row
 from pointpred.sources.own.appended import LIVE
 
 TOGETHER_S = 0.05
@@ -52,13 +50,8 @@ class LiveRecording:
     def __init__(
         self, file: Path, hello: Hello, origin: str, clock: Callable[[], str], *, simulated: bool = False
     ) -> None:
-        device, screen = hello.device, hello.screen
         provenance = Provenance(
-            LIVE,
-            origin=origin,
-            dpi=screen.dpi if screen else 96.0,
-            cpi=device.cpi if device else None,
-            simulated=simulated,
+            LIVE, origin=origin, dpi=dpi_of(hello), cpi=cpi_of(hello), simulated=simulated
         )
         self.file = file
         self.events = 0

@@ -8,13 +8,13 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
-from pointpred.events import Pair
+from pointpred.garbage import tune_collector
 from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource
 from pointpred.live.replay_trials import PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording
-from pointpred.server.garbage import tune_collector
+from pointpred.records import Pair
 
 
 def follow_replay(
@@ -41,12 +41,12 @@ def follow_replay(
 
 def _end_with(run: LiveRun, source: PlayedSource) -> None:
     """End with the recording, after viewers were shown the last of it; with a page, begin once it is open."""
-    feed = run.feed
+    page = run.page
 
     def end(pairs: Sequence[Pair]) -> None:
         if source.ended and not pairs:
             run.stopping.set()
 
     run.session.watchers.append(end)
-    if feed is not None:
-        source.hold = lambda: not feed.watched
+    if page is not None:
+        source.hold = lambda: not page.watched

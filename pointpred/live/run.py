@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,10 +11,9 @@ import msgspec
 from pointpred.console import counted, remarks, results
 from pointpred.devices.cursor.source import CursorSource
 from pointpred.errors import ParameterError, SourceError
-from pointpred.events import PointerEvent
 from pointpred.live.curve_learner import CurveLearner, curve_learner
 from pointpred.live.lsl_outlet import NAME, LslOutlet
-from pointpred.live.page import PageService, live_feed
+from pointpred.live.page import OpenPage
 from pointpred.live.playback import PlayedSource
 from pointpred.live.recording import LiveRecording
 from pointpred.live.session import LiveSession
@@ -24,9 +22,8 @@ from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wai
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
+from pointpred.records import PointerEvent
 from pointpred.registry import build
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.logs import set_up
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
 
 PAGE_FIRST = "; begins when the page is opened"
@@ -35,7 +32,7 @@ PAGE_FIRST = "; begins when the page is opened"
 class OutputOptions(msgspec.Struct, frozen=True):
     """The predictor with its parameters, the resolutions, and where the predictions go.
 
-    ``page`` makes the service that shows the session on its page; ``simulated``: the events of a recording of
+    ``page`` opens the page that shows the session; ``simulated``: the events of a recording of
     simulated people; ``lsl``: send the predictions as a stream of Lab Streaming Layer.
     """
 
@@ -44,7 +41,7 @@ class OutputOptions(msgspec.Struct, frozen=True):
     dpi: float = 96.0
     record: Path | None = None
     save_transfer: Path | None = None
-    page: Callable[[LiveFeed], PageService] | None = None
+    page: OpenPage | None = None
     seconds: float | None = None
     simulated: bool = False
     lsl: bool = False
@@ -62,17 +59,18 @@ class LiveRun:
         self.session = session
         self.options = options
         self.recording = self._record(options.record) if options.record else None
-        self.feed = live_feed(session, options.predictor, options.cpi, options.dpi) if options.page else None
+        self.page = (
+            options.page(session, options.predictor, options.cpi, options.dpi) if options.page else None
+        )
         if options.lsl:
             session.watchers.append(LslOutlet(options.predictor, session.source).take)
-        self.page = options.page(self.feed) if options.page and self.feed else None
         self.learner = curve_learner(session.path, options.cpi, options.dpi)
         if isinstance(self.learner, CurveLearner):
             session.watchers.append(self.learner.take)
         elif options.save_transfer is not None:
             raise ParameterError(f"nothing to save in {options.save_transfer}: {self.learner}")
         self._log = TerminalLog() if results().is_terminal else None
-        self._thread = SessionThread(session, self.feed.fail if self.feed else lambda why: None)
+        self._thread = SessionThread(session, self.page.fail if self.page else lambda why: None)
         self.stopping = self._thread.stopping
         """Set this event to end the session."""
 
@@ -83,8 +81,6 @@ class LiveRun:
         self.session.source.take(0.0)  # reports that came while the outputs were opened are left out
         if self._log is not None:
             self._log.install()
-        elif self.page is not None:
-            set_up(None)
         with end_on_signal(stopping):
             view = None
             self._thread.start(self.options.seconds)
@@ -123,15 +119,15 @@ class LiveRun:
         """Keep the curve up to date, and send it to the viewers of the page."""
         learner = self.learner
         if isinstance(learner, str):
-            if self.feed is not None:
-                self.feed.curve = Curve(learner)
+            if self.page is not None:
+                self.page.show_curve(Curve(learner))
             return
         self._show_curve(learner.curve)
         learner.start(self.stopping, self._show_curve)
 
     def _show_curve(self, curve: GainCurve) -> None:
-        if self.feed is not None:
-            self.feed.curve = Curve(curve.words, curve)
+        if self.page is not None:
+            self.page.show_curve(Curve(curve.words, curve))
 
     def _end(self, *, quiet: bool) -> None:
         """Stop, finish the recording, and print a summary unless ``quiet``."""

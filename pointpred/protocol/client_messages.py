@@ -98,6 +98,16 @@ class Hello(ClientMessage, tag="hello"):
     places: bool = False
 
 
+def cpi_of(hello: Hello) -> float | None:
+    """Counts per inch of the client's device; ``None`` where the hello has none."""
+    return hello.device.cpi if hello.device else None
+
+
+def dpi_of(hello: Hello) -> float:
+    """Pixels per inch of the client's screen."""
+    return hello.screen.dpi if hello.screen else Screen().dpi
+
+
 class Events(ClientMessage, tag="events"):
     """Pointer events in the order of their times."""
 

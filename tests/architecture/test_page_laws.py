@@ -8,7 +8,7 @@ import pytest
 
 from translation.modules import texts, write
 
-FOLDER = Path(__file__).parents[2] / "server" / "web" / "laws"
+FOLDER = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "laws"
 
 
 def test_the_files_in_the_repository_are_up_to_date() -> None:

@@ -7,7 +7,7 @@ import re
 
 from tests.architecture.tree import ROOT
 
-WEB = ROOT / "server" / "web"
+WEB = ROOT / "server" / "pointpred_server" / "web"
 ORDER = (
     *("vendor", "laws", "prediction", "client", "pointpred.js", "intent", "index.js", "page", "drawing"),
     *("service", "results"),

@@ -1,4 +1,4 @@
-"""A built wheel holds the whole package and nothing named plain ``server`` or ``datasets``."""
+"""Two wheels of one version: the library, which needs no web framework, and the service with its page."""
 
 from __future__ import annotations
 
@@ -7,53 +7,140 @@ import os
 import shutil
 import subprocess
 import sys
+import sysconfig
+import tomllib
 import zipfile
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.architecture.tree import ROOT, module_of, package_files
+import pointpred
+from tests.architecture.tree import PACKAGES, ROOT, module_of, package_files
 
 NEEDED = 77  # the first setuptools that reads a licence expression
 INSTALLED = int(importlib.metadata.version("setuptools").split(".")[0])
 LEFT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "build", "dist", "tests")
+OPTIONAL = {
+    *("fastapi", "httptools", "prometheus_client", "pydantic_settings", "starlette", "uvicorn", "uvloop"),
+    *("websockets", "hidraw", "Xlib", "pylsl"),
+}
+"""What the library does without: the service's libraries, and those of its extras ``client`` and ``live``."""
 
 CHECK = """
-import importlib.util, pointpred.server.app, pointpred.datasets
+import pkgutil, importlib, pointpred, pointpred.datasets
+from pointpred.errors import MissingExtraError
 assert pointpred.__file__.startswith({folder!r}), pointpred.__file__
-assert importlib.util.find_spec("server") is None
-assert importlib.util.find_spec("datasets") is None
-assert (pointpred.server.app.WEB / "index.html").exists()
+assert len(pointpred.datasets.sample().trials) == 240
+for name in ("server", "datasets", "pointpred_server"):
+    assert importlib.util.find_spec(name) is None
+for module in pkgutil.walk_packages(pointpred.__path__, "pointpred.", onerror=lambda name: None):
+    if module.name == "pointpred.__main__":
+        continue
+    try:
+        importlib.import_module(module.name)
+    except MissingExtraError as missing:
+        assert "[client]" in str(missing), module.name
 from pointpred.reproduction.catalogue import entry_of
 assert "</svg>" in entry_of("3.4").make(None).draw().svg
 """
 
 
+def about(package: str) -> dict[str, Any]:
+    """What a distribution says of itself."""
+    text = (PACKAGES[package] / "pyproject.toml").read_text(encoding="utf-8")
+    project: dict[str, Any] = tomllib.loads(text)["project"]
+    return project
+
+
+def test_distributions_have_one_version() -> None:
+    versions = {name: about(name)["version"] for name in PACKAGES}
+    assert set(versions.values()) == {pointpred.__version__}, versions
+    assert f"pointpred=={pointpred.__version__}" in about("pointpred_server")["dependencies"]
+
+
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """The wheel of each package."""
     if INSTALLED < NEEDED:
         pytest.skip(f"building needs setuptools {NEEDED}, the environment has {INSTALLED}")
     folder = tmp_path_factory.mktemp("wheel")
     source = folder / "source"
-    shutil.copytree(ROOT, source, symlinks=True, ignore=LEFT)
+    shutil.copytree(ROOT, source, ignore=LEFT)
     command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation"]
-    subprocess.run([*command, "--disable-pip-version-check", "-w", str(folder), str(source)], check=True)
-    return next(folder.glob("*.whl"))
+    places = [str(source / place.relative_to(ROOT)) for place in PACKAGES.values()]
+    subprocess.run([*command, "--disable-pip-version-check", "-w", str(folder), *places], check=True)
+    return {path.name.split("-")[0]: path for path in folder.glob("*.whl")}
 
 
-def test_wheel_holds_every_module_under_pointpred(wheel: Path) -> None:
-    names = set(zipfile.ZipFile(wheel).namelist())
-    assert {name.split("/")[0].split("-")[0] for name in names} == {"pointpred"}
-    modules = {module_of(path).replace(".", "/") for path in package_files()}
-    missing = {name for name in modules if not {f"{name}.py", f"{name}/__init__.py"} & names}
-    assert not missing
-    assert {"pointpred/py.typed", "pointpred/report/templates/report.html"} <= names
-    page = {path.relative_to(ROOT) for path in (ROOT / "server" / "web").rglob("*") if path.is_file()}
-    assert {f"pointpred/{path.as_posix()}" for path in page} <= names
+@pytest.fixture(scope="module")
+def library_alone(wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the library and what is installed here, but for the service and what only it needs."""
+    folder = tmp_path_factory.mktemp("library")
+    zipfile.ZipFile(wheels["pointpred"]).extractall(folder)
+    for path in Path(sysconfig.get_path("purelib")).iterdir():
+        own = path.name.startswith(("pointpred", "__editable__"))
+        if not own and path.stem not in OPTIONAL and not (folder / path.name).exists():
+            (folder / path.name).symlink_to(path)
+    return folder
 
 
-def test_installed_wheel_needs_nothing_of_the_checkout(wheel: Path, tmp_path: Path) -> None:
-    zipfile.ZipFile(wheel).extractall(tmp_path)
-    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
-    check = CHECK.format(folder=str(tmp_path))
-    subprocess.run([sys.executable, "-c", check], check=True, cwd=tmp_path, env=environment)
+def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run Python with what a folder holds alone."""
+    command = [sys.executable, "-S", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(folder)}
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_a_wheel_holds_every_module_of_its_package(wheels: dict[str, Path], package: str) -> None:
+    names = set(zipfile.ZipFile(wheels[package]).namelist())
+    assert {name.split("/")[0].split("-")[0] for name in names} == {package}
+    modules = {module_of(path) for path in package_files()}
+    own = {name.replace(".", "/") for name in modules if name.split(".")[0] == package}
+    assert own
+    assert not {name for name in own if not {f"{name}.py", f"{name}/__init__.py"} & names}
+    assert f"{package}/py.typed" in names
+
+
+def test_wheels_hold_the_templates_the_sample_and_the_page(wheels: dict[str, Path]) -> None:
+    library = set(zipfile.ZipFile(wheels["pointpred"]).namelist())
+    assert {
+        "pointpred/report/templates/report.html",
+        "pointpred/datasets/simulated_circle_samples.parquet",
+        "pointpred/devices/70-pointpred.rules",
+    } <= library
+    server = PACKAGES["pointpred_server"]
+    page = (path for path in (server / "pointpred_server" / "web").rglob("*") if path.is_file())
+    expected = {path.relative_to(server).as_posix() for path in page}
+    assert expected <= set(zipfile.ZipFile(wheels["pointpred_server"]).namelist())
+
+
+def test_the_library_is_whole_without_the_service(library_alone: Path) -> None:
+    done = run(library_alone, "-c", CHECK.format(folder=str(library_alone)))
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        ("serve --port 0", "'pointpred serve' is in pointpred-server, which is not installed"),
+        ("demo --help", "'pointpred demo' is in pointpred-server, which is not installed"),
+        ("live --serve", "the page of a device is in pointpred-server, which is not installed"),
+        ("replay --to ws://127.0.0.1:1", "needs websockets"),
+    ],
+)
+def test_the_library_says_what_to_install(library_alone: Path, command: str, said: str) -> None:
+    done = run(library_alone, "-m", "pointpred", *command.split())
+    assert done.returncode == 1
+    sentence = done.stderr.splitlines()[-1]
+    assert said in sentence
+    assert "-m pip install " in sentence
+    assert "Traceback" not in done.stderr
+
+
+def test_doctor_looks_at_the_port_only_where_the_service_is(library_alone: Path) -> None:
+    done = run(library_alone, "-m", "pointpred", "doctor")
+    assert done.returncode == 0, done.stderr
+    assert "prediction" in done.stdout
+    assert "pointpred serve" not in done.stdout

@@ -7,14 +7,13 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-ROOMS = {"server": "pointpred.server", "datasets": "pointpred.datasets"}
-"""Top-level folders that are installed inside the package."""
+PACKAGES = {"pointpred": ROOT, "pointpred_server": ROOT / "server"}
+"""The package of each distribution, and the folder of the distribution."""
 
 
 def package_files() -> list[Path]:
-    """Every Python file of the installed package, each once, where it lies."""
-    inside = [path for path in (ROOT / "pointpred").rglob("*.py") if not _behind_link(path)]
-    return sorted(inside + [path for room in ROOMS for path in (ROOT / room).rglob("*.py")])
+    """Every Python file of the installed packages."""
+    return sorted(path for name, folder in PACKAGES.items() for path in (folder / name).rglob("*.py"))
 
 
 def own_files() -> list[Path]:
@@ -28,11 +27,11 @@ def module_of(path: Path) -> str:
     parts = list(path.relative_to(ROOT).with_suffix("").parts)
     if parts[-1] == "__init__":
         parts.pop()
-    return ".".join([ROOMS.get(parts[0], parts[0]), *parts[1:]])
+    return ".".join(parts[next((k for k, part in enumerate(parts) if part in PACKAGES), 0) :])
 
 
 def imports_of(path: Path, *, everywhere: bool = True) -> set[str]:
-    """The dotted names a file imports from pointpred; ``from a import b`` is both.
+    """The dotted names a file imports from our packages; ``from a import b`` is both.
 
     Not ``everywhere``: only the imports that run when the file itself is imported.
     """
@@ -45,13 +44,9 @@ def imports_of(path: Path, *, everywhere: bool = True) -> set[str]:
         elif isinstance(node, ast.ImportFrom):
             found |= {node.module or ""}
             found |= {f"{node.module}.{alias.name}" for alias in node.names} & known
-    return {name for name in found if name == "pointpred" or name.startswith("pointpred.")}
+    return {name for name in found if name.partition(".")[0] in PACKAGES}
 
 
 @cache
 def _modules() -> frozenset[str]:
     return frozenset(module_of(path) for path in package_files())
-
-
-def _behind_link(path: Path) -> bool:
-    return any(parent.is_symlink() for parent in path.parents)

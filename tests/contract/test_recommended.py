@@ -19,14 +19,17 @@ from pointpred.client.session import hello_message
 from tests.unit.talking import Talk, events
 
 ROWS = [[i / 60, 3.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(12)]
-ROOMS = ("cli", "client", "devices", "live", "protocol", "server")
+ROOMS = (
+    *("pointpred.cli", "pointpred.client", "pointpred.devices", "pointpred.live", "pointpred.protocol"),
+    "pointpred_server",
+)
 """Where live people are served."""
 
 
 def callables() -> Iterator[tuple[str, Callable[..., Any]]]:
     """Every function, method and class of those rooms, by the name it is defined under."""
     for room in ROOMS:
-        package = import_module(f"pointpred.{room}")
+        package = import_module(room)
         found = pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
         for module in map(import_module, [package.__name__, *(one.name for one in found)]):
             for name, value in vars(module).items():
@@ -72,7 +75,7 @@ def test_it_is_a_name_of_the_registry() -> None:
     ],
 )
 def test_the_scripts_say_it(script: str, default: str) -> None:
-    text = (files("pointpred.server") / "web" / script).read_text(encoding="utf-8")
+    text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
     assert re.findall(default, text, re.MULTILINE) == [RECOMMENDED]
 
 
@@ -80,7 +83,7 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
     "script", ["pointpred.js", "intent/options.js", "prediction/messages.js", "service/listing.js"]
 )
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
-    text = (files("pointpred.server") / "web" / script).read_text(encoding="utf-8")
+    text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
     assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "\.{1,2}/laws/registry\.js"', text)
     assert f'predictor: "{RECOMMENDED}"' not in text
 

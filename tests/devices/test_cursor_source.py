@@ -218,7 +218,7 @@ def test_what_needs_counts_is_refused_for_a_cursor(windows: User32, command: Any
 def test_macos_without_quartz_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "darwin")
     monkeypatch.setitem(sys.modules, "Quartz", None)
-    with pytest.raises(SourceError, match="pip install pyobjc-framework-Quartz"):
+    with pytest.raises(SourceError, match=r"needs pyobjc .*-m pip install .*\[live\]"):
         system_cursor()
     assert not cursor_info().openable
 

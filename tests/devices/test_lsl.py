@@ -45,7 +45,7 @@ def lsl(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     file.write_text(CONFIGURATION)
     before = os.environ.get("LSLAPICFG")
     os.environ["LSLAPICFG"] = str(file)
-    yield pytest.importorskip("pylsl", reason="pylsl is not installed: it comes with the extra lsl")
+    yield pytest.importorskip("pylsl", reason="pylsl is not installed: it comes with the extra live")
     if before is None:
         del os.environ["LSLAPICFG"]
     else:

@@ -12,7 +12,7 @@ from tests.hosts import Silent, file_host
 from tests.intent.page import IntentPage
 from tests.server import page_browser
 
-WEB = Path(__file__).parents[2] / "server" / "web"
+WEB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web"
 EMPTY = b'<!doctype html><title>a page</title><body style="margin:0">'
 
 

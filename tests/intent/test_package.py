@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-WEB = ROOT / "server" / "web"
+WEB = ROOT / "server" / "pointpred_server" / "web"
 PACKAGE = json.loads((WEB / "package.json").read_text())
 NPM = shutil.which("npm")
 NODE = shutil.which("node")

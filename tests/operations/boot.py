@@ -22,7 +22,8 @@ from tests.operations.monitoring import DEPLOY
 TOKEN = "sesame-open-12345"
 LIMIT_S = 1200
 LAUNCHER = """#!/bin/sh
-export LD_LIBRARY_PATH=/opt/python/lib PYTHONHOME=/opt/python PYTHONPATH=/srv/pointpred:/srv/packages
+export LD_LIBRARY_PATH=/opt/python/lib PYTHONHOME=/opt/python
+export PYTHONPATH=/srv/pointpred:/srv/pointpred/server:/srv/packages
 exec /opt/python/bin/{python} -P {arguments} "$@"
 """
 TARGET = "[Unit]\nWants=pointpred.service check.service\nAllowIsolate=yes\n"

@@ -1,6 +1,6 @@
 // A chooser: steps are calls by name, with what they take.
 
-import { Chooser } from "../../server/web/prediction/chooser.js";
+import { Chooser } from "../../server/pointpred_server/web/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 const { targets, settings, steps } = await given();

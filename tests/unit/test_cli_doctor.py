@@ -16,7 +16,7 @@ from pointpred.devices.source import DeviceInfo
 from pointpred.errors import SourceError
 
 DOCTOR = import_module("pointpred.cli.doctor")
-SERVE = import_module("pointpred.cli.serve")
+SERVE = import_module("pointpred_server.cli.serve")
 
 
 def findings(command: Any) -> dict[str, dict[str, Any]]:

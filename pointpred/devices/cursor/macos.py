@@ -7,6 +7,7 @@ from typing import Any
 from pointpred.devices.cursor.buttons import mask_of
 from pointpred.devices.hidraw.nodes import BROWSER
 from pointpred.errors import SourceError
+from pointpred.extras import install_command
 
 NUMBERS = (0, 1, 2, 3, 4)
 """Left, right, middle, and the two side buttons, as Quartz counts them."""
@@ -61,7 +62,6 @@ def _quartz() -> Any:
         import Quartz
     except ImportError as missing:
         raise SourceError(
-            f"reading the cursor of macOS needs pyobjc ({missing}): python -m pip install "
-            f"pyobjc-framework-Quartz; or {BROWSER}."
+            f"reading the cursor of macOS needs pyobjc ({missing}): {install_command('live')}; or {BROWSER}."
         ) from missing
     return Quartz

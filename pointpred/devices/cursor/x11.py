@@ -8,6 +8,7 @@ from typing import Any
 from pointpred.devices.cursor.buttons import mask_of
 from pointpred.devices.source import ClosedOnExit
 from pointpred.errors import SourceError
+from pointpred.extras import install_command
 
 OTHERWISE = (
     "predict in motor space, or give the transfer function that moves the cursor (identified before, on a "
@@ -82,7 +83,7 @@ def _connect(name: str) -> Any:
         from Xlib import display, error
     except ImportError as missing:
         raise SourceError(
-            f"reading the cursor needs python-xlib: pip install python-xlib; or {OTHERWISE}."
+            f"reading the cursor needs python-xlib: {install_command('live')}; or {OTHERWISE}."
         ) from missing
     try:
         return display.Display(name)

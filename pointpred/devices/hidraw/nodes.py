@@ -15,6 +15,7 @@ import msgspec
 from pointpred.devices.source import DeviceInfo
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
+from pointpred.extras import install_command
 from pointpred.hid.report_descriptor import parse_descriptor
 
 EXCLUSIVE = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
@@ -62,7 +63,7 @@ def hidraw() -> Any:
         import hidraw as module
     except ImportError as error:
         raise SourceError(
-            f"hidapi cannot be used ({error}); install it: python -m pip install 'hidapi>=0.14'"
+            f"hidapi cannot be used ({error}); install it: {install_command('live')}"
         ) from error
     return module
 

@@ -14,9 +14,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources.files.encodings import read_unpacked, stem_of
 from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.tables import arrow_tables

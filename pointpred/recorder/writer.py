@@ -1,0 +1,212 @@
+"""Writes sessions to disk while they last, when asked to: a killed process loses little.
+
+The event loop only queues copies of the tables; one thread turns them into rows and writes them every 0.1 s,
+and syncs the files every 0.3 s, so that they survive a loss of power.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import threading
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from pointpred.logs import place_of
+from pointpred.protocol.client_messages import Hello, cpi_of, dpi_of
+from pointpred.recorder.files import SessionFiles, Write, warm_rows
+from pointpred.recorder.recordings import name_of, prepare
+from pointpred.recorder.session_recorder import Item, SessionRecorder, rows_of
+from pointpred.recording import Provenance
+from pointpred.sources.own.appended import FORMAT
+
+WRITE_S = 0.1
+SYNC_S = 0.3
+MOST_WAITING = 200_000
+"""Events, and as many marks of trials, that may wait to be written; more are lost, and counted. About 110 MB
+with their predictions where each event came alone, 25 MB where many came together."""
+CLOCK = "the client's clock, s"
+
+log = logging.getLogger("pointpred.recorder")
+
+
+class Recorder:
+    """Writes sessions into a folder from its own thread; raises SourceError where it cannot.
+
+    ``waiting_most`` bounds the events that wait in memory. ``write`` is for tests of full disks.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        *,
+        waiting_most: int = MOST_WAITING,
+        write: Write = os.write,
+        today: Callable[[], datetime] = lambda: datetime.now(UTC),
+    ) -> None:
+        self.folder = folder
+        self.lost = 0
+        """Events and ends of trials of all sessions that are in no file."""
+        self.failures = 0
+        """Sessions whose recording stopped because of an error."""
+        self.waiting = 0
+        """Events that wait to be written."""
+        self._marks = 0  # marks of trials that wait
+        self._most = waiting_most
+        self._write = write
+        self._today = today
+        self._lock = threading.Lock()
+        self._items: list[tuple[SessionRecorder, Item]] = []
+        self._open: set[SessionRecorder] = set()
+        self._dirty: list[SessionRecorder] = []
+        self._wake = threading.Event()
+        self._stopping = threading.Event()
+        if prepare(folder):
+            log.warning("others on this machine can look into %s; its files are for its owner only", folder)
+        warm_rows()
+        self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
+        self._thread.start()
+
+    def open(self, session: str, hello: Hello) -> SessionRecorder | None:
+        """A recording of a session, ``None`` once the recorder has been closed; no file is made yet."""
+        if self._stopping.is_set():
+            return None
+        begun = self._today()
+        name = name_of(session, begun)
+        origin = Provenance(
+            FORMAT, origin="as the client says", clock=CLOCK, dpi=dpi_of(hello), cpi=cpi_of(hello)
+        )
+        return self.record(SessionFiles(self.folder, name, about_of(origin, begun), self._write), hello)
+
+    def record(self, files: SessionFiles, hello: Hello) -> SessionRecorder:
+        """A recording into the caller's files."""
+        return SessionRecorder(self._put, files, hello)
+
+    def _put(self, session: SessionRecorder, item: Item) -> None:
+        """Queue something for the thread; events beyond the bound are lost and counted."""
+        count, mark = len(item), item.starts or item.ends
+        with self._lock:
+            full = self.waiting + count > self._most or (mark and self._marks >= self._most)
+            over = session.failed or self._stopping.is_set()
+            if ((count or mark) and over) or (full and not item.closes):
+                session.lost += count + item.ends
+                self.lost += count + item.ends
+                return
+            self._marks += mark
+            first = not self._items
+            self._items.append((session, item))
+            self.waiting += count
+        if first:
+            self._wake.set()
+
+    def close(self, timeout_s: float = 5.0) -> bool:
+        """Write what waits and stop; False where that took longer than ``timeout_s``."""
+        self._stopping.set()
+        self._wake.set()
+        self._thread.join(timeout_s)
+        done = not self._thread.is_alive()
+        if not done:
+            log.error("the recorder could not write everything within %g s", timeout_s)
+        return done
+
+    def _run(self) -> None:
+        while True:
+            self._wake.wait(WRITE_S if self._dirty else None)
+            self._stopping.wait(WRITE_S)  # what comes meanwhile is written together
+            stopping = self._stopping.is_set()
+            self._wake.clear()
+            self._write_waiting()
+            self._sync()
+            if stopping and not self._items:
+                for session in list(self._open):
+                    self._finish(session)
+                return
+
+    def _write_waiting(self) -> None:
+        with self._lock:
+            items, self._items = self._items, []
+        grouped: dict[SessionRecorder, list[Item]] = {}
+        for session, item in items:
+            grouped.setdefault(session, []).append(item)
+        for session, own in grouped.items():
+            self._write_session(session, own)
+        with self._lock:
+            self.waiting -= sum(len(item) for _, item in items)
+            self._marks -= sum(item.starts or item.ends for _, item in items)
+
+    def _write_session(self, session: SessionRecorder, items: list[Item]) -> None:
+        left = {"samples": sum(len(item) for item in items), "trials": sum(item.ends for item in items)}
+        before = session.files.rows
+        try:
+            if not session.failed:
+                self._open.add(session)
+                for part, rows in rows_of(session.name, items):
+                    session.files.append(part, rows)
+                    before, left[part] = session.files.rows, 0
+                if not session.due:
+                    session.due = time.monotonic() + SYNC_S
+                    self._dirty.append(session)
+        except Exception as error:  # the service goes on without this recording, whatever broke
+            self._fail(session, error)
+        self._lose(session, max(0, sum(left.values()) - (session.files.rows - before)))
+        if items[-1].closes:
+            self._finish(session)
+
+    def _sync(self) -> None:
+        """Sync what is due, the oldest first, for no longer than until the next rows must be written."""
+        until = time.monotonic() + WRITE_S
+        while self._dirty:
+            session, now = self._dirty[0], time.monotonic()
+            if session.due > now or now > until:
+                return
+            self._dirty.pop(0)
+            session.due = 0.0
+            try:
+                session.files.sync()
+            except OSError as error:
+                self._fail(session, error)
+
+    def _finish(self, session: SessionRecorder) -> None:
+        """Close the files of a session that has ended; all of it is then on the disk."""
+        if session in self._dirty:
+            self._dirty.remove(session)
+        try:
+            if not session.failed:
+                session.files.sync()
+            session.files.close()
+        except OSError as error:
+            self._fail(session, error)
+        self._open.discard(session)
+        if session.lost:
+            log.warning("recording %s: %d events and ends of trials were lost", session.name, session.lost)
+
+    def _lose(self, session: SessionRecorder, count: int) -> None:
+        """Count what is in no file."""
+        with self._lock:
+            session.lost += count
+            self.lost += count
+
+    def _fail(self, session: SessionRecorder, error: Exception) -> None:
+        """Stop the recording of a session, and log that once; the session itself goes on."""
+        with self._lock:
+            session.failed = True
+            self.failures += 1
+        # The sentence of an OSError is about files; that of another error might quote an event.
+        reason = error if isinstance(error, OSError) else place_of(error)
+        log.error("recording %s stopped: %s", session.name, reason)
+        if session in self._dirty:
+            self._dirty.remove(session)
+        try:
+            session.files.close()
+        except OSError as again:
+            log.error("recording %s: closing its files failed as well: %s", session.name, again)
+
+
+def about_of(origin: Provenance, begun: datetime) -> dict[str, Any]:
+    """The header of a recording."""
+    return {"provenance": msgspec.to_builtins(origin), "begun": begun.isoformat(timespec="seconds")}

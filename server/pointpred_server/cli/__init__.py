@@ -1,0 +1,1 @@
+"""Commands of the service: what ``pointpred`` finds by the entry points of this distribution."""

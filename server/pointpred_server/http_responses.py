@@ -1,0 +1,111 @@
+"""HTTP responses: the headers of all, who may ask, and errors in one shape."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+from fastapi import Request, Response
+from starlette.exceptions import HTTPException
+
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import Code, encode
+from pointpred_server.access import admits_origin, has_token, header, origin_advice
+from pointpred_server.endpoints import TOKEN_NEEDED
+from pointpred_server.uploads.refusals import refusal_of
+
+SECURITY_HEADERS = {
+    "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Embedder-Policy": "require-corp",
+}
+"""Headers of every response: nothing is loaded from elsewhere, a new version is used at once, and the page is
+isolated, which lets the browser stamp events to 5 us instead of 100."""
+
+SHARED_HEADERS = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
+"""Any page may load the client and its parts, and ask whether its origin may connect."""
+CLIENT = (
+    *("/pointpred.js", "/web/pointpred.js", "/web/client/", "/web/intent/", "/web/laws/", "/web/prediction/"),
+    "/v1/origin",
+)
+READ = ["GET", "HEAD"]
+OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js", "/v1/origin")
+"""Paths that need no token: they hold nothing of anybody."""
+
+
+def json_response(value: Any, status: int = 200) -> Response:
+    """A value as JSON."""
+    return Response(msgspec.json.encode(value), status, media_type="application/json")
+
+
+def error_response(
+    code: Code, message: str, status: int, *, field: str = "", value: object = None
+) -> Response:
+    """An error in the shape that errors have on the WebSocket."""
+    error = ProtocolError(code, message, field=field, value=value).answer
+    return Response(encode(error), status, media_type="application/json")
+
+
+async def guard(request: Request, forward: Any) -> Response:
+    """Check the token, and the origin of a page that posts; add the headers."""
+    service = request.app.state.service
+    token, allowed = service.settings.token, service.settings.allow_origin
+    if not request.url.path.startswith(OPEN) and not has_token(request.scope, token):
+        service.metrics.connections_refused.labels("unauthorized").inc()
+        response = error_response("unauthorized", TOKEN_NEEDED, 401)
+    elif request.method not in READ and not admits_origin(request.scope, allowed):
+        origin = header(request.scope, b"origin")
+        service.refuse_origin(origin)
+        response = error_response("unauthorized", origin_advice(origin), 403)
+    else:
+        response = await forward(request)
+    response.headers.update(
+        SECURITY_HEADERS | SHARED_HEADERS if request.url.path.startswith(CLIENT) else SECURITY_HEADERS
+    )
+    return response
+
+
+async def server_error(request: Request, error: Exception) -> Response:
+    """500: something broke on this side; the server logs where."""
+    response = error_response("internal", "the server failed", 500)
+    response.headers.update(SECURITY_HEADERS)  # made outside the middleware that adds them
+    return response
+
+
+async def bad_request(request: Request, error: Exception) -> Response:
+    """422 for what cannot be used; 404 where a sample of that name is not there."""
+    status, body = refusal_of(error)
+    missing = request.url.path.startswith("/v1/samples/")
+    return Response(body, 404 if missing else status, media_type="application/json")
+
+
+async def http_error(request: Request, error: Exception) -> Response:
+    """A path that does not exist, or a method that it does not have."""
+    assert isinstance(error, HTTPException)
+    path, headers = request.url.path, dict(error.headers or {})
+    if error.status_code == 405:
+        allowed = headers.get("Allow", "GET")
+        headers["Allow"] = ", ".join(READ) if allowed in READ else allowed
+        sentence = f"{path} answers {headers['Allow']}, received {request.method}"
+        response = error_response("out_of_place", sentence, 405)
+    elif error.status_code == 404:
+        response = error_response(
+            "bad_field", f"there is nothing at {path}; /openapi.json lists the paths", 404
+        )
+    else:
+        response = error_response("bad_field", str(error.detail), error.status_code)
+    response.headers.update(headers)
+    return response
+
+
+async def upload_error(request: Request, error: Exception) -> Response:
+    """An upload that is refused; the rest of its body is not read."""
+    status, body = refusal_of(error)
+    response = Response(body, status, media_type="application/json")
+    if status == 408:
+        response.headers["Connection"] = "close"
+    return response

@@ -1,0 +1,62 @@
+"""Log entries of the service, one JSON object a line or plain text; movement data never reach them."""
+
+from __future__ import annotations
+
+import json
+import logging
+import sys
+from datetime import UTC, datetime
+from typing import Literal
+
+from pointpred.logs import OWN, PlainLines, fields_of, message_of
+from pointpred_server.log_repeats import RepeatLimit
+
+EVERY_ENTRY = {
+    "time": "when it was written: UTC, ISO 8601, to the millisecond",
+    "level": "`info`, `warning` or `error`",
+    "logger": "the part that wrote it; those of the service begin with `pointpred.`",
+    "message": "what happened, for people; the sentence may change",
+}
+"""What each entry holds."""
+
+
+class JsonLines(logging.Formatter):
+    """An entry as one JSON object."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Time, level, logger, message, and the known fields."""
+        entry: dict[str, object] = {
+            "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": message_of(record),
+        }
+        return json.dumps(entry | fields_of(record))
+
+
+class _OfWorker(logging.Filter):
+    """Adds the number of this process's worker to each entry."""
+
+    def __init__(self, worker: int) -> None:
+        super().__init__()
+        self.worker = worker
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        record.worker = self.worker
+        return True
+
+
+def set_up(style: Literal["json", "text"] | None = None, worker: int | None = None) -> None:
+    """Send every entry of this process to stderr: ours from info on, others' from warning on.
+
+    Without a style it is text where stderr is a terminal, JSON elsewhere. ``worker``: the number of this
+    process among several.
+    """
+    style = style or ("text" if sys.stderr.isatty() else "json")
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(JsonLines() if style == "json" else PlainLines())
+    handler.addFilter(RepeatLimit())
+    if worker is not None:
+        handler.addFilter(_OfWorker(worker))
+    logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
+    logging.getLogger(OWN).setLevel(logging.INFO)

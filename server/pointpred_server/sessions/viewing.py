@@ -1,0 +1,79 @@
+"""Somebody who watches the attached device over ``/v1/live``: is sent everything, and may say goodbye."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from pointpred.protocol.client_messages import Bye
+from pointpred.protocol.decoding import decode_client_message
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.live_messages import Attached, Curve, Status
+from pointpred.protocol.server_messages import Limits, encode
+from pointpred_server.sessions.lifecycle import Session, State
+
+READ_ONLY = "this stream is only read; expected nothing but 'bye', received "
+
+
+class LiveSource(Protocol):
+    """What a viewer is shown."""
+
+    attached: Attached
+    curve: Curve | None
+
+    def status(self) -> Status:
+        """How the reading goes."""
+
+
+class ViewingSession(Session):
+    """The server's side of one viewer's connection; messages are answered, and change nothing."""
+
+    def __init__(self, name: str, limits: Limits, now: float) -> None:
+        super().__init__(name, limits, now, State.STREAMING)
+        self._source: LiveSource | None = None
+        self._attached: Attached | None = None
+        self._curve: Curve | None = None
+
+    def show(self, source: LiveSource) -> None:
+        """Show a device from now on: what it is comes first, and again where that has changed."""
+        self._source = source
+        self._send_status()
+
+    def tick(self, now: float, late_s: float = 0.0) -> None:
+        """Send how the reading goes, unless the last status is still unread."""
+        if self.state is State.CLOSED:
+            return
+        self.check_unread()
+        if not self.outbox:
+            self._send_status()
+
+    def _receive(self, frame: str | bytes, now: float) -> None:
+        """Nothing but ``bye`` has a meaning here."""
+        if isinstance(frame, bytes):
+            self._quota.take_message(now)
+            raise ProtocolError("out_of_place", f"{READ_ONLY}a binary frame")
+        self._quota.take_text(frame, now)
+        try:
+            message = decode_client_message(frame)
+        except ProtocolError:
+            self._quota.take_invalid(frame, now)
+            raise
+        if isinstance(message, Bye):
+            self.end(1000, message.reason or "bye")
+            return
+        self._quota.take_message(now)
+        raise ProtocolError("out_of_place", f"{READ_ONLY}{message.__struct_config__.tag!r}")
+
+    def _send_status(self) -> None:
+        source = self._source
+        if source is None:
+            return
+        if source.attached is not self._attached:
+            self._attached = source.attached
+            self._send_live(source.attached)
+        self._send_live(source.status())
+        if (curve := source.curve) is not None and curve is not self._curve:
+            self._curve = curve
+            self._send_live(curve)
+
+    def _send_live(self, message: Attached | Status | Curve) -> None:
+        self.outbox.add(encode(message).decode())

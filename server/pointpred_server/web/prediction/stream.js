@@ -1,0 +1,249 @@
+// The predicting side of a session in the page: events in, predictions out; as `server/pointpred_server/sessions/prediction_stream.py`.
+
+import { build } from "./build.js";
+import { ParameterError } from "./errors.js";
+import { checkRows, ProtocolError } from "./messages.js";
+import { PHASES, claimed, regionIn } from "./row.js";
+import { PlaceTracker } from "./place-tracker.js";
+import { TargetTracker } from "./target-tracker.js";
+import { TrialBuffer } from "./trial.js";
+
+/** What `build` takes besides parameters, and where in a hello it belongs. */
+const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", person: "person" };
+
+/** A pipeline as a client asked for it, the targets it decides among, and the trial that is marked. */
+export class PredictionStream {
+  /** The settings in force. */ hello;
+  #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer(); #placeTracker = null; #window = null;
+  /** The places after each event that is being taken in, where the client asked for them. */ #seen = [];
+
+  /**
+   * Use `open`.
+   * @param {object} hello checked @param {import("./pipeline.js").Pipeline} pipeline @param {(message: object) => void} send
+   */
+  constructor(hello, pipeline, send) {
+    this.hello = { ...hello, person: "" }; // the pipeline knows it, and learns on
+    [this.#pipeline, this.#send] = [pipeline, send];
+  }
+
+  /** @param {object} hello checked @param {(message: object) => void} send @returns {Promise<PredictionStream>} rejects with a ProtocolError */
+  static async open(hello, send) {
+    return new this(hello, await pipelineOf(hello), send);
+  }
+
+  get pipeline() {
+    return this.#pipeline;
+  }
+
+  /**
+   * Predicts; events before the last one are dropped, the rest is used. Sends the choices, then the predictions. Throws a
+   * ProtocolError or an EventError, nothing changed, where a number cannot be used.
+   * @param {number[][]} rows t, x, y, dx, dy (NaN: no counts), buttons
+   */
+  feed(rows) {
+    let used = rows, dropped = null, answers = this.take(rows);
+    if (answers === null) {
+      checkRows(rows);
+      ({ used, dropped } = this.inOrder(rows));
+      answers = this.take(used);
+      if (answers === null) throw new ProtocolError("bad_field", "the events cannot be used", "$.events");
+    }
+    if (used.length) this.reply(used, answers);
+    if (dropped !== null) this.#send(dropped);
+  }
+
+  /** The predictions for events; null, and nothing changed, where one is refused. @param {number[][]} rows */
+  take(rows) {
+    const before = this.hello.places ? this.#pipeline.remembered : null, answers = this.#pipeline.advanceAll(rows);
+    if (before === null || answers === null) return answers;
+    this.#pipeline.remembered = before; // once more, one by one, for the places after each
+    for (const row of rows) {
+      this.#pipeline.advance(row);
+      this.see();
+    }
+    return answers;
+  }
+
+  /** Whether places are proposed: the client asked for that, and there are no targets. */
+  get offersPlaces() {
+    return this.hello.places && this.#tracker === null;
+  }
+
+  /** Notes the places after an event; a list that is begun anew where events are refused. */
+  see() {
+    this.#seen.push(this.#pipeline.places);
+  }
+
+  /** Forgets the places of events that are refused. */
+  unsee() {
+    this.#seen = [];
+  }
+
+  /** Records the events that were used, decides among the targets, and sends the predictions. */
+  reply(rows, answers) {
+    const each = this.hello.reply === "event", last = rows.length - 1, listed = this.#tracker !== null && this.hello.encoding === "json";
+    this.#lastTime = rows[last][0];
+    const likely = [], seen = this.#seen;
+    this.#seen = [];
+    if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
+    for (let i = 0; i <= last; i++) {
+      this.#trial.add(rows[i]);
+      if (this.hello.places) this.#tracker?.expect(seen[i]);
+      this.#tracker?.follow(rows[i], answers[i]);
+      if (this.offersPlaces) this.#placeTracker.follow(rows[i], answers[i], seen[i]);
+      if (listed && (each || i === last)) likely.push(this.#tracker.likeliest);
+    }
+    this.beforePredictions(this.#lastTime);
+    (each ? answers : answers.slice(-1)).forEach((answer, i) => this.#send(messageOf(answer, listed ? likely[i] : undefined)));
+  }
+
+  /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
+  beforePredictions(t) {}
+
+  send(message) {
+    this.#send(message);
+  }
+
+  /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {object} message checked */
+  async configure(message) {
+    this.checkAssist(message);
+    const another = message.predictor != null, { hello } = this;
+    const changed = { ...hello, predictor: message.predictor ?? hello.predictor, reply: message.reply ?? hello.reply,
+      parameters: { ...(another ? {} : hello.parameters), ...message.parameters }, assist: message.assist ?? hello.assist,
+      places: message.places ?? hello.places };
+    if (another || Object.keys(message.parameters ?? {}).length) {
+      const pipeline = this.#inWindow(await pipelineOf(changed));
+      if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
+      this.#pipeline = pipeline;
+      this.forget();
+    }
+    this.hello = changed;
+    if (!changed.places) {
+      this.#placeTracker?.reset();
+      this.#placeTracker = null;
+      this.#tracker?.expect([]);
+    }
+    this.#precision = message.precision ?? this.#precision;
+    if (message.precision != null) for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
+  }
+
+  /** Throws a ProtocolError where assistance is changed that was never asked for. */
+  checkAssist({ assist }) {
+    if (assist != null) throw new ProtocolError("out_of_place", "expected assistance to be asked for in 'hello'; it may be changed afterwards", "$.assist");
+  }
+
+  /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("./chooser.js").Target[]} targets */
+  replaceTargets(targets) {
+    const tracker = this.#tracker ?? new TargetTracker(this.#send, this.#precision);
+    tracker.replace(targets);
+    this.#tracker = targets.length ? tracker : null;
+    this.#placeTracker?.reset();
+  }
+
+  /** Forgets every event: the next one starts a movement. */
+  reset() {
+    this.#pipeline.reset();
+    this.forget();
+  }
+
+  /** What is known of the person; with a replacement the session begins anew, knowing that. @param {string} [replacement] @returns {Promise<string>} */
+  async person(replacement) {
+    if (replacement != null) {
+      this.#pipeline = this.#inWindow(await pipelineOf({ ...this.hello, person: replacement }));
+      this.forget();
+    }
+    return this.#pipeline.person;
+  }
+
+  /** The next movement is in this window. @param {[string, number, number]} window its name and origin */
+  enter(window) {
+    this.#window = window;
+    this.#inWindow(this.#pipeline);
+  }
+
+  /** Forgets the person and the movement; the window stays. @returns {string} what is then known of the person: "" */
+  forgetPerson() {
+    this.#pipeline.forget();
+    this.#inWindow(this.#pipeline);
+    this.forget();
+    return this.#pipeline.person;
+  }
+
+  /** The pipeline, in the window that the client named last. */
+  #inWindow(pipeline) {
+    if (this.#window !== null) pipeline.enter(...this.#window);
+    return pipeline;
+  }
+
+  /** A movement starts at the next event. @param {object|null} goal */
+  startTrial(goal) {
+    this.#trial.start(goal);
+    this.reset();
+  }
+
+  /** Scores the trial; rejects with a ProtocolError where none was started. @param {object|null} goal @returns {Promise<object>} */
+  async endTrial(goal) {
+    if (!this.#trial.running) throw new ProtocolError("out_of_place", "expected 'trial' with action 'start' before 'end'", "$.action");
+    const outcome = this.#tracker?.finishTrial(goal ?? this.#trial.goal) ?? {}, trial = this.#trial.end();
+    const { scoreOf } = await import("./scoring.js");
+    return { ...(await scoreOf(trial, this.#pipeline.fresh())), ...outcome };
+  }
+
+  /** Forgets what depends on the movement. */
+  forget() {
+    this.#lastTime = -Infinity;
+    this.#tracker?.reset();
+    this.#placeTracker?.reset();
+  }
+
+  /** The events that do not run backwards, and the error for those that do, null for none. @param {number[][]} rows */
+  inOrder(rows) {
+    let latest = this.#lastTime, first = null, late = 0;
+    const used = rows.filter(([t], row) => {
+      const backwards = t < latest;
+      if (backwards) first ??= { row, t, before: latest };
+      late += Number(backwards);
+      latest = Math.max(latest, t);
+      return !backwards;
+    });
+    if (first === null) return { used, dropped: null };
+    const also = late > 1 ? ` (${late - 1} more in this frame)` : "", { row, t, before } = first;
+    const sentence = `t must not run backwards: ${t} s after ${before} s; dropped${also}`;
+    return { used, dropped: new ProtocolError("out_of_order", sentence, `$.events[${row}][0]`, { field: "t", value: t }).answer };
+  }
+}
+
+/** A row of predictions as the message that the service would send. */
+function messageOf(row, targets) {
+  const [t, x, y, , , , remaining, phase] = row, predicted = x === x;
+  const message = { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null,
+    region: predicted ? regionIn(row) : null,
+    phase: predicted ? PHASES[phase] : null, remaining_s: predicted ? claimed(remaining) : null };
+  if (targets !== undefined) message.targets = targets;
+  return message;
+}
+
+/** A fresh pipeline that knows the person of a hello; rejects with a ProtocolError. */
+async function pipelineOf({ predictor, parameters, device, screen, person }) {
+  for (const [name, place] of Object.entries(ELSEWHERE))
+    if (Object.hasOwn(parameters, name)) {
+      const sentence = `${name} is no parameter of a predictor; it belongs to ${place}`;
+      throw new ProtocolError("bad_field", sentence, `$.parameters.${name}`, { field: name, value: parameters[name] });
+    }
+  try {
+    return await build(predictor, { cpi: device?.cpi ?? null, dpi: screen?.dpi, person, ...parameters });
+  } catch (error) {
+    if (!(error instanceof ParameterError)) throw error;
+    const code = error.code === "unknown_predictor" ? error.code : "bad_field";
+    throw new ProtocolError(code, error.message, pathOf(error, parameters), error);
+  }
+}
+
+/** Where in a message the parameter stands that an error is about: it may be a default that does not go with a given one. */
+function pathOf({ code, field }, parameters) {
+  if (code === "unknown_predictor") return "$.predictor";
+  if (field === "person") return "$.person";
+  if (Object.hasOwn(parameters, field)) return `$.parameters.${field}`;
+  const names = Object.keys(parameters);
+  return names.length === 1 ? `$.parameters.${names[0]}` : "$.parameters";
+}
