@@ -7,18 +7,18 @@ import shlex
 import sys
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
+from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 from pointpred.errors import MissingExtraError
 
+OWN = "pointpred"
 EXTRAS = {
     "report": ("jinja2", "matplotlib", "pandas", "scipy", "statsmodels"),
     "tables": ("openpyxl", "pyxdf"),
     "lsl": ("pylsl",),
     "train": ("scipy",),
-    "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
-    "camera": ("cv2",),
     "cluster": ("dask", "distributed"),
     "remote": ("fsspec",),
 }
@@ -30,34 +30,37 @@ def absent(extra: str) -> list[str]:
     return [name for name in EXTRAS[extra] if find_spec(name) is None]
 
 
-def require(extra: str, purpose: str, *more: str) -> None:
-    """Raise MissingExtraError, with the command that installs what is missing, where a library is.
+def require(extra: str, purpose: str) -> None:
+    """Raise MissingExtraError, with the command that installs what is missing, where a library is."""
+    if missing := absent(extra):
+        raise missing_extra(extra, f"{purpose} needs {', '.join(missing)}")
 
-    ``more``: further extras that the purpose needs.
+
+def missing_extra(extra: str, why: str, *, of: str = OWN) -> MissingExtraError:
+    """The error for what is not installed: an extra, or ``""`` for the distribution ``of`` itself.
+
+    ``why`` says what needs which library.
     """
-    missing = {name: absent(name) for name in (extra, *more)}
-    lacking = [name for name, libraries in missing.items() if libraries]
-    if lacking:
-        libraries = dict.fromkeys(library for name in lacking for library in missing[name])
-        raise missing_extra(",".join(lacking), f"{purpose} needs {', '.join(libraries)}")
+    command = install_command(extra, of=of)
+    return MissingExtraError(f"{why}. Install it, which takes about a minute: {command}")
 
 
-def missing_extra(extra: str, why: str) -> MissingExtraError:
-    """The error for an extra that is not installed; ``why`` says what needs which library."""
-    return MissingExtraError(f"{why}. Install it, which takes about a minute: {install_command(extra)}")
+def install_command(extra: str = "", *, of: str = OWN) -> str:
+    """The shell command that installs an extra for the Python that runs, from the checkout if it runs one.
 
-
-def install_command(extra: str) -> str:
-    """The shell command that installs an extra for the Python that runs, from the checkout if it runs one."""
-    checkout = _checkout()
-    what = ["-e", f"{checkout}[{extra}]"] if checkout else [f"pointpred[{extra}]"]
+    ``of``: the distribution; in a checkout ``pointpred-observers`` lies in the folder ``observers``.
+    """
+    checkout, brackets = _checkout(), extra and f"[{extra}]"
+    if checkout and of != OWN:
+        checkout = str(Path(checkout, of.removeprefix(f"{OWN}-")))
+    what = ["-e", f"{checkout}{brackets}"] if checkout else [f"{of}{brackets}"]
     return f"{shlex.quote(sys.executable or 'python')} -m pip install {shlex.join(what)}"
 
 
 def _checkout() -> str | None:
     """The folder of the sources, where pointpred was installed from them with ``pip install -e``."""
     try:
-        record = json.loads(distribution("pointpred").read_text("direct_url.json") or "{}")
+        record = json.loads(distribution(OWN).read_text("direct_url.json") or "{}")
     except (PackageNotFoundError, ValueError):
         return None
     if not record.get("dir_info", {}).get("editable"):

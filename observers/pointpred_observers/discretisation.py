@@ -8,11 +8,10 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.extras import missing_extra
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import one_of, positive
-from pointpred.observers.persidskii import Persidskii
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import one_of, positive
+from pointpred_observers.persidskii import Persidskii
 
 METHODS = ("zoh", "euler")
 
@@ -75,10 +74,8 @@ def _sampled(
     if method == "euler":
         onward, driven = np.eye(n) + step_s * a, step_s * drive
     else:
-        try:
-            from scipy.linalg import expm
-        except ImportError as missing:
-            raise missing_extra("observers", "c2d needs scipy") from missing
+        from scipy.linalg import expm
+
         whole = np.zeros((n + drive.shape[1],) * 2)
         whole[:n, :n], whole[:n, n:] = a, drive
         moved = np.asarray(expm(step_s * whole), np.float64)

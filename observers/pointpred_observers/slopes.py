@@ -12,7 +12,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.nonlinearity import (
+from pointpred_observers.nonlinearity import (
     ATAN,
     CUBE,
     IDENTITY,

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers.matrices import listed, matrix, one_of, positive
+from pointpred_observers.matrices import listed, matrix, one_of, positive
 
 Field = Callable[[float, FloatArray], Any]
 INTEGRATORS = ("rk4", "scipy", "stiff", "discrete")

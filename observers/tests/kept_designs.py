@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred import observers as o
+import pointpred_observers as o
 
 sp = pytest.importorskip("sympy")
 X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")

@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import pointpred_observers as o
 from pages import DOCS
-from pointpred import observers as o
-from pointpred.cli.observer_examples import EXAMPLES
-from pointpred.observers.documents.files import decoded, encoded
+from pointpred_observers.cli.observer_examples import EXAMPLES
+from pointpred_observers.documents.files import decoded, encoded
 from tests.conftest import Left
 
 pytest.importorskip("cvxpy")

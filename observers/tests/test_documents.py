@@ -12,12 +12,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred import observers as o
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.documents.designs import margins_of
-from pointpred.observers.documents.files import VERSION, decoded, encoded
-from pointpred.observers.persidskii import NAMES
-from tests.observers import kept_designs as kept
+from pointpred_observers.documents.designs import margins_of
+from pointpred_observers.documents.files import VERSION, decoded, encoded
+from pointpred_observers.persidskii import NAMES
 
 pytest.importorskip("cvxpy")
 

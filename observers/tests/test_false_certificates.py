@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-import pointpred.observers as o
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
+from observers.tests.printed import check_map
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.bounds import least_ratio
-from pointpred.observers.documents.files import decoded, encoded
-from pointpred.observers.inequalities.definite import least
-from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
-from tests.observers import kept_designs as kept
+from pointpred_observers.bounds import least_ratio
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.inequalities.definite import least
+from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
 
 
 def pendulum(push: float = 1.0) -> o.Persidskii:
@@ -202,7 +203,7 @@ def regulator(f: Any) -> o.Generator:
     [
         lambda: o.design_observer(PLANT, OTHER, [[1.0]]),
         lambda: o.theorem_3_2_1(PLANT, OTHER, [[1.0]]),
-        lambda: o.check_map(PLANT, OTHER, [[1.0]]),
+        lambda: check_map(PLANT, OTHER, [[1.0]]),
         lambda: o.certify_tracking(FOLLOWED, regulator("cube"), [[1.0]]),
         lambda: o.theorem_3_2_2(FOLLOWED, regulator("cube"), [[1.0]]),
         lambda: o.theorem_3_2_3(FOLLOWED, regulator("cube"), [[1.0]]),

@@ -18,13 +18,13 @@ from pointpred.errors import (
     ParameterError,
     UndecidedError,
 )
-from pointpred.observers.inequalities import matrix_inequalities
-from pointpred.observers.inequalities.affine import Affine, scaled
-from pointpred.observers.inequalities.audit import Inequalities
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.proof import largest_margin, reach
-from pointpred.observers.inequalities.rescaling import rescaled
-from pointpred.observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.affine import Affine, scaled
+from pointpred_observers.inequalities.audit import Inequalities
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.proof import largest_margin, reach
+from pointpred_observers.inequalities.rescaling import rescaled
+from pointpred_observers.inequalities.solver import CAP, Answer, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
@@ -243,7 +243,7 @@ def test_blocks_that_are_no_inequality() -> None:
 
 def test_a_missing_solver_is_said_with_the_line_that_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "cvxpy", None)
-    with pytest.raises(MissingExtraError, match=r"-m pip install .*\[observers\]"):
+    with pytest.raises(MissingExtraError, match=r"-m pip install .*observers"):
         lyapunov(-np.eye(2)).solve()
     assert lyapunov(-np.eye(2)).check({"P": np.eye(2)})["A'P + PA"] == pytest.approx(2.0)
 

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from scipy import signal
 
+from observers.tests.printed import check_map, check_observer
 from pointpred.errors import ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     as_plant,
@@ -20,8 +21,6 @@ from pointpred.observers import (
     c2d,
     certify_convergence,
     certify_tracking,
-    check_map,
-    check_observer,
     closed_loop,
     design_observer,
     design_reduced_order,

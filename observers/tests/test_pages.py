@@ -1,4 +1,4 @@
-"""The pages of docs/guide/observers are run, their links lead somewhere, and each can be reached."""
+"""The pages of observers/docs are run, their links lead somewhere, and each can be reached."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-FOLDER = Path(__file__).parents[2] / "docs" / "guide" / "observers"
+FOLDER = Path(__file__).parents[1] / "docs"
 PAGES = sorted(FOLDER.glob("*.md"))
 FIGURES = {
     "example-1.md": ["3.3"],

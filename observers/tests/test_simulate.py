@@ -10,10 +10,10 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from pointpred import observers as o
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred.observers import trajectories
-from tests.observers import kept_designs as kept
+from pointpred_observers import trajectories
 
 pytest.importorskip("cvxpy")
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred import observers as o
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
+from observers.tests.test_simulate import solved
 from pointpred.errors import DivergenceError
-from tests.observers import kept_designs as kept
-from tests.observers.test_simulate import solved
 
 pytest.importorskip("cvxpy")
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from observers.tests.printed import check_map
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     certify_tracking,
-    check_map,
     design_observer,
     steady_state_map,
 )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from observers.tests.printed import check_map, check_observer
 from pointpred import observers as o
 from pointpred.errors import ParameterError, PointpredError
 
@@ -159,9 +160,9 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         o.InterlacedObserver.design,
         {"steady": STEADY, "rate": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
-    (o.check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
+    (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
-        o.check_observer,
+        check_observer,
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "printed": {"O": [[1.0]]}, "rounding": 0.1},
     ),
     (

@@ -15,7 +15,8 @@ from pages.arguments import parse
 from pages.data import Table, keep
 
 COLUMNS = ("package", "licence", "needed for")
-OWN = "pointpred"
+OWN = ("pointpred", "pointpred-observers")
+"""The project's distributions."""
 CLASSIFIED = {
     "Apache Software License": "Apache-2.0",
     "BSD License": "BSD",
@@ -54,10 +55,10 @@ def licence_of(name: str) -> str | None:
     return NAMED.get(text, text)
 
 
-def needed_by(extras: tuple[str, ...]) -> set[str]:
-    """The packages that pointpred with these extras installs, itself excepted."""
+def needed_by(*start: tuple[str, tuple[str, ...]]) -> set[str]:
+    """The packages that these distributions with these extras install, the project's excepted."""
     found: set[str] = set()
-    waiting = [(OWN, extras)]
+    waiting = [*start]
     while waiting:
         name, wanted = waiting.pop()
         try:
@@ -68,8 +69,8 @@ def needed_by(extras: tuple[str, ...]) -> set[str]:
             marker = requirement.marker
             there = marker is None or any(marker.evaluate({"extra": extra}) for extra in ("", *wanted))
             key = canonicalize_name(requirement.name)
-            if there and (key not in found or key == OWN):
-                if key != OWN:
+            if there and (key not in found or key in OWN):
+                if key not in OWN:
                     found.add(key)
                 waiting.append((requirement.name, tuple(requirement.extras)))
     return found
@@ -88,7 +89,8 @@ def provided(own: Distribution) -> tuple[str, ...]:
 
 
 def main() -> None:
-    running, extras = needed_by(()), needed_by(provided(distribution(OWN)))
+    running = needed_by((OWN[0], ()))
+    extras = needed_by(*((name, provided(distribution(name))) for name in OWN))
     rows = [(name, licence_of(name) or "unknown", purpose(name, running, extras)) for name in packages()]
     keep("licences", {"licences": Table.of(COLUMNS, rows)})
 

@@ -38,6 +38,8 @@ SYSTEMS = (
 def main() -> None:
     about = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = {name: needs for name, needs in about["optional-dependencies"].items() if name != "dev"}
+    observers = tomllib.loads((ROOT / "observers" / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras["observers"] = [*observers["dependencies"], *observers["optional-dependencies"]["camera"]]
     lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pinned = {canonicalize_name(line.partition("=")[0]): line for line in lines if "==" in line}
     missing = 0

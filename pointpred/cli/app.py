@@ -12,7 +12,6 @@ from typing import Annotated, NoReturn
 import typer
 
 import pointpred
-from pointpred.cli.camera import app as camera
 from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.demo import demo
@@ -20,7 +19,6 @@ from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
 from pointpred.cli.help_text import add_help
 from pointpred.cli.live import live
-from pointpred.cli.observers import app as observers
 from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -32,8 +30,11 @@ from pointpred.cli.simulate import simulate
 from pointpred.cli.train import train
 from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.extras import install_command
 
 DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+ELSEWHERE = {"camera": "pointpred-observers", "observers": "pointpred-observers"}
+"""Commands of other distributions, which may not be installed."""
 
 app = typer.Typer(
     name="pointpred",
@@ -46,10 +47,8 @@ app = typer.Typer(
 )
 for command in (score, train, simulate, convert, predictors, serve, demo, replay, reproduce, live, doctor):
     app.command()(command)
-app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
-app.add_typer(observers, name="observers")
 app.add_typer(recordings, name="recordings")
 for entry in entry_points(group="pointpred.commands"):  # of the distributions installed beside this one
     command = entry.load()
@@ -121,6 +120,9 @@ def _sentence(error: Exception) -> str:
         command = context.command_path if context is not None else "pointpred"
         if not error.format_message():  # the help stands there already
             return ""
+        for name, other in ELSEWHERE.items():
+            if error.format_message().startswith(f"No such command {name!r}"):
+                return f"{name} comes with {other}. Install it: {install_command(of=other)}"
         return f"{_words(error).rstrip('.')}. See '{command} --help'."
     if isinstance(error, OSError) and error.strerror:
         return f"{error.strerror}: {error.filename}" if error.filename else error.strerror

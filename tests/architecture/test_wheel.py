@@ -1,4 +1,4 @@
-"""A built wheel holds the whole package and nothing named plain ``server`` or ``datasets``."""
+"""Each wheel holds its whole package and nothing else, nothing named plain ``server`` or ``datasets``."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.architecture.tree import ROOT, module_of, package_files
+from tests.architecture.tree import DISTRIBUTIONS, ROOT, module_of, package_files
 
 NEEDED = 77  # the first setuptools that reads a licence expression
 INSTALLED = int(importlib.metadata.version("setuptools").split(".")[0])
@@ -25,35 +25,51 @@ assert importlib.util.find_spec("server") is None
 assert importlib.util.find_spec("datasets") is None
 assert (pointpred.server.app.WEB / "index.html").exists()
 from pointpred.reproduction.catalogue import entry_of
-assert "</svg>" in entry_of("3.4").make(None).draw().svg
+for number in ("2.11", "3.4"):
+    assert "</svg>" in entry_of(number).make(None).draw().svg
+import pointpred_observers
+assert pointpred_observers.__file__.startswith({folder!r}), pointpred_observers.__file__
 """
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """The wheels by the name of their package."""
     if INSTALLED < NEEDED:
         pytest.skip(f"building needs setuptools {NEEDED}, the environment has {INSTALLED}")
     folder = tmp_path_factory.mktemp("wheel")
     source = folder / "source"
     shutil.copytree(ROOT, source, symlinks=True, ignore=LEFT)
     command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation"]
-    subprocess.run([*command, "--disable-pip-version-check", "-w", str(folder), str(source)], check=True)
-    return next(folder.glob("*.whl"))
+    sources = [str(source), str(source / "observers")]
+    subprocess.run([*command, "--disable-pip-version-check", "-w", str(folder), *sources], check=True)
+    return {wheel.name.partition("-")[0]: wheel for wheel in folder.glob("*.whl")}
 
 
-def test_wheel_holds_every_module_under_pointpred(wheel: Path) -> None:
-    names = set(zipfile.ZipFile(wheel).namelist())
-    assert {name.split("/")[0].split("-")[0] for name in names} == {"pointpred"}
+@pytest.mark.parametrize("package", DISTRIBUTIONS)
+def test_a_wheel_holds_every_module_of_its_package(wheels: dict[str, Path], package: str) -> None:
+    names = set(zipfile.ZipFile(wheels[package]).namelist())
+    assert {name.split("/")[0].split("-")[0] for name in names} == {package}
     modules = {module_of(path).replace(".", "/") for path in package_files()}
-    missing = {name for name in modules if not {f"{name}.py", f"{name}/__init__.py"} & names}
+    missing = {
+        name
+        for name in modules
+        if name.partition("/")[0] == package and not {f"{name}.py", f"{name}/__init__.py"} & names
+    }
     assert not missing
-    assert {"pointpred/py.typed", "pointpred/report/templates/report.html"} <= names
+    assert f"{package}/py.typed" in names
+
+
+def test_the_library_holds_the_page(wheels: dict[str, Path]) -> None:
+    names = set(zipfile.ZipFile(wheels["pointpred"]).namelist())
+    assert {"pointpred/report/templates/report.html"} <= names
     page = {path.relative_to(ROOT) for path in (ROOT / "server" / "web").rglob("*") if path.is_file()}
     assert {f"pointpred/{path.as_posix()}" for path in page} <= names
 
 
-def test_installed_wheel_needs_nothing_of_the_checkout(wheel: Path, tmp_path: Path) -> None:
-    zipfile.ZipFile(wheel).extractall(tmp_path)
+def test_installed_wheel_needs_nothing_of_the_checkout(wheels: dict[str, Path], tmp_path: Path) -> None:
+    for wheel in wheels.values():
+        zipfile.ZipFile(wheel).extractall(tmp_path)
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
     check = CHECK.format(folder=str(tmp_path))
     subprocess.run([sys.executable, "-c", check], check=True, cwd=tmp_path, env=environment)

@@ -9,30 +9,38 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 ROOMS = {"server": "pointpred.server", "datasets": "pointpred.datasets"}
 """Top-level folders that are installed inside the package."""
+DISTRIBUTIONS = {
+    "pointpred": ROOT / "pointpred",
+    "pointpred_observers": ROOT / "observers" / "pointpred_observers",
+}
+"""The packages, each of a distribution of its own, and where they lie."""
 
 
 def package_files() -> list[Path]:
-    """Every Python file of the installed package, each once, where it lies."""
-    inside = [path for path in (ROOT / "pointpred").rglob("*.py") if not _behind_link(path)]
+    """Every Python file of the installed packages, each once, where it lies."""
+    folders = DISTRIBUTIONS.values()
+    inside = [path for folder in folders for path in folder.rglob("*.py") if not _behind_link(path)]
     return sorted(inside + [path for room in ROOMS for path in (ROOT / room).rglob("*.py")])
 
 
 def own_files() -> list[Path]:
     """Every Python file of the project."""
-    others = [path for room in ("tests", "benchmarks", "pages") for path in (ROOT / room).rglob("*.py")]
+    rooms = ("tests", "observers/tests", "benchmarks", "pages")
+    others = [path for room in rooms for path in (ROOT / room).rglob("*.py")]
     return sorted([*package_files(), *others])
 
 
 def module_of(path: Path) -> str:
     """The dotted name a file is imported by."""
-    parts = list(path.relative_to(ROOT).with_suffix("").parts)
+    roots = [folder.parent for folder in DISTRIBUTIONS.values() if folder in path.parents]
+    parts = list(path.relative_to(roots[0] if roots else ROOT).with_suffix("").parts)
     if parts[-1] == "__init__":
         parts.pop()
     return ".".join([ROOMS.get(parts[0], parts[0]), *parts[1:]])
 
 
 def imports_of(path: Path, *, everywhere: bool = True) -> set[str]:
-    """The dotted names a file imports from pointpred; ``from a import b`` is both.
+    """The dotted names a file imports from these packages; ``from a import b`` is both.
 
     Not ``everywhere``: only the imports that run when the file itself is imported.
     """
@@ -45,7 +53,7 @@ def imports_of(path: Path, *, everywhere: bool = True) -> set[str]:
         elif isinstance(node, ast.ImportFrom):
             found |= {node.module or ""}
             found |= {f"{node.module}.{alias.name}" for alias in node.names} & known
-    return {name for name in found if name == "pointpred" or name.startswith("pointpred.")}
+    return {name for name in found if name.partition(".")[0] in DISTRIBUTIONS}
 
 
 @cache

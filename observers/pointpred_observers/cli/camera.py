@@ -47,9 +47,9 @@ def simulate(
 
       pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
     """
-    from pointpred.camera import SCENARIOS, CameraColumns, Noise
-    from pointpred.camera import simulate as make
-    from pointpred.cli.camera_files import TRUTH, truth_table, write_table
+    from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
+    from pointpred_observers.camera import simulate as make
+    from pointpred_observers.cli.camera_files import TRUTH, truth_table, write_table
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
@@ -115,8 +115,8 @@ def run(
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
     check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
-    from pointpred.cli.camera_files import errors_of, read_samples, read_truth
-    from pointpred.cli.camera_tables import show, summary
+    from pointpred_observers.cli.camera_files import errors_of, read_samples, read_truth
+    from pointpred_observers.cli.camera_tables import show, summary
 
     columns = read_samples(samples)
     if images is not None:
@@ -125,7 +125,7 @@ def run(
     truths = None if truth is None else read_truth(truth)
     errors = None if truths is None else errors_of(estimates, truths)
     if plot is not None:
-        from pointpred.cli.camera_plot import plot as draw
+        from pointpred_observers.cli.camera_plot import plot as draw
 
         draw(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
         remarks().print(f"{plot}", markup=False)
@@ -136,8 +136,8 @@ def run(
 
 
 def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
-    from pointpred.camera.tracker import PointTracker, tracked
-    from pointpred.cli.camera_files import read_images
+    from pointpred_observers.camera.tracker import PointTracker, tracked
+    from pointpred_observers.cli.camera_files import read_images
 
     try:
         x, y = (float(part) for part in point.split(","))
@@ -149,7 +149,7 @@ def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
 
 
 def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: str) -> Any:
-    from pointpred.camera import CameraPipeline, DepthObserver, PointFilter
+    from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
 
     if not depth > 0.0:
         raise ParameterError(f"--start-depth must be positive, received {depth:g}")

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.camera import CameraColumns, CameraTable, Trajectory
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import missing_extra
+from pointpred_observers.camera import CameraColumns, CameraTable, Trajectory
 
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
 IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")
@@ -89,7 +89,7 @@ def read_images(folder: Path) -> list[Any]:
     try:
         import cv2
     except ImportError as missing:
-        raise missing_extra("camera", "reading images needs OpenCV") from missing
+        raise missing_extra("camera", "reading images needs OpenCV", of="pointpred-observers") from missing
     images = []
     for path in files:
         image = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)

@@ -15,7 +15,7 @@ from pointpred.extras import require
 from pointpred.files import write_whole
 
 if TYPE_CHECKING:
-    from pointpred.observers import Simulation
+    from pointpred_observers import Simulation
 
 app = typer.Typer(no_args_is_help=True, help="Observers with proofs: design, audit and simulate from files.")
 PlantFile = Annotated[
@@ -55,8 +55,8 @@ def example(
 
       pointpred observers example pendulum --out pendulum.json
     """
-    from pointpred.cli.observer_examples import EXAMPLES
-    from pointpred.observers.documents.files import encoded
+    from pointpred_observers.cli.observer_examples import EXAMPLES
+    from pointpred_observers.documents.files import encoded
 
     if plant not in EXAMPLES:
         listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
@@ -127,7 +127,7 @@ def design(
     plants as equations.
 
     A plant that allows no observer is refused with the reason, such as a mode that the outputs do not show,
-    and exit code 1. Needs the extra 'observers'.
+    and exit code 1.
 
     Try:
 
@@ -138,10 +138,9 @@ def design(
     target = out or plant.with_name(f"{plant.stem}_design.json")
     check_targets({"--out": target, "--json": json}, [plant] if generator is None else [plant, generator])
     check_free(target, force)
-    require("observers", "a design")
-    from pointpred.cli.observer_designs import Wish, designed
-    from pointpred.cli.observer_tables import print_design, summary
-    from pointpred.observers import load, save
+    from pointpred_observers import load, save
+    from pointpred_observers.cli.observer_designs import Wish, designed
+    from pointpred_observers.cli.observer_tables import print_design, summary
 
     wish = Wish(observer, decay, injection, upper, first, degree)
     read, driving = load(plant), None if generator is None else load(generator)
@@ -174,9 +173,9 @@ def audit(design: DesignFile, json: Json = None) -> None:
       pointpred observers audit motor_design.json
     """
     check_targets({"--json": json}, [design])
-    from pointpred.cli.observer_tables import print_audit, summary
-    from pointpred.observers import audit as audited
-    from pointpred.observers import load
+    from pointpred_observers import audit as audited
+    from pointpred_observers import load
+    from pointpred_observers.cli.observer_tables import print_audit, summary
 
     made = load(design)
     margins = audited(made)
@@ -241,8 +240,8 @@ def simulate(
 ) -> None:
     """Simulate a design with its plant: print the errors, draw them, write every signal.
 
-    Expressions hold numbers, t, + - * / ** and functions such as sin, exp, tanh. Needs the extra 'observers';
-    --plot needs 'report'.
+    Expressions hold numbers, t, + - * / ** and functions such as sin, exp, tanh. --plot needs the
+    extra 'report'.
 
     Try:
 
@@ -254,16 +253,15 @@ def simulate(
     check_targets({"--plot": plot, "--out": out, "--json": json}, read)
     for option, target in (("--plot", plot), ("--out", out)):
         check_free(target, force, option)
-    require("observers", "a simulation")
     if plot is not None:
-        from pointpred.observers.simulations.result import check_ending
+        from pointpred_observers.simulations.result import check_ending
 
         require("report", "--plot")
         check_ending(plot)
-    from pointpred.cli.observer_runs import plant_of, sampling, signals, write_signals
-    from pointpred.cli.observer_tables import errors_document, print_errors
-    from pointpred.observers import load
-    from pointpred.observers import simulate as simulated
+    from pointpred_observers import load
+    from pointpred_observers import simulate as simulated
+    from pointpred_observers.cli.observer_runs import plant_of, sampling, signals, write_signals
+    from pointpred_observers.cli.observer_tables import errors_document, print_errors
 
     made = load(design)
     truth = plant_of(made) if plant is None else load(plant)

@@ -10,8 +10,8 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.observers.inequalities.affine import Affine, Block
-from pointpred.observers.inequalities.proof import Multipliers, multipliers
+from pointpred_observers.inequalities.affine import Affine, Block
+from pointpred_observers.inequalities.proof import Multipliers, multipliers
 
 CAP = 1e-2
 """Largest margin that is sought."""
@@ -99,7 +99,7 @@ def _library(solver: str) -> Any:
     try:
         import cvxpy
     except ImportError as missing:
-        raise missing_extra("observers", "designing an observer needs a solver") from missing
+        raise missing_extra("", "designing an observer needs a solver", of="pointpred-observers") from missing
     library: Any = cvxpy
     there = library.installed_solvers()
     if not isinstance(solver, str) or solver not in there:

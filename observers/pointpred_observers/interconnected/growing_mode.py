@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
-from pointpred.observers.eigenvalues import number_text
+from pointpred_observers.eigenvalues import number_text
 
 ComplexArray = NDArray[np.complex128]
 

@@ -14,7 +14,7 @@ from pointpred.drawing.panels import Panel, beside, drawn
 from pointpred.drawing.style import written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.observers.paths import writable
+from pointpred_observers.paths import writable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

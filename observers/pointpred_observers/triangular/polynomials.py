@@ -11,7 +11,6 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.extras import missing_extra
 
 ANALYTIC = frozenset(
     ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")
@@ -20,11 +19,9 @@ ANALYTIC = frozenset(
 
 
 def symbolic() -> Any:
-    """Import sympy; raises MissingExtraError with the install command."""
-    try:
-        import sympy
-    except ImportError as missing:
-        raise missing_extra("observers", "symbolic systems need sympy") from missing
+    """Import sympy, which takes a second, where it is first needed."""
+    import sympy
+
     return sympy
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.inequalities.definite import ROUNDING, least
+from pointpred_observers.inequalities.definite import ROUNDING, least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, CameraColumns, trajectory
-from pointpred.camera.samples import observed
-from pointpred.cli.camera_files import TRUTH, read_samples, truth_table, write_table
+from pointpred_observers.camera import SCENARIOS, CameraColumns, trajectory
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.cli.camera_files import TRUTH, read_samples, truth_table, write_table
 
 FOCAL = ("--focal-px", "800")
 
@@ -80,7 +80,7 @@ def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> N
 
 def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
     cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
-    from tests.camera.rendering import render
+    from observers.tests.camera.rendering import render
 
     truth = trajectory(SCENARIOS["paper"], np.arange(100) / 33.0)
     folder = tmp_path / "frames"

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, model, printed, trajectory
-from pointpred.camera.scenario import Trajectory
+from pages.camera import printed
 from pointpred.errors import ParameterError
+from pointpred_observers.camera import SCENARIOS, model, trajectory
+from pointpred_observers.camera.scenario import Trajectory
 
 
 @pytest.fixture(scope="module", params=["paper", "approaching"])

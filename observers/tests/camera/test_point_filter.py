@@ -7,21 +7,19 @@ import pickle
 import numpy as np
 import pytest
 
-from pointpred.camera import (
+from pages.camera.bounds import consistent, cramer_rao, normalised_errors
+from pointpred.errors import EventError, ParameterError
+from pointpred_observers.camera import (
     SCENARIOS,
     CameraColumns,
     Noise,
     PointFilter,
     Scenario,
-    consistent,
-    cramer_rao,
     kinematics,
-    normalised_errors,
     simulate,
     trajectory,
 )
-from pointpred.camera.samples import observed
-from pointpred.errors import EventError, ParameterError
+from pointpred_observers.camera.samples import observed
 
 FOCAL = 800.0
 

@@ -7,11 +7,11 @@ import sys
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, Trajectory, trajectory
-from pointpred.camera.samples import observed
-from pointpred.camera.tracker import PointTracker, tracked
+from observers.tests.camera.rendering import render
 from pointpred.errors import EventError, MissingExtraError, ParameterError
-from tests.camera.rendering import render
+from pointpred_observers.camera import SCENARIOS, DepthObserver, PointFilter, Trajectory, trajectory
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera.tracker import PointTracker, tracked
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 FOCAL = 300.0

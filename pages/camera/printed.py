@@ -1,11 +1,11 @@
-"""Equations as the camera paper prints them, for audits only; no estimate uses them."""
+"""Equations as the camera paper prints them, for audits only."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from pointpred.camera.scenario import Trajectory
 from pointpred.columns import FloatArray
+from pointpred_observers.camera.scenario import Trajectory
 
 
 def derivatives(truth: Trajectory) -> FloatArray:
@@ -69,10 +69,3 @@ P = np.array(
 )
 """The P of section V: its least eigenvalue lies below the required chi_1."""
 CHI_1, SIGMA, GAMMA = 1e-12, 1e-2, 9.5492e-13
-TABLE_I = {
-    0: (0.2350, 0.0917, 0.0516, 0.0848, 0.0139),
-    2: (0.2319, 0.0937, 0.5483, 0.9726, 0.0196),
-    4: (0.2319, 0.0937, 1.1204, 1.9462, 0.0198),
-    8: (0.2321, 0.0938, 2.2697, 3.9192, 0.0199),
-}
-"""RMSE of chi, eta, v_x, v_y, v_z by pixel noise, as printed."""
