@@ -55,10 +55,10 @@ def test_where_the_solver_fails_on_the_minimum_bisection_comes_near_it(
 
     wanted = least()
 
-    def stalled(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+    def stalled(problem: Affine, *, margin: float | None) -> Answer:
         if margin is not None:
             return Answer("user_limit", None, -np.inf, None)
-        return run(problem, solver=solver, margin=margin)
+        return run(problem, margin=margin)
 
     monkeypatch.setattr(matrix_inequalities, "run", stalled)
     reached = least()

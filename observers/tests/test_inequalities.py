@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import numpy as np
@@ -11,10 +10,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_lyapunov
 
+from observers.tests.solvers import solved_by
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
-    MissingExtraError,
     ParameterError,
     UndecidedError,
 )
@@ -62,7 +61,8 @@ def test_two_solvers_find_the_same_least_objective() -> None:
     pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
     a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
     first = lyapunov(a).solve(minimise=trace)
-    second = lyapunov(a).solve(minimise=trace, solver="CVXOPT")
+    with solved_by("CVXOPT"):
+        second = lyapunov(a).solve(minimise=trace)
     assert first.objective == pytest.approx(second.objective, rel=1e-5)
     assert np.allclose(first.values["P"], second.values["P"], rtol=1e-4, atol=1e-4)
 
@@ -80,7 +80,7 @@ def test_a_system_on_the_edge_has_no_margin() -> None:
 
 
 def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    def lie(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+    def lie(problem: Affine, *, margin: float | None) -> Answer:
         return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", lie)
@@ -89,7 +89,7 @@ def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.MonkeyPatch) -> None:
-    def indefinite(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+    def indefinite(problem: Affine, *, margin: float | None) -> Answer:
         return Answer("optimal", np.array([-1.0]), 1e-2, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", indefinite)
@@ -98,18 +98,13 @@ def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.Mo
 
 
 def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
-    def mute(problem: Affine, *, solver: str, margin: float | None) -> Answer:
-        answer = run(problem, solver=solver, margin=margin)
+    def mute(problem: Affine, *, margin: float | None) -> Answer:
+        answer = run(problem, margin=margin)
         return Answer(answer.status, None, answer.claimed, None)
 
     monkeypatch.setattr(matrix_inequalities, "run", mute)
     with pytest.raises(UndecidedError, match=r"the solver proves nothing \(its status"):
         lyapunov(np.eye(2)).solve()
-
-
-def test_a_solver_that_is_not_there_is_named_with_those_that_are() -> None:
-    with pytest.raises(ParameterError, match=r"'NOSUCH' is not installed; there are .*CLARABEL"):
-        lyapunov(np.array([[-1.0]])).solve(solver="NOSUCH")
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -120,7 +115,7 @@ def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
     problem = lyapunov(a, kappa=100.0)
     affine = problem._numbers(None, 100.0)
     scale = scaled(*problem.unknowns.coefficients("A'P + PA", problem.blocks["A'P + PA"]))[1]
-    answer = run(affine, solver="CLARABEL", margin=None)
+    answer = run(affine, margin=None)
     bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
     excluded = reach(affine, answer.multipliers)
     for _ in range(30):
@@ -139,7 +134,7 @@ def test_the_bound_of_the_margin_is_tight_where_numbers_must_not_be_negative(see
     problem = lyapunov(a, kappa=100.0).diagonal("D", 2).number("g")
     problem.below("damped", lambda v: a.T @ v.P + v.P @ a - v.P + e @ v.D @ e.T + v.g * np.eye(3))
     affine = problem._numbers(None, 100.0)
-    answer = run(affine, solver="CLARABEL", margin=None)
+    answer = run(affine, margin=None)
     bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
     assert answer.claimed < 1e-3
     assert answer.claimed - 1e-6 <= bound <= answer.claimed + 1e-4
@@ -239,13 +234,6 @@ def test_blocks_that_are_no_inequality() -> None:
         MatrixInequalities("b", margin=0.0)
     with pytest.raises(ParameterError, match=r"kappa must lie in \[10, 1e14\], received 1"):
         MatrixInequalities("b", kappa=1.0)
-
-
-def test_a_missing_solver_is_said_with_the_line_that_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "cvxpy", None)
-    with pytest.raises(MissingExtraError, match=r"-m pip install .*observers"):
-        lyapunov(-np.eye(2)).solve()
-    assert lyapunov(-np.eye(2)).check({"P": np.eye(2)})["A'P + PA"] == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize("scale", [1e-14, 1.0, 1e14])

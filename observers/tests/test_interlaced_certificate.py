@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh, expm
 
+from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.triangular.interlaced_certificate import (
     InterlacedCertificate,
@@ -106,7 +107,8 @@ def test_another_solver_finds_the_same_least_trace(row: list[float]) -> None:
 
     def least(solver: str) -> float:
         problem = theorem_4_4_1(A, [row]).above("Q - rate P", lambda v: v.Q - 0.5 * v.P)
-        solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma), solver=solver)
+        with solved_by(solver):
+            solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma))
         assert solution.objective is not None
         return solution.objective
 

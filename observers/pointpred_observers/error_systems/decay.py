@@ -37,14 +37,14 @@ class DecayCertificate(msgspec.Struct, frozen=True):
     domain: float = np.inf
 
 
-def decay_inequalities(system: ErrorSystem, decay: float, **bounds: float) -> MatrixInequalities:
+def decay_inequalities(system: ErrorSystem, decay: float) -> MatrixInequalities:
     """V' <= -2 decay V + sum of bound_i abs(delta_i)^2 at every corner.
 
     In discrete time V(e') <= exp(-2 decay) V with the same sum.
 
     Unknowns: P and bound_i for each disturbance i, in the order of ``system.disturbances``.
     """
-    problem = MatrixInequalities("decay", **bounds).positive("P", system.n)
+    problem = MatrixInequalities("decay").positive("P", system.n)
     for i in range(len(system.disturbances)):
         problem.number(f"bound_{i}")
     widths = list(system.disturbances.values())
@@ -74,8 +74,6 @@ def certify_decay(
     *,
     decay: float | None = None,
     domain: float = np.inf,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> DecayCertificate:
     """A certificate that the error decays, with small overshoot and gains.
 
@@ -83,9 +81,9 @@ def certify_decay(
     some f keeps the error from decaying.
 
     Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's; ``domain`` > 0
-    if the corners hold within a smaller one than the system's; ``margin`` and ``kappa`` as for
-    ``MatrixInequalities``. Raises InfeasibleError naming an eigenvalue that does not decay
-    before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
+    if the corners hold within a smaller one than the system's.
+    Raises InfeasibleError naming an eigenvalue that does not decay before any solver runs;
+    InfeasibleError, UndecidedError, CertificateError from the solver.
 
     >>> import numpy as np
     >>> from pointpred_observers.error_systems.system import sloped_system
@@ -105,7 +103,7 @@ def certify_decay(
     rates = [-share * slowest for share in SHARES] if decay is None else [decay]
     for rate in rates:
         try:
-            return _certified(system, rate, solver, bounds)
+            return _certified(system, rate)
         except (InfeasibleError, UndecidedError) as failure:
             if rate == rates[-1]:
                 unit = "1/step" if system.time == "discrete" else "1/s"
@@ -113,7 +111,7 @@ def certify_decay(
     raise AssertionError
 
 
-def _certified(system: ErrorSystem, decay: float, solver: str, bounds: dict[str, float]) -> DecayCertificate:
+def _certified(system: ErrorSystem, decay: float) -> DecayCertificate:
     """The certificate in the user's units, from a problem in balanced ones."""
     units = balanced(system.A, driven=system.B, rates=(decay,), time=system.time)
     x, t = units.states, units.seconds
@@ -123,29 +121,27 @@ def _certified(system: ErrorSystem, decay: float, solver: str, bounds: dict[str,
     sizes = [float(np.abs(b[:, :, one]).max(initial=0.0)) or 1.0 for one in system.places().values()]
     b = b / np.repeat(sizes, list(system.disturbances.values()))
     inner = msgspec.structs.replace(system, A=a, B=b)
-    problem = decay_inequalities(inner, decay * t, **bounds).number("size")
+    problem = decay_inequalities(inner, decay * t).number("size")
     problem.above("size - P", lambda v: v.size * np.eye(system.n) - v.P, strict=False)
     count = len(sizes)
     found = problem.solve(
-        minimise=lambda v: v.size + sum(getattr(v, f"bound_{i}") for i in range(count)), solver=solver
+        minimise=lambda v: v.size + sum(getattr(v, f"bound_{i}") for i in range(count))
     ).values
     values = {"P": form(found["P"], x)}
     for i, size in enumerate(sizes):
         values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
     with answer_of_a_search():
-        return certified_decay(system, values, decay, **bounds)
+        return certified_decay(system, values, decay)
 
 
-def certified_decay(
-    system: ErrorSystem, values: dict[str, Any], decay: float, **bounds: float
-) -> DecayCertificate:
+def certified_decay(system: ErrorSystem, values: dict[str, Any], decay: float) -> DecayCertificate:
     """The certificate that matrices from any source are: P and bound_i of each disturbance, audited.
 
     Raises CertificateError naming the corner at which the inequality fails, ParameterError for a decay that
     is not above 0.
     """
     decay = positive("decay", decay)
-    margins = decay_inequalities(system, decay, **bounds).check(values)
+    margins = decay_inequalities(system, decay).check(values)
     p = eigenvalues("P", values["P"])
     loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
     gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))

@@ -39,13 +39,13 @@ class L2Gain(msgspec.Struct, frozen=True):
     domain: float = np.inf
 
 
-def gain_inequalities(system: ErrorSystem, gain: Any = None, **bounds: float) -> MatrixInequalities:
+def gain_inequalities(system: ErrorSystem, gain: Any = None) -> MatrixInequalities:
     """The bounded real lemma at every corner: V' <= gain^2 abs(delta)^2 - abs(z)^2.
 
     In discrete time V(e+) - V(e) stands for V'. Unknowns: P, and ``square`` for gain^2 where no ``gain`` is
     passed.
     """
-    problem = MatrixInequalities("L2 gain", **bounds).symmetric("P", system.n).above("P > 0", lambda v: v.P)
+    problem = MatrixInequalities("L2 gain").symmetric("P", system.n).above("P > 0", lambda v: v.P)
     if gain is None:
         problem.number("square")
     energy = system.C.T @ system.C
@@ -69,7 +69,7 @@ def gain_inequalities(system: ErrorSystem, gain: Any = None, **bounds: float) ->
     return problem
 
 
-def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -> L2Gain:
+def l2_gain(system: ErrorSystem) -> L2Gain:
     """The L2 gain from the disturbances to z, from below and from above.
 
     Assumes one P for all corners: with several, ``upper`` may lie above the true gain. Units matter: the
@@ -107,10 +107,10 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
         B=b / size,
         C=inward(system.C, np.ones(len(system.C)), x) * size / lower,
     )
-    found = gain_inequalities(inner, **bounds).solve(minimise=lambda v: v.square, solver=solver).values
+    found = gain_inequalities(inner).solve(minimise=lambda v: v.square).values
     upper = (1.0 + ROOM) * lower * sqrt(found["square"])
     # In the user's units V' is V's change in 1/s, delta is divided by ``size`` and z by size / lower.
     p = form(found["P"], x) * (lower / size) ** 2 * t
     with answer_of_a_search():
-        margins = gain_inequalities(system, upper, **bounds).check({"P": p})
+        margins = gain_inequalities(system, upper).check({"P": p})
     return L2Gain(lower, upper, frequency, system.names[worst], p, margins, system.domain)

@@ -45,12 +45,7 @@ class Inequalities:
     Each inequality reads block(v) < 0, where v holds the matrices.
     """
 
-    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = KAPPA, **unknown: Any) -> None:
-        if unknown:
-            raise ParameterError(
-                f"{name} has no option {next(iter(unknown))!r}: the inequalities have margin and kappa",
-                field=next(iter(unknown)),
-            )
+    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = KAPPA) -> None:
         for option, value in (("margin", margin), ("kappa", kappa)):
             if not is_number(value):
                 raise ParameterError(

@@ -77,7 +77,7 @@ class MatrixInequalities(Inequalities):
     Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue of such a matrix,
     [10, 1e14].
     Returns a ``Solution`` from ``solve``. Raises ParameterError, InfeasibleError, UndecidedError and
-    CertificateError; MissingExtraError if the extra is not installed.
+    CertificateError.
 
     Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, chapter 2; Boyd, Vandenberghe 2004, section 5.9.
 
@@ -98,7 +98,6 @@ class MatrixInequalities(Inequalities):
         *,
         minimise: Block | None = None,
         near: Mapping[str, Any] | None = None,
-        solver: str = "CLARABEL",
     ) -> Solution:
         """Matrices with margins, and with the least ``minimise(v)`` if passed.
 
@@ -108,26 +107,25 @@ class MatrixInequalities(Inequalities):
         if not self.blocks:
             raise ParameterError(f"{self.name}: needs at least one inequality, received none")
         if minimise is None:
-            return self._solution(self._search(None, near, solver)[0], None, None)
-        best = self._minimum(self._numbers(minimise, min(self.kappa, EASY)), minimise, solver)
+            return self._solution(self._search(None, near)[0], None, None)
+        best = self._minimum(self._numbers(minimise, min(self.kappa, EASY)), minimise)
         if best is not None:
             return best
-        numbers, problem = self._search(minimise, near, solver)
+        numbers, problem = self._search(minimise, near)
         start = self._solution(numbers, minimise, np.inf)
-        return self._minimum(problem, minimise, solver, (start, numbers)) or start
+        return self._minimum(problem, minimise, (start, numbers)) or start
 
     def _minimum(
         self,
         problem: Affine,
         minimise: Block,
-        solver: str,
         start: tuple[Solution, FloatArray] | None = None,
     ) -> Solution | None:
         """The solution of the least objective, if any; the numbers of ``start`` set the scale."""
         best, numbers = (None, None) if start is None else start
         bound = -np.inf
         for share in FINER:
-            answer = self._run(problem, solver, share * self.margin, numbers)
+            answer = self._run(problem, share * self.margin, numbers)
             if answer.numbers is not None and self._passes(answer.numbers):
                 solution = self._solution(answer.numbers, minimise, np.inf)
                 if best is None or _value(solution) < _value(best):
@@ -146,13 +144,12 @@ class MatrixInequalities(Inequalities):
                 break
         if best is None or numbers is None or _gap(_value(best), bound) <= WIDE:
             return best
-        return self._narrowed(problem, minimise, solver, (best, numbers), bound)
+        return self._narrowed(problem, minimise, (best, numbers), bound)
 
     def _narrowed(
         self,
         problem: Affine,
         minimise: Block,
-        solver: str,
         start: tuple[Solution, FloatArray],
         bound: float,
     ) -> Solution:
@@ -165,7 +162,7 @@ class MatrixInequalities(Inequalities):
                 break
             cap = np.sqrt(low * high) if low > 1e-6 * high else 1e-3 * high
             for near in (numbers, None):
-                answer = self._run(capped(problem, cap), solver, None, near)
+                answer = self._run(capped(problem, cap), None, near)
                 if answer.numbers is not None and self._passes(answer.numbers):
                     solution = self._solution(answer.numbers, minimise, np.inf)
                     if _value(solution) < high:
@@ -173,22 +170,20 @@ class MatrixInequalities(Inequalities):
                         break
             else:
                 low = cap
-        answer = self._run(problem, solver, FINER[1] * self.margin, numbers)
+        answer = self._run(problem, FINER[1] * self.margin, numbers)
         if answer.numbers is not None and self._passes(answer.numbers):
             solution = self._solution(answer.numbers, minimise, np.inf)
             best = solution if _value(solution) < _value(best) else best
         bound = max(bound, least_objective(problem, answer.multipliers, min(self.kappa, EASY)))
         return msgspec.structs.replace(best, gap=_gap(_value(best), bound))
 
-    def _search(
-        self, minimise: Block | None, near: Mapping[str, Any] | None, solver: str
-    ) -> tuple[FloatArray, Affine]:
+    def _search(self, minimise: Block | None, near: Mapping[str, Any] | None) -> tuple[FloatArray, Affine]:
         """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
         start = None if near is None else self.unknowns.numbers(dict(near))
         most: tuple[float, Affine, Answer, float] | None = None
         for kappa in sorted({min(self.kappa, EASY), self.kappa, LOOSER * self.kappa}):
             problem = self._numbers(minimise, kappa)
-            numbers, answer, extent = self._feasible(problem, solver, start)
+            numbers, answer, extent = self._feasible(problem, start)
             if numbers is not None and kappa <= self.kappa:
                 return numbers, problem
             if most is None or extent > most[0]:
@@ -198,9 +193,7 @@ class MatrixInequalities(Inequalities):
         assert most is not None
         raise self._refusal(*most)
 
-    def _feasible(
-        self, problem: Affine, solver: str, start: FloatArray | None
-    ) -> tuple[FloatArray | None, Answer, float]:
+    def _feasible(self, problem: Affine, start: FloatArray | None) -> tuple[FloatArray | None, Answer, float]:
         """Numbers that satisfy the inequalities, if any, the answer that proves most, and how far it does.
 
         Numbers that only relax the inequalities are as large as needed. The first attempt is in the units
@@ -213,7 +206,7 @@ class MatrixInequalities(Inequalities):
         near: FloatArray | None = None
         last: FloatArray | None = None
         for turn in range(TURNS):
-            answer = self._run(posed, solver, None, near)
+            answer = self._run(posed, None, near)
             numbers = answer.numbers
             for one in (numbers, start if turn == 0 else None):
                 passing = None if one is None else self._relaxed(problem, one, free)
@@ -231,12 +224,12 @@ class MatrixInequalities(Inequalities):
         return None, most[1], most[0]
 
     @staticmethod
-    def _run(problem: Affine, solver: str, margin: float | None, near: FloatArray | None) -> Answer:
+    def _run(problem: Affine, margin: float | None, near: FloatArray | None) -> Answer:
         """The solver's answer, in coordinates scaled to the numbers ``near`` if given."""
         if near is None:
-            return run(problem, solver=solver, margin=margin)
+            return run(problem, margin=margin)
         other = rescaled(problem, near)
-        answer = run(other.problem, solver=solver, margin=margin)
+        answer = run(other.problem, margin=margin)
         numbers = None if answer.numbers is None else other.numbers(answer.numbers)
         return msgspec.structs.replace(
             answer, numbers=numbers, multipliers=other.multipliers(answer.multipliers)
@@ -265,8 +258,7 @@ class MatrixInequalities(Inequalities):
         most = kappa if bound < self.margin else extent
         if most >= SMALL:
             return UndecidedError(
-                f"{need}, no P with a condition number below {most:.1g} allows one: raise kappa (it is "
-                f"{self.kappa:g}), or require less decay"
+                f"{need}, no P with a condition number below {most:.1g} allows one: require less decay"
             )
         if answer.status == "optimal" and answer.claimed >= self.margin:
             return CertificateError(

@@ -8,11 +8,10 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
-from pointpred.extras import missing_extra
 from pointpred_observers.inequalities.affine import Affine, Block
 from pointpred_observers.inequalities.proof import Multipliers, multipliers
 
+SOLVER = "CLARABEL"
 CAP = 1e-2
 """Largest margin that is sought."""
 ACCEPTED: dict[str, dict[str, bool]] = {"CLARABEL": {"accept_unknown": True}}
@@ -35,9 +34,10 @@ class Answer(msgspec.Struct, frozen=True):
     multipliers: Multipliers | None
 
 
-def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+def run(problem: Affine, *, margin: float | None) -> Answer:
     """Minimise the objective at the given margin, or find the largest margin if it is ``None``."""
-    cvxpy = _library(solver)
+    import cvxpy
+
     y, t = cvxpy.Variable(problem.basis.shape[1]), cvxpy.Variable()
     x = problem.x0 + problem.basis @ y
     needed = t if margin is None else margin
@@ -61,7 +61,7 @@ def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
         unit = float(np.abs(problem.objective).max()) or 1.0
         goal = cvxpy.Minimize((problem.objective / unit) @ x)
     whole = cvxpy.Problem(goal, [*strict, *floors, *caps, *signs])
-    status = _solved(cvxpy, whole, solver)
+    status = _solved(cvxpy, whole)
     numbers = None
     if y.value is not None and np.isfinite(y.value).all():
         numbers = np.maximum(problem.x0 + problem.basis @ y.value, problem.lows)
@@ -75,33 +75,21 @@ def _times(dual: Any, unit: float) -> Any:
     return None if dual is None else unit * np.asarray(dual)
 
 
-def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
+def _solved(cvxpy: Any, whole: Any) -> str:
     """Run the solver; its errors become its status, since its answer is audited anyway.
 
     If it stalls before the tight tolerances without an answer, it runs again with looser ones.
     """
     import warnings
 
-    failed, tight = "", TIGHT.get(solver, {})
+    failed, tight = "", TIGHT.get(SOLVER, {})
     for digits in (tight, dict.fromkeys(tight, LOOSER))[: 2 if tight else 1]:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                whole.solve(solver=solver, **digits, **ACCEPTED.get(solver, {}))
+                whole.solve(solver=SOLVER, **digits, **ACCEPTED.get(SOLVER, {}))
         except (cvxpy.error.SolverError, ArithmeticError, ValueError) as failure:
             failed = f"failed: {failure}"
         else:
             return str(whole.status)
     return failed
-
-
-def _library(solver: str) -> Any:
-    try:
-        import cvxpy
-    except ImportError as missing:
-        raise missing_extra("", "designing an observer needs a solver", of="pointpred-observers") from missing
-    library: Any = cvxpy
-    there = library.installed_solvers()
-    if not isinstance(solver, str) or solver not in there:
-        raise ParameterError(f"solver {solver!r} is not installed; there are {', '.join(there)}")
-    return library

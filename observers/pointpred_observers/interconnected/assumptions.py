@@ -14,7 +14,7 @@ CONDITIONS_3_2_3 = ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H")
 """The conditions of Theorem 3.2.3 beside its assumption."""
 
 
-def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any, **bounds: float) -> MatrixInequalities:
+def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequalities:
     """The inequalities of Assumption 3.2.3: ``solve`` finds matrices, ``check`` audits printed ones.
 
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1.
@@ -29,18 +29,18 @@ def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any, **bounds: floa
     >>> sorted(assumption_3_2_3(plant, regulator, [[1.0]]).check(printed))
     ['Gamma > 0', 'Lambda >= 0', 'Omega >= 0', 'P > 0', 'Phi', 'Xi']
     """
-    return _without(theorem_3_2_2(plant, regulator, Pi, **bounds), "Xi + J' Omega J")
+    return _without(theorem_3_2_2(plant, regulator, Pi), "Xi + J' Omega J")
 
 
 def assumption_3_2_6(
-    plant: Plant, regulator: Generator, Pi: Any, sector: SectorBounds | None = None, **bounds: float
+    plant: Plant, regulator: Generator, Pi: Any, sector: SectorBounds | None = None
 ) -> MatrixInequalities:
     """The inequalities of Assumption 3.2.6: ``solve`` finds matrices, ``check`` audits printed ones.
 
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0; A~0 =
     A0 - Pi G C0, A~1 = A1 - Pi G C1.
     """
-    return _without(theorem_3_2_3(plant, regulator, Pi, sector, **bounds), *CONDITIONS_3_2_3)
+    return _without(theorem_3_2_3(plant, regulator, Pi, sector), *CONDITIONS_3_2_3)
 
 
 def _without(problem: MatrixInequalities, *names: str) -> MatrixInequalities:

@@ -63,8 +63,6 @@ def design_observer(
     *,
     gain: Any = None,
     decay: float = 0.0,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> ObserverDesign:
     """The gain M of observer (3.5) for the generator's state, with its certificate.
 
@@ -75,7 +73,7 @@ def design_observer(
     z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
 
     Parameters: ``gain`` M (q, p) to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of
-    the error; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    the error.
     Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; InfeasibleError,
     UndecidedError or CertificateError from the solver; ParameterError where slopes are not bounded.
 
@@ -115,7 +113,7 @@ def design_observer(
         "Gamma": lambda v: v.bound * np.eye(p),
         "Xi": lambda v: v.bound * np.eye(q),
     }
-    problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).number("bound")
+    problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
     if gain is None:
         problem.free("U", q, p)
     else:
@@ -127,7 +125,7 @@ def design_observer(
     balanced_connection = connection.inward(units)
     state = balanced_connection.state(problem, **fixed)
     near = _start(balanced_connection, c) if gain is None else None
-    solution = state.solve(minimise=lambda v: v.bound, near=near, solver=solver)
+    solution = state.solve(minimise=lambda v: v.bound, near=near)
     answer = solution.values
     inner = {**answer, **{name: function(_Attributes(answer)) for name, function in fixed.items()}}
     m = outward(np.linalg.solve(answer["P"], answer["U"]), x, y, t) if gain is None else fixed_gain
@@ -142,12 +140,12 @@ def design_observer(
     gap = np.inf if solution.gap is None else solution.gap
     with answer_of_a_search():
         try:
-            return certified_design(plant, generator, Pi, m, values, gap, **bounds)
+            return certified_design(plant, generator, Pi, m, values, gap)
         except CertificateError:
             if gain is not None:
                 raise
             # The rounding of a large M = P^-1 U can exceed the margins of U: that M needs a P of its own.
-            again = design_observer(plant, generator, Pi, gain=m, decay=decay, solver=solver, **bounds)
+            again = design_observer(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
 
 
@@ -158,7 +156,6 @@ def certified_design(
     gain: Any,
     values: dict[str, Any],
     gap: float = np.inf,
-    **bounds: float,
 ) -> ObserverDesign:
     """The design of a gain M and of matrices from any source, audited in the theorem as stated.
 
@@ -171,7 +168,7 @@ def certified_design(
     require_map(plant, generator, connection.pi)
     m = matrix("gain", gain, g.q, plant.p)
     values = {**values, "U": values["P"] @ m}
-    theorem = theorem_3_2_1(plant, generator, Pi, **bounds)
+    theorem = theorem_3_2_1(plant, generator, Pi)
     margins = theorem.check(values, printed=False)
     # M runs, not P^-1 U: the rounding of P M counts as well, large beside U where P is nearly singular.
     theorem.unknowns.computed("U", np.abs(values["P"]) @ np.abs(m))

@@ -13,9 +13,7 @@ from pointpred_observers.matrices import positive
 from pointpred_observers.persidskii import Persidskii
 
 
-def design_full_order(
-    plant: Plant, *, decay: float = 1.0, gain: Any = None, solver: str = "CLARABEL", **bounds: float
-) -> ObserverDesign:
+def design_full_order(plant: Plant, *, decay: float = 1.0, gain: Any = None) -> ObserverDesign:
     """The observer that estimates every state from the outputs and the known inputs, with its certificate.
 
     Theorem 3.2.1 with the plant itself as its generator and Pi = I: the inputs of B and of Q are both
@@ -23,9 +21,9 @@ def design_full_order(
 
     z' = A0 z + A1 f(Hz) + B u + Q rho + M (y - C0 z - C1 f(Hz))
 
-    Parameters: ``decay`` in 1/s (1/step), > 0, demanded of the error; ``gain``, ``margin`` and ``kappa`` as
-    for ``design_observer``, which also says what is raised. ``observer_stage`` runs it; its inputs are y,
-    then u and rho.
+    Parameters: ``decay`` in 1/s (1/step), > 0, demanded of the error; ``gain`` as for
+    ``design_observer``, which also says what is raised. ``observer_stage`` runs it; its inputs are y, then u
+    and rho.
 
     Reference: Khalin 2022, Theorem 3.2.1.
 
@@ -40,4 +38,4 @@ def design_full_order(
         one.A0, one.A1, one.H, one.f, None, inputs, one.C0, one.C1, time=one.time, domain=one.domain
     )
     copied = Generator(one.A0, one.A1, one.H, E=inputs)
-    return design_observer(known, copied, np.eye(one.n), gain=gain, decay=decay, solver=solver, **bounds)
+    return design_observer(known, copied, np.eye(one.n), gain=gain, decay=decay)

@@ -48,8 +48,6 @@ def assumption_3_2_2(
     Pi: Any = None,
     *,
     decay: float | None = None,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> DecayCertificate:
     """A certificate of incremental input-to-state stability, by a quadratic function of the difference.
 
@@ -78,6 +76,6 @@ left of 0
     """
     system = incremental_system(plant, generator, Pi)
     try:
-        return certify_decay(system, decay=decay, solver=solver, **bounds)
+        return certify_decay(system, decay=decay)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 3.2.2: {failure}") from failure

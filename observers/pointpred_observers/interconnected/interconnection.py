@@ -149,7 +149,6 @@ def theorem_3_2_1(
     Pi: Any,
     *,
     F: Any = None,
-    **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.2.1 for a plant, its generator and their steady-state map.
 
@@ -167,7 +166,7 @@ def theorem_3_2_1(
     connection = Interconnection(plant, generator, Pi)
     plant = connection.plant
     q, p = connection.g.q, plant.p
-    problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).symmetric("Theta", q)
+    problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).symmetric("Theta", q)
     problem.symmetric("Gamma", p).symmetric("Xi", q).free("U", q, p)
     for name in ("Theta", "Gamma", "Xi"):
         problem.above(f"{name} > 0", attrgetter(name))

@@ -38,11 +38,11 @@ class Regulated(msgspec.Struct, frozen=True):
         """The matrices of Assumption 3.2.3."""
         return cls(g.S0 + g.G @ plant.C0 @ pi, g.S1 + g.G @ plant.C1, plant.H @ pi)
 
-    def inequalities(self, **bounds: float) -> MatrixInequalities:
+    def inequalities(self) -> MatrixInequalities:
         """Assumption 3.2.3 with the condition of Theorem 3.2.2."""
         s, tilde, j = self.s, self.tilde, self.j
         q, k = tilde.shape
-        problem = MatrixInequalities("Assumption 3.2.3", **bounds).positive("P", q).symmetric("Gamma", q)
+        problem = MatrixInequalities("Assumption 3.2.3").positive("P", q).symmetric("Gamma", q)
         problem.symmetric("Xi", q)
         for name in ("Omega", "Lambda") if k else ():
             problem.diagonal(name, k)
@@ -121,11 +121,11 @@ class Followed(msgspec.Struct, frozen=True):
         """The matrices of Assumption 3.2.6."""
         return cls(plant.A0 - pi @ g.G @ plant.C0, plant.A1 - pi @ g.G @ plant.C1, plant.H, sector)
 
-    def inequalities(self, **bounds: float) -> MatrixInequalities:
+    def inequalities(self) -> MatrixInequalities:
         """Assumption 3.2.6 with the conditions of Theorem 3.2.3."""
         a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
         n, k = a1.shape
-        problem = MatrixInequalities("Assumption 3.2.6", **bounds).positive("P", n).symmetric("Gamma", n)
+        problem = MatrixInequalities("Assumption 3.2.6").positive("P", n).symmetric("Gamma", n)
         problem.symmetric("Xi", n)
         if not k:
             return _linear(problem, a0)

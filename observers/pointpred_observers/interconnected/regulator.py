@@ -44,8 +44,6 @@ def design_regulator(
     L1: Any = None,
     reference: Generator | None = None,
     following: tuple[Any, Any] | None = None,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> RegulatorDesign:
     """A regulator w' = S0 w + S1 f(Jw) + G Y + E rho, u = L0 w + L1 f(Jw), with proofs of its convergence.
 
@@ -62,7 +60,7 @@ def design_regulator(
     conditions; ``certify_tracking`` may refuse what is proved here, as its Assumption 3.2.3 needs J S~ < 0.
 
     Parameters: ``decay`` in 1/s (1/step) of the closed loop and, unless ``observer_decay`` is given, of x -
-    w; ``L1`` as for ``design_state_feedback``; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    w; ``L1`` as for ``design_state_feedback``.
     Raises InfeasibleError naming an undetectable mode, a mode that no input moves, or the equality of the
     reference that cannot hold; what the solver raises; ParameterError.
 
@@ -79,9 +77,9 @@ def design_regulator(
     if (reference is None) != (following is None):
         raise ParameterError("give reference and following = (R, F) together: R x is to follow F r")
     copied = Generator(one.A0, one.A1, one.H, E=one.Q)
-    observer = design_observer(one, copied, np.eye(one.n), decay=faster, solver=solver, **bounds)
+    observer = design_observer(one, copied, np.eye(one.n), decay=faster)
     if reference is None:
-        feedback = design_state_feedback(one, decay=decay, L1=L1, solver=solver, **bounds)
+        feedback = design_state_feedback(one, decay=decay, L1=L1)
         return RegulatorDesign(
             one, _regulator(one, observer.gain, feedback), np.eye(one.n), observer, feedback
         )
@@ -91,7 +89,7 @@ def design_regulator(
         )
     equations = regulator_equations(one, reference, following=following)
     cancelling = equations.L1 if L1 is None else L1
-    feedback = design_state_feedback(one, decay=decay, L1=cancelling, solver=solver, **bounds)
+    feedback = design_state_feedback(one, decay=decay, L1=cancelling)
     left, terms = (
         one.A1 + one.B @ feedback.L1,
         np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),

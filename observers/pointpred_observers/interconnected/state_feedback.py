@@ -38,8 +38,6 @@ def design_state_feedback(
     *,
     decay: float = 1.0,
     L1: Any = None,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> StateFeedback:
     """The feedback u = L0 x + L1 f(Hx) of small gain with which any two solutions approach each other.
 
@@ -54,7 +52,7 @@ def design_state_feedback(
     Lyapunov for all slopes: a refusal does not prove that no feedback exists unless f is absent.
 
     Parameters: ``decay`` in 1/s (1/step), > 0; ``L1`` (m, k) if it is chosen already: zeros, or one that
-    cancels A1, for which slopes are not needed; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    cancels A1, for which slopes are not needed.
     Raises InfeasibleError naming a mode that no input moves before any solver runs; InfeasibleError,
     UndecidedError and CertificateError from the solver; ParameterError for a plant without input, with
     varying matrices, or slopes that are missing or not bounded.
@@ -75,8 +73,8 @@ def design_state_feedback(
         raise ParameterError("a feedback needs an input: give the plant a B other than 0", field="B")
     fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)
     _require_stabilisable(one, fixed)
-    l0, l1 = _gains(one, ROOM * decay, fixed, solver, bounds)
-    certificate = certify_decay(closed_system(one, l0, l1), decay=decay, solver=solver, **bounds)
+    l0, l1 = _gains(one, ROOM * decay, fixed)
+    certificate = certify_decay(closed_system(one, l0, l1), decay=decay)
     return StateFeedback(l0, l1, certificate)
 
 
@@ -107,9 +105,7 @@ def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
             )
 
 
-def _gains(
-    plant: Persidskii, decay: float, fixed: FloatArray | None, solver: str, bounds: dict[str, float]
-) -> tuple[FloatArray, FloatArray]:
+def _gains(plant: Persidskii, decay: float, fixed: FloatArray | None) -> tuple[FloatArray, FloatArray]:
     """L0 and L1 in the user's units, from a problem in balanced ones."""
     l1 = np.zeros((plant.m, plant.k)) if fixed is None else fixed
     a1 = without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
@@ -125,7 +121,7 @@ def _gains(
     inputs = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
     scaled = (inward(drift, x, x, t), b * inputs, inward(driven, x, f, t), inward(inner, f, x))
     free = fixed is None and bool(used.any())
-    y, z = _solved(*scaled, decay * t, plant.time, free=free, solver=solver, bounds=bounds)
+    y, z = _solved(*scaled, decay * t, plant.time, free=free)
     l0 = outward(y, inputs, x)
     if free:
         l1[:, used] = outward(z, inputs, f)
@@ -149,12 +145,10 @@ def _solved(
     time: str,
     *,
     free: bool,
-    solver: str,
-    bounds: dict[str, float],
 ) -> tuple[FloatArray, FloatArray]:
     """L0 + L1 m H and L1 for abs(df_j) <= abs(h_j x), the least input over the ellipsoid."""
     (n, m), k = b.shape, a1.shape[1]
-    problem = MatrixInequalities("state feedback", **bounds).positive("X", n).free("Y", m, n).number("size")
+    problem = MatrixInequalities("state feedback").positive("X", n).free("Y", m, n).number("size")
     if k:
         problem.diagonal("T", k).above("T > 0", lambda v: v.T)
     if free:
@@ -189,7 +183,7 @@ def _solved(
 
     problem.below("the closed loop", discrete if time == "discrete" else continuous)
     problem.above("the input's size", input_size, strict=False)
-    found = problem.solve(minimise=lambda v: v.size, solver=solver).values
+    found = problem.solve(minimise=lambda v: v.size).values
     l0 = np.linalg.solve(found["X"], found["Y"].T).T
     l1 = found["Z"] / np.diag(found["T"]) if free else np.zeros((m, k))
     return np.asarray(l0, np.float64), np.asarray(l1, np.float64)

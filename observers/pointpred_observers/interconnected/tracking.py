@@ -41,7 +41,6 @@ def theorem_3_2_2(
     plant: Plant,
     regulator: Generator,
     Pi: Any,
-    **bounds: float,
 ) -> MatrixInequalities:
     """Assumption 3.2.3 with the condition of Theorem 3.2.2: the regulator is ISS with respect to z, w and v.
 
@@ -53,7 +52,7 @@ def theorem_3_2_2(
     """
     plant = as_plant(plant)
     g, pi = _shared(plant, regulator, Pi)
-    return Regulated.of(plant, g, pi).inequalities(**bounds)
+    return Regulated.of(plant, g, pi).inequalities()
 
 
 def theorem_3_2_3(
@@ -61,7 +60,6 @@ def theorem_3_2_3(
     regulator: Generator,
     Pi: Any,
     sector: SectorBounds | None = None,
-    **bounds: float,
 ) -> MatrixInequalities:
     """Assumption 3.2.6 with the conditions of Theorem 3.2.3: z = x - Pi w is ISS with respect to d, w and v.
 
@@ -71,7 +69,7 @@ def theorem_3_2_3(
     plant = as_plant(plant)
     g, pi = _shared(plant, regulator, Pi)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
-    return Followed.of(plant, g, pi, bound).inequalities(**bounds)
+    return Followed.of(plant, g, pi, bound).inequalities()
 
 
 def certify_tracking(
@@ -80,9 +78,7 @@ def certify_tracking(
     Pi: Any,
     *,
     sector: SectorBounds | None = None,
-    solver: str = "CLARABEL",
     tolerance: float = TOLERANCE,
-    **bounds: float,
 ) -> TrackingCertificate:
     """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
 
@@ -90,8 +86,7 @@ def certify_tracking(
     is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
 
     Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
-    of the equalities, a share of their own terms, for matrices rounded in print; ``margin`` and
-    ``kappa`` as for ``MatrixInequalities``.
+    of the equalities, a share of their own terms, for matrices rounded in print.
     Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
     UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
 
@@ -122,7 +117,7 @@ def certify_tracking(
     failed: list[Exception] = []
     for one in both.values():
         try:
-            solutions.append(_certified(one, solver, bounds))
+            solutions.append(_certified(one))
         except (InfeasibleError, UndecidedError, CertificateError) as failure:
             failed.append(failure)
     if failed:
@@ -155,12 +150,12 @@ def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
         raise InfeasibleError("; ".join(reasons))
 
 
-def _certified(one: Regulated | Followed, solver: str, bounds: dict[str, float]) -> Solution:
+def _certified(one: Regulated | Followed) -> Solution:
     """Matrices found in balanced units and audited in the user's."""
     units = one.units()
-    inner = one.inward(units).inequalities(**bounds).solve(solver=solver)
+    inner = one.inward(units).inequalities().solve()
     values = one.outward(inner.values, units)
-    return Solution(values, one.inequalities(**bounds).check(values, printed=False))
+    return Solution(values, one.inequalities().check(values, printed=False))
 
 
 def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:

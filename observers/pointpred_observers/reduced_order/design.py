@@ -49,8 +49,6 @@ def design_reduced_order(
     *,
     decay: float = 1.0,
     injection: bool = False,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> ReducedOrderDesign:
     """The reduced-order observer with Upsilon from the inequality, and its certificate.
 
@@ -107,13 +105,11 @@ def design_reduced_order(
         chosen = choices[0]
         if choices[1].shape[1]:
             rates = decay, 2.0 * decay + gamma
-            chosen, gap, near = _chosen(plant, parts, sloped, choices, rates, solver, bounds)
+            chosen, gap, near = _chosen(plant, parts, sloped, choices, rates)
         upsilon = chosen / units.outputs
         try:
             observer = invariant_observer(plant, basis, upsilon, injection=injection)
-            certificate = certify_convergence(
-                observer, decay=decay, gamma=gamma, times=None, near=near, solver=solver, **bounds
-            )
+            certificate = certify_convergence(observer, decay=decay, gamma=gamma, times=None, near=near)
         except InfeasibleError as failure:
             if not choices[1].shape[1]:
                 raise
@@ -178,8 +174,6 @@ def _chosen(
     sloped: bool,
     choices: tuple[FloatArray, FloatArray],
     rates: tuple[float, float],
-    solver: str,
-    bounds: dict[str, float],
 ) -> tuple[FloatArray, float, dict[str, Any]]:
     """Upsilon of ``choices``, U0 + N K, its gap and its P, by balanced units; ``rates`` of e and of V."""
     units = balanced(
@@ -210,8 +204,6 @@ def _chosen(
         inward(base, x, y, t),
         np.linalg.qr(free / x[:, None])[0],
         rates[1] * t,
-        solver,
-        bounds,
     )
     upsilon, gap, proof = choice.made()
     back = {

@@ -39,7 +39,6 @@ def theorem_3_3_1(
     *,
     F: Any = None,
     times: Sequence[float] | None = None,
-    **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's matrices.
 
@@ -57,7 +56,7 @@ def theorem_3_3_1(
     connections, slopes = connections_of(observer, slopes, times)
     gamma = positive("gamma", gamma)
     q = len(connections[0].S0)
-    problem = MatrixInequalities("Theorem 3.3.1", **bounds).positive("P", q).symmetric("Xi", q)
+    problem = MatrixInequalities("Theorem 3.3.1").positive("P", q).symmetric("Xi", q)
     problem.above("Xi > 0", lambda v: v.Xi)
     sloped = any(one.S1.any() for one in connections)
     if sloped:
@@ -78,7 +77,6 @@ def theorem_3_3_2(
     gamma: float | None = None,
     *,
     times: Sequence[float] | None = None,
-    **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.2 with a constant P.
 
@@ -97,7 +95,7 @@ def theorem_3_3_2(
     else:
         positive("gamma", gamma)
     q = len(connections[0].S0)
-    problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
+    problem = MatrixInequalities("Theorem 3.3.2").positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
 
     for i, (one, constant) in enumerate(zip(connections, bounds_of_f, strict=True)):
@@ -113,8 +111,6 @@ def certify_convergence(
     gamma: float | None = None,
     times: Sequence[float] | None = None,
     near: dict[str, Any] | None = None,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
@@ -125,8 +121,7 @@ def certify_convergence(
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
-    ``near`` matrices by name, P and then W or alpha, where the search may begin; ``margin``, ``kappa`` as for
-    ``MatrixInequalities``.
+    ``near`` matrices by name, P and then W or alpha, where the search may begin.
     Raises CertificateError for an equality that fails by more than the default tolerance, whatever the
     observer's; InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
@@ -153,9 +148,7 @@ def certify_convergence(
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
         try:
-            values, margins, gap = _solved(
-                connections, observer.plant, (rate, gamma or rate), near or {}, solver, bounds
-            )
+            values, margins, gap = _solved(connections, observer.plant, (rate, gamma or rate), near or {})
         except (InfeasibleError, UndecidedError) as failure:
             if rate == tried[-1]:
                 unit = "1/step" if observer.plant.time == "discrete" else "1/s"
@@ -257,8 +250,6 @@ def _solved(
     plant: Persidskii,
     rates: tuple[float, float],
     near: dict[str, Any],
-    solver: str,
-    bounds: dict[str, float],
 ) -> tuple[dict[str, Any], dict[str, float], float]:
     """Matrices and margins in the user's units, from a problem in balanced ones, and its gap."""
     decay, gamma = rates
@@ -281,7 +272,7 @@ def _solved(
         for one in connections
     ]
     slopes = units.slopes(plant.slopes)
-    problem, identity = _theorem(inner, plant.time, slopes, gamma * t, bounds), np.eye(len(x))
+    problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
     needed = decay_share(decay * t, plant.time)
     problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
     problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
@@ -292,7 +283,7 @@ def _solved(
         for name, one in near.items()
     }
     start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
-    solution = problem.solve(minimise=_size, near=start, solver=solver)
+    solution = problem.solve(minimise=_size, near=start)
     values = {
         name: one if name == "alpha" else form(one, x)
         for name, one in solution.values.items()
@@ -301,7 +292,7 @@ def _solved(
     for name in ("Xi", "W"):
         if name in values:
             values[name] = values[name] / t
-    theorem = _theorem(connections, plant.time, plant.slopes, gamma, bounds)
+    theorem = _theorem(connections, plant.time, plant.slopes, gamma)
     with answer_of_a_search():
         # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
         share = decay_share(decay, plant.time)
@@ -354,12 +345,11 @@ def _theorem(
     time: str,
     slopes: tuple[tuple[float, float], ...] | None,
     gamma: float,
-    bounds: dict[str, Any],
 ) -> MatrixInequalities:
     """The inequalities of the theorem."""
     if time == "discrete":
-        return theorem_3_3_2(connections, slopes, **bounds)
-    return theorem_3_3_1(connections, slopes, gamma, **bounds)
+        return theorem_3_3_2(connections, slopes)
+    return theorem_3_3_1(connections, slopes, gamma)
 
 
 def decay_share(decay: float, time: str) -> float:

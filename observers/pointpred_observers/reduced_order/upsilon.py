@@ -115,8 +115,6 @@ class Choice(msgspec.Struct, frozen=True):
     base: FloatArray
     free: FloatArray
     rate: float
-    solver: str
-    bounds: dict[str, float]
 
     def made(self) -> tuple[FloatArray, float, dict[str, Any]]:
         """An Upsilon with a small output injection, the gap of its size, and its P with W or alpha."""
@@ -135,7 +133,7 @@ class Choice(msgspec.Struct, frozen=True):
             strict=False,
         )
         near = None if rest.shape[1] else self._start()
-        solution = problem.solve(minimise=lambda v: v.size, near=near, solver=self.solver)
+        solution = problem.solve(minimise=lambda v: v.size, near=near)
         values = solution.values
         p = tilt @ values["P2"] @ tilt.T
         if rest.shape[1]:
@@ -155,7 +153,7 @@ class Choice(msgspec.Struct, frozen=True):
             if slowest >= (exp(most) if discrete else most):
                 return None
         try:
-            return self._analysis(self.base, slack=False).solve(solver=self.solver).values
+            return self._analysis(self.base, slack=False).solve().values
         except (InfeasibleError, UndecidedError, CertificateError):
             return None
 
@@ -189,7 +187,7 @@ class Choice(msgspec.Struct, frozen=True):
         whole = np.eye(len(self.parts.drift))
         other = msgspec.structs.replace(self, base=np.zeros_like(self.base), free=whole)
         try:
-            other._problem(whole, whole[:, :0], slack=False).solve(near=None, solver=self.solver)
+            other._problem(whole, whole[:, :0], slack=False).solve(near=None)
         except UndecidedError:
             return
 
@@ -198,12 +196,12 @@ class Choice(msgspec.Struct, frozen=True):
         tilt, slack = self.free, np.inf
         for _ in range(TURNS_MOST):
             problem = self._problem(tilt, rest, slack=True)
-            values = problem.solve(minimise=lambda v: v.slack, solver=self.solver).values
+            values = problem.solve(minimise=lambda v: v.slack).values
             slack = values["slack"] - SLACK
             if slack < -2.0 * problem.margin:
                 return tilt
             upsilon = self._upsilon(values)
-            values = self._analysis(upsilon).solve(minimise=lambda v: v.slack, solver=self.solver).values
+            values = self._analysis(upsilon).solve(minimise=lambda v: v.slack).values
             inner = self.free.T @ values["P"] @ self.free
             tilt = self.free + rest @ np.linalg.solve(inner, self.free.T @ values["P"] @ rest).T
         raise UndecidedError(
@@ -217,7 +215,7 @@ class Choice(msgspec.Struct, frozen=True):
     def _problem(self, tilt: FloatArray, rest: FloatArray, *, slack: bool) -> MatrixInequalities:
         """The problem for a fixed T: unknowns P1, P2 and K2 = P2 K."""
         width, other = tilt.shape[1], rest.shape[1]
-        problem = MatrixInequalities("choice of Upsilon", **self.bounds).positive("P2", width)
+        problem = MatrixInequalities("choice of Upsilon").positive("P2", width)
         if other:
             problem.positive("P1", other)
         problem.free("K2", width, len(self.parts.seen))
@@ -233,7 +231,7 @@ class Choice(msgspec.Struct, frozen=True):
 
     def _analysis(self, upsilon: FloatArray, *, slack: bool = True) -> MatrixInequalities:
         """The problem for a fixed Upsilon: the unknown is P."""
-        problem = MatrixInequalities("analysis", **self.bounds).positive("P", len(upsilon))
+        problem = MatrixInequalities("analysis").positive("P", len(upsilon))
 
         def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:
             return np.asarray(v.P @ (first + upsilon @ second))

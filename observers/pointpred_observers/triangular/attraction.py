@@ -41,8 +41,6 @@ def assumption_4_4_2(
     region: Region = None,
     *,
     decay: float | None = None,
-    solver: str = "CLARABEL",
-    **bounds: float,
 ) -> AttractionCertificate:
     """A certificate of Assumption 4.4.2 in a region: detectable output, incrementally stable plant.
 
@@ -92,7 +90,7 @@ def assumption_4_4_2(
     drive = np.broadcast_to(np.eye(n), (len(corners), n, n)).copy()
     errors = ErrorSystem(np.array(corners), drive, np.eye(n), tuple(names), {"d": n}, "continuous")
     try:
-        found = certify_decay(errors, decay=decay, solver=solver, **bounds)
+        found = certify_decay(errors, decay=decay)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 4.4.2: {failure}") from failure
     return AttractionCertificate(

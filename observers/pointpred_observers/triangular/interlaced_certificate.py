@@ -56,7 +56,7 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
         return self.overshoot * exp(-self.rate * t) * start + self.noise_gain * noise
 
 
-def theorem_4_4_1(a: ArrayLike, c: ArrayLike, **bounds: float) -> MatrixInequalities:
+def theorem_4_4_1(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
     """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
     system = matrix("A", a)
     q = len(system)
@@ -67,7 +67,7 @@ def theorem_4_4_1(a: ArrayLike, c: ArrayLike, **bounds: float) -> MatrixInequali
         corner = v.P @ system - v.U @ output
         return np.block([[corner + corner.T + v.Q, -v.U], [-v.U.T, -v.Gamma]])
 
-    problem = MatrixInequalities("Theorem 4.4.1", **bounds).positive("P", q)
+    problem = MatrixInequalities("Theorem 4.4.1").positive("P", q)
     problem.symmetric("Q", q).symmetric("Gamma", p).free("U", q, p)
     problem.above("Q", lambda v: v.Q).above("Gamma", lambda v: v.Gamma)
     return problem.below("the matrix of (4.16)", block)
