@@ -14,12 +14,11 @@ import numpy as np
 import pytest
 
 import pointpred_observers as o
-from pages import DOCS
 from pointpred_observers.cli.observer_examples import EXAMPLES
 from pointpred_observers.documents.files import decoded, encoded
 from tests.conftest import Left
 
-pytest.importorskip("cvxpy")
+GUIDE = Path(__file__).parents[1] / "docs" / "own-plant.md"
 
 Command = Callable[..., Left]
 
@@ -41,7 +40,7 @@ def test_every_example_is_a_plant_that_can_be_changed(command: Command, name: st
 
 
 def test_the_motor_of_the_guide_is_the_one_that_is_written(command: Command) -> None:
-    page = (DOCS / "guide" / "observers" / "own-plant.md").read_text(encoding="utf-8")
+    page = GUIDE.read_text(encoding="utf-8")
     (block,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
     assert encoded(decoded(block)).decode() == command("observers", "example", "motor").out
     (call,) = re.findall(r">>> motor = (Persidskii\(.*?\n\.\.\. \))", page, re.DOTALL)

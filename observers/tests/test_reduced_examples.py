@@ -21,7 +21,7 @@ from pointpred_observers import (
 from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
 from pointpred_observers.reduced_order.reversed_certificate import theorem_3_3_1
 
-PAGES = Path(__file__).parents[2] / "docs" / "guide" / "observers"
+PAGES = Path(__file__).parents[1] / "docs"
 PRINTED = [[-1.0, 0.0], [0.0, 0.0]]
 
 
