@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import msgspec
@@ -36,8 +37,7 @@ class Answer(msgspec.Struct, frozen=True):
 
 def run(problem: Affine, *, margin: float | None) -> Answer:
     """Minimise the objective at the given margin, or find the largest margin if it is ``None``."""
-    import cvxpy
-
+    cvxpy: Any = import_module("cvxpy")  # where it is first needed: it takes a second
     y, t = cvxpy.Variable(problem.basis.shape[1]), cvxpy.Variable()
     x = problem.x0 + problem.basis @ y
     needed = t if margin is None else margin
