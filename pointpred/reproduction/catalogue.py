@@ -126,7 +126,7 @@ LISTED = (
         slow=True,
     ),
 )
-ENTRIES = {
+ENTRIES: dict[str, Entry] = {
     entry.number: entry
     for entries in (LISTED, *(found.load() for found in entry_points(group="pointpred.figures")))
     for entry in entries
