@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred_observers.inequalities.definite import least
 from pointpred_observers.matrices import TIMES, matrix, one_of, positive

@@ -6,8 +6,8 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred_observers.balance import balanced, inward
 from pointpred_observers.eigenvalues import number_text

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, overload
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.interconnected.generator import Generator
 from pointpred_observers.linear_systems import Plant, as_plant

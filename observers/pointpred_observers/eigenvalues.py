@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from math import log
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError
 
 

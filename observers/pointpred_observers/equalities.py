@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.matrices import ROUNDING, without_rounding
 
 TOLERANCE = 1e-9

@@ -6,8 +6,8 @@ from functools import singledispatch
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred_observers.interconnected.design import ObserverDesign

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 
 Kind = TypeVar("Kind")
 TIMES = ("continuous", "discrete")

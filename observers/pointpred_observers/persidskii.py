@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred_observers.matrices import TIMES, dimensions, matrix, one_of
 from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
 from pointpred_observers.slopes import require_slopes

@@ -9,8 +9,8 @@ from math import cos, inf, pi, tanh
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.nonlinearity import (
     ATAN,

@@ -8,8 +8,7 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
-
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 
 def filter_start(

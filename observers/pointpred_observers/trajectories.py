@@ -7,8 +7,8 @@ from math import ceil, floor
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import DivergenceError, ParameterError
 from pointpred_observers.matrices import listed, matrix, one_of, positive
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.camera import kinematics
 from pointpred_observers.camera.point_filter import PointTrack

@@ -6,6 +6,7 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages import FIGURES
 from pages.arguments import parse
@@ -14,7 +15,6 @@ from pages.camera.figures import draw
 from pages.camera.tables import designs, residuals
 from pages.data import Table, keep
 from pointpred.cli.progress import following
-from pointpred.columns import FloatArray
 from pointpred_observers.camera import (
     WAYS,
     DepthObserver,

@@ -8,12 +8,11 @@ from operator import attrgetter
 from typing import Any, ClassVar
 
 import numpy as np
+from pointpred.records import LATEST_S, FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LATEST_S
+from pointpred.parameter import is_number
 from pointpred.stage import CompiledStage
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, SampleRow
 

@@ -7,12 +7,11 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
+from pointpred.records import Columns, FloatArray, Row
 
-from pointpred.columns import Columns, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import option, parameter
-from pointpred.rows import Row
 from pointpred.stage import loop_of
 from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred_observers.camera.model import SCHEDULED, C

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from math import cos, sin, sqrt
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
+
 from pointpred.compiled import law
 
 Vector = tuple[float, float, float]

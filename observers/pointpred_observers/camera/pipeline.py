@@ -8,8 +8,8 @@ from typing import Self
 
 import msgspec
 import numpy as np
+from pointpred.records import Columns
 
-from pointpred.columns import Columns
 from pointpred.errors import EventError
 from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
 from pointpred_observers.camera.point_filter import PointEstimate, PointFilter

@@ -6,11 +6,10 @@ from math import nan, sqrt
 
 import msgspec
 import numpy as np
+from pointpred.records import BoolArray, FloatArray, Row
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.rows import Row
 from pointpred.stage import loop_into, offsets
 from pointpred_observers.camera import kinematics, starting
 from pointpred_observers.camera.camera_stage import CameraStage, usable

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from math import sqrt
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
+
 from pointpred.compiled import law
 from pointpred.stage import offsets
 

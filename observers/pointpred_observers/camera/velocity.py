@@ -6,11 +6,10 @@ from math import nan
 from typing import Any
 
 import numpy as np
+from pointpred.records import METRES_PER_INCH, FloatArray, PointerEvent
 
-from pointpred.columns import FloatArray
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
 from pointpred.errors import ParameterError
-from pointpred.events import METRES_PER_INCH, PointerEvent
 from pointpred.parameter import Parameter, check
 from pointpred_observers.camera.depth import DepthColumns
 from pointpred_observers.camera.samples import FOCAL, CameraColumns, CameraSample

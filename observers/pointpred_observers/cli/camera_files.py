@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import missing_extra
 from pointpred_observers.camera import CameraColumns, CameraTable, Trajectory

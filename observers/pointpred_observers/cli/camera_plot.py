@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, PALETTE, canvas, picture
 from pointpred.files import write_whole
 from pointpred_observers.camera import CameraTable

@@ -6,8 +6,8 @@ from typing import Any, Self
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred_observers.documents.entries import (
     Document,

@@ -8,10 +8,10 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred_observers.balance import balanced, form, inward
 from pointpred_observers.bounds import ErrorBound, eigenvalues
 from pointpred_observers.error_systems.system import ErrorSystem

@@ -8,8 +8,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.balance import balanced, form, inward
 from pointpred_observers.error_systems.h_infinity import h_infinity
 from pointpred_observers.error_systems.system import ErrorSystem

@@ -9,10 +9,10 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred_observers.detectability import vertices
 from pointpred_observers.eigenvalues import require_decay
 from pointpred_observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive

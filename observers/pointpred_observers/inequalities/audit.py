@@ -10,10 +10,10 @@ from contextlib import contextmanager
 from typing import Any, Self
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred_observers.equalities import allowed
 from pointpred_observers.inequalities.definite import ROUNDING, least
 from pointpred_observers.inequalities.unknowns import Block, Unknown, Unknowns

@@ -12,8 +12,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.inequalities.affine import Affine
 
 ENTIRE = 1e12

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.inequalities.affine import Affine, Block
 from pointpred_observers.inequalities.proof import Multipliers
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.parameter import is_number
 from pointpred_observers.balance import form, inward, outward
 from pointpred_observers.bounds import ErrorBound, interconnection_bound, region
 from pointpred_observers.detectability import require_detectable

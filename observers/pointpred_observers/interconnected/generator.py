@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.equalities import TOLERANCE, column_units, share_of_terms
 from pointpred_observers.linear_systems import Plant, as_plant

@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.eigenvalues import number_text
 
 ComplexArray = NDArray[np.complex128]

@@ -9,8 +9,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.balance import Coordinates, balanced, inward
 from pointpred_observers.detectability import vertices

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import ceil
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
+
 from pointpred.compiled import law, layout
 from pointpred.stage import loop_into
 from pointpred_observers import nonlinearity

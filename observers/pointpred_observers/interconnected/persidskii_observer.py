@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import ceil
 
 import numpy as np
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_law import (
     ACCEPTED,

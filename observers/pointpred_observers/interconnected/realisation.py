@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.eigenvalues import perron_root
 from pointpred_observers.matrices import dimensions, matrix
 

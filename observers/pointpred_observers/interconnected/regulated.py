@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.balance import Coordinates, balanced, form, inward
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.generator import Fitted

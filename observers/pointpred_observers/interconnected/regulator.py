@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred_observers.equalities import TOLERANCE, share_of_terms
 from pointpred_observers.interconnected.design import ObserverDesign, design_observer

@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.eigenvalues import number_text
 from pointpred_observers.equalities import TOLERANCE, nearest_solutions, share_of_terms

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred_observers.balance import balanced, inward, outward
 from pointpred_observers.detectability import undetectable, vertices

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.equalities import (
     TOLERANCE,

@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.equalities import TOLERANCE
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution

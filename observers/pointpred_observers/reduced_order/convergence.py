@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.bounds import ErrorBound, continuous_bound, discrete_bound, region
 from pointpred_observers.matrices import positive
 from pointpred_observers.persidskii import Persidskii

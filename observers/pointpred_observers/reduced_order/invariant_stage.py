@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred_observers.matrices import instance, matrix

@@ -8,8 +8,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.balance import balanced, form, inward
 from pointpred_observers.bounds import least_ratio

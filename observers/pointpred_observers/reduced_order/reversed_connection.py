@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
 from pointpred_observers.linear_systems import Plant, as_plant

@@ -5,8 +5,8 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 
 

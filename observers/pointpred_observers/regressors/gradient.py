@@ -10,8 +10,8 @@ from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import option, parameter

@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
 from pointpred.parameter import option, parameter

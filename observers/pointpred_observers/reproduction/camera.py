@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred_observers.camera import (

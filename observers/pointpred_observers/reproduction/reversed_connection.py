@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.panels import Look, Panel, beside, drawing
 from pointpred.errors import RecordingError
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values

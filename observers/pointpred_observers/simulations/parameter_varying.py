@@ -8,10 +8,10 @@ from math import isfinite
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.parameter import is_number
 from pointpred_observers.matrices import instance
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled

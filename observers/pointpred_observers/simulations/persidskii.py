@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred_observers.interconnected.design import ObserverDesign
 from pointpred_observers.interconnected.generator import (

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.detectability import require_detectable
 from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay

@@ -8,10 +8,10 @@ from typing import Any
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred_observers.balance import balanced, form, inward, outward
 from pointpred_observers.bounds import eigenvalues
 from pointpred_observers.detectability import require_detectable

@@ -12,8 +12,8 @@ from typing import Any
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import parameter

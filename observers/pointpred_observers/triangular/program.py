@@ -11,8 +11,8 @@ from math import acos, asin, atan, cos, cosh, exp, isfinite, log, nan, sin, sinh
 from typing import Any
 
 import msgspec
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred_observers.triangular.polynomials import symbolic

@@ -7,8 +7,8 @@ from typing import Any, Self
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.matrices import listed
 from pointpred_observers.triangular.polynomials import exact, symbolic

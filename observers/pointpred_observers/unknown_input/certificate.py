@@ -7,8 +7,8 @@ from math import exp, expm1, inf, log, sqrt
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred_observers.inequalities.definite import ROUNDING, least
 

@@ -7,8 +7,8 @@ from math import exp
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.unknown_input.gains import (
     NEGLIGIBLE,

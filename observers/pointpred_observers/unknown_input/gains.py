@@ -6,8 +6,8 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
 from pointpred_observers.stationary import decay_start, filter_start

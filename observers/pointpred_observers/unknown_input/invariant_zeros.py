@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.balance import balanced, inward
 from pointpred_observers.matrices import matrix

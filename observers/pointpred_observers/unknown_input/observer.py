@@ -8,10 +8,10 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred_observers.balance import form, inward, outward
 from pointpred_observers.eigenvalues import number_text, perron_root
 from pointpred_observers.matrices import instance

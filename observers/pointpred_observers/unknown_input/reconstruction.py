@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Self
 
 import numpy as np
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.matrices import matrix
 

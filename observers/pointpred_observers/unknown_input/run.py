@@ -8,8 +8,8 @@ from typing import Protocol, Self
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred_observers.eigenvalues import perron_root
 from pointpred_observers.unknown_input.boxes import Box

@@ -7,8 +7,8 @@ from copy import copy
 from typing import Any, Self
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers.balance import Coordinates, balanced
 from pointpred_observers.matrices import TIMES, dimensions, instance, matrix, one_of

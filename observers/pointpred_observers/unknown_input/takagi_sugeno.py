@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from typing import Any, Self
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred_observers import rounding
 from pointpred_observers.matrices import matrix
