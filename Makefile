@@ -50,7 +50,7 @@ faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut 
 	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py tests/unit/test_batch.py
 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
-	$(BIN)/python -m pytest -q -m slow tests/observers tests/camera tests/reproduction
+	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction
 
 page: $(READY)  ## translate the laws to JavaScript, into server/pointpred_server/web/laws
 	$(BIN)/python -m translation
@@ -91,7 +91,8 @@ fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
-	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info server/build server/*.egg-info
+	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
+	rm -rf server/build server/*.egg-info observers/build observers/*.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # What running needs, and nothing that only tests, reports, cameras or observers do.
@@ -105,7 +106,8 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
-$(READY): $(RUNS)
+$(READY): $(RUNS) observers/pyproject.toml
 	@echo 'installing what the tests need into .venv, about a minute' >&2
-	$(BIN)/python $(INSTALL) '.[dev]'
+	$(BIN)/python $(INSTALL) '.[dev]' \
+		--editable 'observers[camera]'
 	touch $(READY)

@@ -101,7 +101,7 @@ DOCUMENTS: dict[str, Callable[[], str]] = {
 
 PARTS: dict[str, dict[str, Callable[[], str]]] = {
     "README.md": {"scores": lambda: rendered("readme/scores.md", readme.context())},
-    "docs/guide/observers/example-7.md": {
+    "observers/docs/example-7.md": {
         "sniffer": lambda: rendered("observers/sniffer.md", measured("observers")()),
     },
 }

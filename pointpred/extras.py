@@ -15,14 +15,13 @@ from pointpred.errors import MissingExtraError
 
 SYSTEM = {"linux": ("hidraw", "Xlib"), "darwin": ("Quartz",)}
 """What reads mice and the cursor on each system."""
+OWN = "pointpred"
 EXTRAS = {
     "report": ("jinja2", "matplotlib", "pandas", "scipy", "statsmodels"),
     "tables": ("openpyxl", "pyxdf"),
     "live": (*SYSTEM.get(sys.platform, ()), "pylsl"),
     "client": ("websockets",),
     "train": ("scipy",),
-    "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
-    "camera": ("cv2",),
     "cluster": ("dask", "distributed"),
     "remote": ("fsspec",),
 }
@@ -34,45 +33,42 @@ def absent(extra: str) -> list[str]:
     return [name for name in EXTRAS[extra] if find_spec(name) is None]
 
 
-def require(extra: str, purpose: str, *more: str) -> None:
-    """Raise MissingExtraError, with the command that installs what is missing, where a library is.
+def require(extra: str, purpose: str) -> None:
+    """Raise MissingExtraError, with the command that installs what is missing, where a library is."""
+    if missing := absent(extra):
+        raise missing_extra(extra, f"{purpose} needs {', '.join(missing)}")
 
-    ``more``: further extras that the purpose needs.
+
+def missing_extra(extra: str, why: str, *, of: str = OWN) -> MissingExtraError:
+    """The error for what is not installed: an extra, or ``""`` for the distribution ``of`` itself.
+
+    ``why`` says what needs which library.
     """
-    missing = {name: absent(name) for name in (extra, *more)}
-    lacking = [name for name, libraries in missing.items() if libraries]
-    if lacking:
-        libraries = dict.fromkeys(library for name in lacking for library in missing[name])
-        raise missing_extra(",".join(lacking), f"{purpose} needs {', '.join(libraries)}")
-
-
-def missing_extra(extra: str, why: str) -> MissingExtraError:
-    """The error for an extra that is not installed; ``why`` says what needs which library."""
-    return MissingExtraError(f"{why}. Install it, which takes about a minute: {install_command(extra)}")
+    command = install_command(extra, of=of)
+    return MissingExtraError(f"{why}. Install it, which takes about a minute: {command}")
 
 
 def missing_distribution(name: str, why: str) -> MissingExtraError:
     """The error for a distribution that is not installed; ``why`` says what is in it."""
-    checkout = _checkout()
-    folder = name.removeprefix("pointpred-")
-    command = _pip("-e", str(Path(checkout, folder))) if checkout else _pip(name)
-    return MissingExtraError(f"{why} is in {name}, which is not installed. Install it: {command}")
+    return missing_extra("", f"{why} is in {name}, which is not installed", of=name)
 
 
-def install_command(extra: str) -> str:
-    """The shell command that installs an extra for the Python that runs, from the checkout if it runs one."""
-    checkout = _checkout()
-    return _pip("-e", f"{checkout}[{extra}]") if checkout else _pip(f"pointpred[{extra}]")
+def install_command(extra: str = "", *, of: str = OWN) -> str:
+    """The shell command that installs an extra for the Python that runs, from the checkout if it runs one.
 
-
-def _pip(*what: str) -> str:
+    ``of``: the distribution; in a checkout ``pointpred-observers`` lies in the folder ``observers``.
+    """
+    checkout, brackets = _checkout(), extra and f"[{extra}]"
+    if checkout and of != OWN:
+        checkout = str(Path(checkout, of.removeprefix(f"{OWN}-")))
+    what = ["-e", f"{checkout}{brackets}"] if checkout else [f"{of}{brackets}"]
     return f"{shlex.quote(sys.executable or 'python')} -m pip install {shlex.join(what)}"
 
 
 def _checkout() -> str | None:
     """The folder of the sources, where pointpred was installed from them with ``pip install -e``."""
     try:
-        record = json.loads(distribution("pointpred").read_text("direct_url.json") or "{}")
+        record = json.loads(distribution(OWN).read_text("direct_url.json") or "{}")
     except (PackageNotFoundError, ValueError):
         return None
     if not record.get("dir_info", {}).get("editable"):

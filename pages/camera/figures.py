@@ -1,4 +1,4 @@
-"""The figures of docs/guide/camera.md."""
+"""The figures of observers/docs/camera.md and of docs/evidence/camera.md."""
 
 from __future__ import annotations
 
@@ -6,21 +6,22 @@ from pathlib import Path
 
 import numpy as np
 
+from pages import ROOT
+from pages.camera.bounds import cramer_rao
 from pages.thinning import save, thin
-from pointpred.camera import (
+from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred_observers.camera import (
     SCENARIOS,
     CameraPipeline,
     DepthObserver,
     Noise,
     PointFilter,
     Scenario,
-    cramer_rao,
     trajectory,
 )
-from pointpred.camera.samples import observed
-from pointpred.cli.camera_files import truth_table
-from pointpred.cli.camera_plot import plot
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.cli.camera_files import truth_table
+from pointpred_observers.cli.camera_plot import plot
 
 
 def draw(folder: Path, focal_px: float) -> None:
@@ -36,7 +37,7 @@ def draw(folder: Path, focal_px: float) -> None:
         title = f"Scenario {name}, 2 px, focal length {focal_px:g} px (simulated)"
         plot(stages.run(samples), truth_table(truth), folder / f"camera-{name}.svg", title)
         thin(folder / f"camera-{name}.svg")
-    _fading(folder / "camera-fading.svg", focal_px)
+    _fading(ROOT / "observers" / "docs" / "figures" / "camera-fading.svg", focal_px)
     _bound(folder / "camera-bound.svg", focal_px)
 
 

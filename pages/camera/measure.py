@@ -9,31 +9,30 @@ import numpy as np
 
 from pages import FIGURES
 from pages.arguments import parse
+from pages.camera.bounds import consistent, cramer_rao
 from pages.camera.figures import draw
 from pages.camera.tables import designs, residuals
 from pages.data import Table, keep
-from pointpred.camera import (
+from pointpred.cli.progress import following
+from pointpred.records import FloatArray
+from pointpred_observers.camera import (
     WAYS,
     DepthObserver,
     Noise,
     PointFilter,
     Trajectory,
     UnknownInputs,
-    consistent,
-    cramer_rao,
-    printed,
     velocities,
 )
-from pointpred.camera.samples import observed
-from pointpred.cli.progress import following
-from pointpred.records import FloatArray
-from pointpred.reproduction.camera import (
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,
     NAMES,
     RUNS,
     START_CHI,
     START_ETA,
+    TABLE_I,
     estimated,
     scenario_45,
 )
@@ -164,7 +163,7 @@ def table_one(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
     """TABLE I as printed, ours from the printed start, and ours from a start that is right in v_z."""
     rows = []
     guessed = estimated(scenario_45(GUESSED_S, cosine=True))
-    for noise_px, values in printed.TABLE_I.items():
+    for noise_px, values in TABLE_I.items():
         rows.append((f"{noise_px}", "print", *_short(values)))
         rows.append(
             (f"{noise_px}", "ours", *_short(rms([run.ways["difference"] for run in runs[float(noise_px)]])))

@@ -15,7 +15,8 @@ from pages.arguments import parse
 from pages.data import Table, keep
 
 COLUMNS = ("package", "licence", "needed for")
-OWN = {"pointpred", "pointpred-server"}
+OWN = ("pointpred", "pointpred-server", "pointpred-observers")
+"""The project's distributions."""
 CLASSIFIED = {
     "Apache Software License": "Apache-2.0",
     "BSD License": "BSD",
@@ -54,10 +55,10 @@ def licence_of(name: str) -> str | None:
     return NAMED.get(text, text)
 
 
-def needed_by(extras: tuple[str, ...]) -> set[str]:
-    """The packages that pointpred with these extras and its service install, themselves excepted."""
+def needed_by(*start: tuple[str, tuple[str, ...]]) -> set[str]:
+    """The packages that these distributions with these extras install, the project's excepted."""
     found: set[str] = set()
-    waiting: list[tuple[str, tuple[str, ...]]] = [("pointpred", extras), ("pointpred-server", ())]
+    waiting = [*start]
     while waiting:
         name, wanted = waiting.pop()
         try:
@@ -88,7 +89,8 @@ def provided(own: Distribution) -> tuple[str, ...]:
 
 
 def main() -> None:
-    running, extras = needed_by(()), needed_by(provided(distribution("pointpred")))
+    running = needed_by((OWN[0], ()), (OWN[1], ()))
+    extras = needed_by(*((name, provided(distribution(name))) for name in OWN))
     rows = [(name, licence_of(name) or "unknown", purpose(name, running, extras)) for name in packages()]
     keep("licences", {"licences": Table.of(COLUMNS, rows)})
 

@@ -11,7 +11,7 @@ from pages.arguments import parse
 from pages.data import Table, keep
 from pages.sets import folder_with
 from pointpred.records import FloatArray
-from pointpred.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
+from pointpred_observers.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
 
 
 def recursion(rows: FloatArray, outputs: FloatArray, total: FloatArray, x: FloatArray) -> FloatArray:

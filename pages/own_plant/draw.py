@@ -5,11 +5,11 @@ from __future__ import annotations
 import doctest
 from typing import Any
 
-from pages import DOCS
+from pages import ROOT
 from pages.arguments import parse
 
-PAGE = DOCS / "guide" / "observers" / "own-plant.md"
-FIGURE = DOCS / "figures" / "own-plant.svg"
+PAGE = ROOT / "observers" / "docs" / "own-plant.md"
+FIGURE = PAGE.parent / "figures" / "own-plant.svg"
 
 
 def names() -> dict[str, Any]:

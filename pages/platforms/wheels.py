@@ -36,12 +36,12 @@ SYSTEMS = (
 
 
 def main() -> None:
-    library, server = (
+    library, server, observers = (
         tomllib.loads((ROOT / folder / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-        for folder in ("", "server")
+        for folder in ("", "server", "observers")
     )
     extras = library["optional-dependencies"].items()
-    needs = {one["name"]: one["dependencies"] for one in (library, server)}
+    needs = {one["name"]: one["dependencies"] for one in (library, server, observers)}
     needs |= {f"extra {name}": lines for name, lines in extras if name != "dev"}
     lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pinned = {canonicalize_name(line.partition("=")[0]): line for line in lines if "==" in line}

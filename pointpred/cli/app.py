@@ -13,14 +13,12 @@ from typing import Annotated, NoReturn
 import typer
 
 import pointpred
-from pointpred.cli.camera import app as camera
 from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
 from pointpred.cli.help_text import add_help
 from pointpred.cli.live import live
-from pointpred.cli.observers import app as observers
 from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -34,8 +32,10 @@ from pointpred.errors import ParameterError, PointpredError
 from pointpred.extras import missing_distribution
 
 DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
-
-ELSEWHERE = {"demo": "pointpred-server", "serve": "pointpred-server"}
+ELSEWHERE = {
+    **dict.fromkeys(("demo", "serve"), "pointpred-server"),
+    **dict.fromkeys(("camera", "observers"), "pointpred-observers"),
+}
 """Commands of distributions that may not be installed."""
 ANYTHING = {"ignore_unknown_options": True, "allow_extra_args": True}
 
@@ -60,10 +60,8 @@ app = typer.Typer(
 )
 for command in (score, train, simulate, convert, predictors, replay, reproduce, live, doctor):
     app.command()(command)
-app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
-app.add_typer(observers, name="observers")
 app.add_typer(recordings, name="recordings")
 installed = entry_points(group="pointpred.commands")  # of the distributions installed beside this one
 for entry in sorted(installed):

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable
 from contextlib import closing
 from importlib.metadata import entry_points
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -112,7 +113,7 @@ def _standing(folder: Path) -> Path:
 
 
 def extras() -> list[Finding]:
-    """Optional libraries."""
+    """Optional libraries, and the distribution of observers."""
     findings = []
     for extra, modules in EXTRAS.items():
         if missing := absent(extra):
@@ -120,6 +121,11 @@ def extras() -> list[Finding]:
             findings.append(Finding(f"extra {extra}", "missing", f"without {', '.join(missing)}", advice))
         else:
             findings.append(Finding(f"extra {extra}", "good", ", ".join(modules)))
+    if find_spec("pointpred_observers") is None:
+        advice = f"if you need observers or the camera: {install_command(of='pointpred-observers')}"
+        findings.append(Finding("pointpred-observers", "missing", "not installed", advice))
+    else:
+        findings.append(Finding("pointpred-observers", "good", "observers, camera"))
     return findings
 
 

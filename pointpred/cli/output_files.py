@@ -17,6 +17,8 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import write_whole
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
+PLANTS_AND_DESIGNS = "pointpred observers"
+"""The "format" of the files of pointpred-observers, which no result replaces."""
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
@@ -107,9 +109,7 @@ def _is_plant_or_design(path: Path) -> bool:
         formatted = msgspec.json.decode(path.read_bytes(), type=_Formatted)
     except (msgspec.DecodeError, OSError):
         return False
-    from pointpred.observers.documents.files import FORMAT
-
-    return formatted.format == FORMAT
+    return formatted.format == PLANTS_AND_DESIGNS
 
 
 def check_recording(out: Path, force: bool) -> None:

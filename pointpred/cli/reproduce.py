@@ -47,21 +47,23 @@ def reproduce(
     """Make a figure or table of the thesis or of the camera paper again, with its numbers beside the print.
 
     Draws an SVG file, prints each number of ours beside the printed one, and says what differs and why.
-    Figures need the extra 'report', those of chapters 3 and 4 'observers' as well: where one is missing, an
-    error shows the command that installs it.
+    Figures need the extra 'report'; those of chapters 3 and 4 and of the camera paper come with
+    pointpred-observers. Where one is missing, an error shows the command that installs it.
 
     Try:
 
       pointpred reproduce --list
 
-      pointpred reproduce 3.4
+      pointpred reproduce 2.11
 
       pointpred reproduce 2.12 --recordings study_samples.parquet --out error.svg
     """
-    from pointpred.reproduction.catalogue import ENTRIES, entry_of
+    from pointpred.reproduction.catalogue import ENTRIES, entry_of, not_installed
 
     if every:
         _print_list(list(ENTRIES.values()))
+        if missing := not_installed():
+            remarks().print(missing, markup=False, soft_wrap=True)
         return
     if number is None:
         raise ParameterError("name a figure or table, such as 2.12; --list shows all", field="number")
@@ -70,8 +72,7 @@ def reproduce(
         results().print(f"{_title(entry)}. {entry.differs}", markup=False, soft_wrap=True)
         return
     target = _target(entry, out, recordings, json, force)
-    first, *more = entry.extras
-    require(first, entry.number, *more)
+    require("report", entry.number)
     if entry.slow:
         remarks().print("scoring a whole experiment, which takes some seconds")
     made = entry.make(recordings)

@@ -60,7 +60,7 @@ class Entry(msgspec.Struct, frozen=True):
     """A figure or table of a source: what it shows, how it is made again, what differs and why.
 
     ``make`` takes the data that the user names or ``None``; it is ``None`` where the figure is a diagram.
-    ``reads``: what may be named, ``""`` where nothing may be. ``extras``: what must be installed.
+    ``reads``: what may be named, ``""`` where nothing may be.
     """
 
     number: str
@@ -68,7 +68,6 @@ class Entry(msgspec.Struct, frozen=True):
     shows: str
     differs: str
     make: Callable[[Path | None], Reproduction] | None = None
-    extras: tuple[str, ...] = ("report",)
     reads: str = ""
     slow: bool = False
     """Whether it takes more than a few seconds."""
@@ -86,6 +85,11 @@ class Entry(msgspec.Struct, frozen=True):
 
 THESIS = "thesis"
 CAMERA = "camera paper"
+
+
+def diagram(number: str, shows: str, where: str) -> Entry:
+    """A figure of the thesis of which nothing is computed; ``where``: what in pointpred it stands for."""
+    return Entry(number, THESIS, shows, f"A diagram, nothing is computed. {where}")
 
 
 def matrix_values(name: str, ours: ArrayLike, printed: Sequence[Sequence[str]]) -> tuple[Value, ...]:

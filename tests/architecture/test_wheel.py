@@ -1,4 +1,4 @@
-"""Two wheels of one version: the library, which needs no web framework, and the service with its page."""
+"""Wheels of one version: the library without web framework and solver, the service, the observers."""
 
 from __future__ import annotations
 
@@ -24,15 +24,16 @@ LEFT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "build", "dist"
 OPTIONAL = {
     *("fastapi", "httptools", "prometheus_client", "pydantic_settings", "starlette", "uvicorn", "uvloop"),
     *("websockets", "hidraw", "Xlib", "pylsl"),
+    *("clarabel", "cvxpy", "sympy", "cv2"),
 }
-"""What the library does without: the service's libraries, and those of its extras ``client`` and ``live``."""
+"""What the library does without: libraries of the service, of the observers, of its extras ``client``, ``live``."""
 
 CHECK = """
 import pkgutil, importlib, pointpred, pointpred.datasets
 from pointpred.errors import MissingExtraError
 assert pointpred.__file__.startswith({folder!r}), pointpred.__file__
 assert len(pointpred.datasets.sample().trials) == 240
-for name in ("server", "datasets", "pointpred_server"):
+for name in ("server", "datasets", "pointpred_server", "pointpred_observers"):
     assert importlib.util.find_spec(name) is None
 for module in pkgutil.walk_packages(pointpred.__path__, "pointpred.", onerror=lambda name: None):
     if module.name == "pointpred.__main__":
@@ -42,7 +43,7 @@ for module in pkgutil.walk_packages(pointpred.__path__, "pointpred.", onerror=la
     except MissingExtraError as missing:
         assert "[client]" in str(missing), module.name
 from pointpred.reproduction.catalogue import entry_of
-assert "</svg>" in entry_of("3.4").make(None).draw().svg
+assert "</svg>" in entry_of("2.11").make(None).draw().svg
 """
 
 
@@ -126,6 +127,7 @@ def test_the_library_is_whole_without_the_service(library_alone: Path) -> None:
     [
         ("serve --port 0", "'pointpred serve' is in pointpred-server, which is not installed"),
         ("demo --help", "'pointpred demo' is in pointpred-server, which is not installed"),
+        ("observers example", "'pointpred observers' is in pointpred-observers, which is not installed"),
         ("live --serve", "the page of a device is in pointpred-server, which is not installed"),
         ("replay --to ws://127.0.0.1:1", "needs websockets"),
     ],

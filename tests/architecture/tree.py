@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-PACKAGES = {"pointpred": ROOT, "pointpred_server": ROOT / "server"}
+PACKAGES = {"pointpred": ROOT, "pointpred_server": ROOT / "server", "pointpred_observers": ROOT / "observers"}
 """The package of each distribution, and the folder of the distribution."""
 
 
@@ -18,7 +18,8 @@ def package_files() -> list[Path]:
 
 def own_files() -> list[Path]:
     """Every Python file of the project."""
-    others = [path for room in ("tests", "benchmarks", "pages") for path in (ROOT / room).rglob("*.py")]
+    rooms = ("tests", "observers/tests", "benchmarks", "pages")
+    others = [path for room in rooms for path in (ROOT / room).rglob("*.py")]
     return sorted([*package_files(), *others])
 
 

@@ -171,7 +171,7 @@ def test_every_correction_names_a_test_that_exists() -> None:
     rows = page.partition("## Corrections")[2].strip().splitlines()[2:]
     assert rows
     for row in rows:
-        named = re.findall(r"`(tests/[\w/]+\.py)::(\w+)`", row)
+        named = re.findall(r"`((?:observers/)?tests/[\w/]+\.py)::(\w+)`", row)
         assert named, f"no test is named in: {row}"
         for file, test in named:
             assert f"def {test}(" in (ROOT / file).read_text(encoding="utf-8"), f"{file} has no {test}"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import cache
 
+from observers.tests import kept_designs as kept
 from pointpred.errors import PointpredError
-from pointpred.observers.documents.files import decoded, encoded
+from pointpred_observers.documents.files import decoded, encoded
 from tests.fuzz.refusals import refused
-from tests.observers import kept_designs as kept
 
 NAME = "input.json"
 DESIGNS = ("reduced order, linear", "full order", "driven", "regulator", "unknown input", "interlaced")

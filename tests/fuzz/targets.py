@@ -46,7 +46,7 @@ TARGETS = {
             ("pointpred.predictors.kinematic.coefficient_file",),
             8192,
         ),
-        Target("designs", designs.check, designs.seeds, ("pointpred.observers.documents",), 8192),
+        Target("designs", designs.check, designs.seeds, ("pointpred_observers.documents",), 8192),
         Target("transfer", transfer.check, transfer.seeds, ("pointpred.transfer",)),
         Target(
             "settings",

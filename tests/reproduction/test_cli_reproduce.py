@@ -9,10 +9,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
-import numpy as np
 import pytest
 
 from pointpred import extras
+from pointpred.reproduction import catalogue
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.people import CONDITION, novice_and_expert
 from pointpred.simulation import simulate_circle
@@ -29,7 +29,6 @@ def test_the_list_has_every_number_and_what_it_may_read(command: Callable) -> No
     assert left.code == 0
     lines = {line.split()[0]: line for line in left.out.splitlines()[1:]}
     assert set(ENTRIES) <= set(lines)
-    assert "--recordings: sniffer.csv" in lines["3.11"]
     assert "--recordings: a recording" in lines["2.12"]
     assert lines["1.1"].rstrip().endswith("diagram")
 
@@ -66,7 +65,6 @@ def test_a_diagram_says_which_part_of_the_library_it_is(command: Callable, tmp_p
         (("2.11", "--recordings", "x.csv"), "leave --recordings out"),
         (("2.2", "--recordings", "missing.csv"), "missing.csv"),
         (("2.11", "--out", "figure.png"), ".svg"),
-        (("camera-table-1", "--out", "table.svg"), "is a table"),
         (("2.11", "--out", "nowhere/figure.svg"), "nowhere"),
     ],
 )
@@ -80,16 +78,13 @@ def test_what_cannot_be_made_is_refused_in_one_line(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_missing_extras_are_named_with_one_command_before_any_work(
+def test_a_missing_extra_is_named_with_its_command_before_any_work(
     command: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gone = {"matplotlib", "cvxpy"}
-    monkeypatch.setattr(extras, "find_spec", lambda name: None if name in gone else name)
-    left = command("reproduce", "3.3")
-    assert left.code == 1
-    assert "matplotlib, cvxpy" in left.err
-    assert extras.install_command("report,observers") in left.err
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name == "matplotlib" else name)
     left = command("reproduce", "2.11")
+    assert left.code == 1
+    assert "matplotlib" in left.err
     assert extras.install_command("report") in left.err
     assert list(tmp_path.iterdir()) == []
 
@@ -104,7 +99,23 @@ def test_the_list_and_the_diagrams_need_no_extra() -> None:
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stderr
-    assert "camera-table-1" in ran.stdout
+    assert "2.13" in ran.stdout
+
+
+def test_without_the_observers_the_figures_that_need_them_are_named(
+    command: Callable, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(catalogue, "find_spec", lambda name: None)
+    monkeypatch.setattr(catalogue, "ENTRIES", {entry.number: entry for entry in catalogue.LISTED})
+    said = "figures of chapters 3 and 4 and of the camera paper need pointpred-observers: "
+    wanted = f"{said}{extras.install_command(of='pointpred-observers')}"
+    listed = command("reproduce", "--list")
+    assert listed.code == 0
+    assert wanted in listed.err
+    left = command("reproduce", "3.4")
+    assert left.code == 2
+    assert wanted in left.err
+    assert command("reproduce", "2.4").code == 0
 
 
 def test_a_recording_takes_the_place_of_simulated_people(command: Callable, tmp_path: Path) -> None:
@@ -117,25 +128,6 @@ def test_a_recording_takes_the_place_of_simulated_people(command: Callable, tmp_
         assert left.code == 0, left.err
         assert "from: study" in left.out
         assert (tmp_path / f"thesis-{number}.svg").exists()
-
-
-def test_the_sniffer_data_are_taken_from_their_folder_and_checked(command: Callable, tmp_path: Path) -> None:
-    rng = np.random.default_rng(3)
-    rows = rng.uniform(1.0, 9.0, (40, 4))
-    table = np.column_stack([rows, rows @ [1.0, -2.0, 3.0, 4.0]])
-    np.savetxt(tmp_path / "sniffer.csv", table, delimiter=",", header="a,b,c,d,y")
-    left = command("reproduce", "3.10", "--recordings", tmp_path, "--json", "-")
-    assert left.code == 0, left.err
-    document = json.loads(left.out)
-    assert document["data"] == "sniffer.csv"
-    ends = [value["ours"] for value in document["values"] if "recursive" in value["name"]]
-    assert ends == pytest.approx([1.0, -2.0, 3.0, 4.0], abs=1e-6)
-    np.savetxt(tmp_path / "sniffer.csv", table[:, :3], delimiter=",", header="a,b,c")
-    left = command("reproduce", "3.11", "--recordings", tmp_path)
-    assert left.code == 1
-    assert "five columns" in left.err
-    (tmp_path / "sniffer.csv").unlink()
-    assert "Weisberg" in command("reproduce", "3.11", "--recordings", tmp_path).err
 
 
 @pytest.mark.parametrize(("number", "hint"), [("", ""), ("3.40", "did you mean 3.4")])

@@ -1,25 +1,16 @@
-"""Every figure and table runs, and exactly the printed numbers named here do not come out as printed."""
+"""The figures of chapter 2 are made, and exactly the numbers named here do not come out as printed."""
 
 from __future__ import annotations
-
-from functools import cache
-from math import isfinite
 
 import numpy as np
 import pytest
 
-from pages.data import stored
 from pages.differentiators.signals import exact, ramp
-from pages.reproduce.measure import DRAWN, rows_of
-from pointpred.observers import trajectory
-from pointpred.observers.examples import Bioreactor
-from pointpred.reproduction import camera, interconnected, trials
-from pointpred.reproduction.catalogue import ENTRIES
-from pointpred.reproduction.figure import Entry, Reproduction, Value
-from pointpred.reproduction.reversed_connection import SNIFFER
+from pointpred.reproduction import trials
+from pointpred.reproduction.catalogue import LISTED
+from pointpred.reproduction.figure import Entry, Value
+from tests.reproduction.making import check, compare_with_the_page
 
-PAPER, COSINE = "(45) as printed, 10 s", "cos for sin in v_z, 63 s"
-TABLE_ROWS = [f"noise {noise} px" for noise in (0, 2, 4, 8)]
 DIFFERENT: dict[str, set[str]] = {
     "2.12": {
         "error at the end of the path, switched",
@@ -34,71 +25,27 @@ DIFFERENT: dict[str, set[str]] = {
         "F of the model at 50 %, outliers replaced",
         "partial eta squared of the model at 50 %, outliers replaced",
     },
-    "3.3": {"M = P^-1 U[1, 1]", "M = P^-1 U[2, 1]"},
-    "3.7": {"L1[1, 1]"},
-    "4.2": {
-        "pi_4, coefficient of w1^2",
-        "pi_4, coefficient of w1^3",
-        "numerator of u, coefficient of w2",
-        "numerator of u, coefficient of w1^3",
-    },
-    "4.4": {
-        *(f"tau1, coefficient of {term}" for term in ("w1^3", "w1^2 w2", "w1 w2^2", "w2^3")),
-        *(f"tau2, coefficient of {term}" for term in ("w1^3", "w1 w2^2", "w2^3")),
-    },
-    "camera-1": {f"RMSE of {name}, {run}" for name in camera.NAMES[:2] for run in (PAPER, COSINE)},
-    "camera-2": {f"RMSE of {name}, {PAPER}" for name in camera.NAMES[2:]},
-    "camera-table-1": {
-        *(f"{name}, {row}" for name in camera.NAMES for row in TABLE_ROWS),
-        *(f"RMSE of {name}, {COSINE}" for name in camera.NAMES),
-    },
 }
 """The values that differ from the print, for the reasons in ``Entry.differs``; none where not listed."""
 
-LONG = {"3.7", "3.8"}
-"""Figures whose certificates take more than a second; those that take minutes say so themselves."""
 MADE = [
-    pytest.param(entry, id=entry.number, marks=[pytest.mark.slow] if entry.slow or number in LONG else [])
-    for number, entry in ENTRIES.items()
+    pytest.param(entry, id=entry.number, marks=[pytest.mark.slow] if entry.slow else [])
+    for entry in LISTED
     if entry.make is not None
 ]
 
 
-@cache
-def made(number: str) -> Reproduction:
-    make = ENTRIES[number].make
-    assert make is not None
-    return make(None)
-
-
 @pytest.mark.parametrize("entry", MADE)
 def test_it_is_made_and_drawn_and_differs_where_it_says(entry: Entry) -> None:
-    one = made(entry.number)
-    assert all(isfinite(value.ours) for value in one.values)
-    assert {value.name for value in one.values if value.agrees is False} == DIFFERENT.get(entry.number, set())
-    assert len({value.name for value in one.values}) == len(one.values)
-    if one.draw is None:
-        assert entry.is_table
-    else:
-        assert one.draw().svg.rstrip().endswith("</svg>")
-        assert (DRAWN / entry.file_name).is_file()
-    if entry.reads != SNIFFER:  # the page shows these of the data, which are not part of the project
-        compare_with_the_page(entry, one)
+    check(entry, DIFFERENT.get(entry.number, set()))
+    compare_with_the_page(entry)
 
 
-def compare_with_the_page(entry: Entry, one: Reproduction) -> None:
-    """The page has these numbers; on another machine the last digits may differ."""
-    rows = stored("reproduce").tables[entry.number].rows
-    fresh = rows_of(entry, one)
-    assert [[*row[:3], *row[4:]] for row in rows] == [[*row[:3], *row[4:]] for row in fresh]
-    kept = np.array([float(row[3]) for row in rows])
-    assert kept == pytest.approx(np.array([value.ours for value in one.values]), rel=0.02, abs=1e-4)
-
-
-def test_every_number_of_the_sources_is_listed() -> None:
-    lengths = {1: 6, 2: 13, 3: 11, 4: 4}
-    thesis = [f"{chapter}.{i + 1}" for chapter, count in lengths.items() for i in range(count)]
-    assert list(ENTRIES) == [*thesis, "camera-1", "camera-2", "camera-table-1"]
+def test_every_number_of_chapters_1_and_2_is_listed() -> None:
+    lengths = {1: 6, 2: 13}
+    assert [entry.number for entry in LISTED] == [
+        f"{chapter}.{i + 1}" for chapter, count in lengths.items() for i in range(count)
+    ]
 
 
 def test_a_value_agrees_where_it_rounds_to_the_print() -> None:
@@ -108,49 +55,9 @@ def test_a_value_agrees_where_it_rounds_to_the_print() -> None:
     assert not Value("x", 3.2, "3").agrees
 
 
-def test_both_states_of_figure_3_4_follow_the_map_until_the_inflow_jumps() -> None:
-    """By another integrator, and by the algebra of the print: (Pi w)1 = (k2 w1 + w2 - w3) / k3."""
-    reactor = Bioreactor()
-    ends = trajectory(
-        lambda t, s: reactor.field(interconnected.INFLOWS[0], s, (0.0, 0.0), projected=True),
-        [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
-        [0.0, 19.9],
-        integrator="scipy",
-    )[-1]
-    x1, x2, w1, w2 = ends[:4]
-    steady = ((116.5 * w1 + w2 - 12.7) / 268.0, (-42.14 * 116.5 * w1 - 42.14 * w2 + 310.14 * 12.7) / 268.0)
-    ours = {value.name: value.ours for value in made("3.4").values}
-    for i, off in enumerate((abs(x1 - steady[0]), abs(x2 - steady[1]))):
-        name = f"abs(x{i + 1} - (Pi w){i + 1}) at 20 s, before the inflow jumps"
-        assert ours[name] == pytest.approx(off, rel=1e-3)
-
-
-def test_the_error_of_v_z_in_figure_1_of_the_camera_stays_as_the_start_makes_it() -> None:
-    """Only the turn of the camera reaches it: the accelerometer is integrated and nothing corrects it."""
-    one = camera.estimated(camera.scenario_45())
-    error = one.ours[:, 4] - one.truth[:, 4]
-    assert error[0] == pytest.approx(-0.4 + 0.3)
-    assert np.abs(error).min() > 0.08
-    assert one.ours[0, :2].tolist() == [4.0, -1.6]
-
-
 def test_the_filtered_position_of_figure_2_2_runs_on_a_ramp_once_it_has_settled() -> None:
     signal = exact(ramp, 1000.0)
     path = trials.hand_path(signal.events, "x", {"dpi": 96.0})
     filtered = trials.filtered_path(signal.events, "x", path, {"dpi": 96.0})
     assert np.abs(filtered - path).max() > 5e-4
     assert np.abs(filtered - path)[800:].max() < 1e-7
-
-
-def test_the_rounding_of_the_printed_p_and_u_explains_the_gain_of_example_1() -> None:
-    """abs(dM) <= abs(P^-1) (abs(dU) + abs(dP) abs(M)), half a unit of the last printed digit each."""
-    p, m = np.array([[1.129, 0.332], [0.332, 0.611]]), np.array([2.973, 1.565])
-    reach = np.abs(np.linalg.inv(p)) @ (np.array([5e-4, 5e-3]) + 5e-4 * m.sum())
-    ours = {value.name: value.ours for value in made("3.3").values}
-    found = np.array([ours[f"M = P^-1 U[{i}, 1]"] for i in (1, 2)])
-    assert (np.abs(found - [-2.973, 1.565]) < reach).all()
-
-
-def test_with_cos_for_sin_the_camera_s_errors_come_within_two_percent_of_the_print() -> None:
-    rmse = camera.estimated(camera.scenario_45(camera.GUESSED_S, cosine=True)).rmse
-    assert rmse[:2] == pytest.approx(np.array([0.2350, 0.0917]), rel=0.02)

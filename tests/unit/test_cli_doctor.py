@@ -29,7 +29,8 @@ def findings(command: Any) -> dict[str, dict[str, Any]]:
 
 def test_every_look_is_told_and_what_is_not_good_says_what_to_do(command: Any) -> None:
     found = findings(command)
-    assert {"python", "prediction", "laws", "extra observers", "cursor", "port"} <= found.keys()
+    optional = {"extra report", "pointpred-observers"}
+    assert {"python", "prediction", "laws", *optional, "cursor", "port"} <= found.keys()
     assert found["prediction"]["state"] == "good"
     for one in found.values():
         assert (one["state"] == "good") == (one["advice"] is None), one
@@ -44,11 +45,11 @@ def test_the_table_says_the_same(command: Any) -> None:
 
 
 def test_a_missing_extra_has_its_install_line(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extras, "find_spec", lambda module: None if module == "cvxpy" else module)
-    one = findings(command)["extra observers"]
-    assert one["found"] == "without cvxpy"
+    monkeypatch.setattr(extras, "find_spec", lambda module: None if module == "statsmodels" else module)
+    one = findings(command)["extra report"]
+    assert one["found"] == "without statsmodels"
     assert one["state"] == "missing"
-    assert extras.install_command("observers") in one["advice"]
+    assert extras.install_command("report") in one["advice"]
 
 
 @pytest.mark.parametrize("folder", ["no/such/folder", "a_file"])

@@ -42,6 +42,17 @@ def test_a_checkout_is_installed_again_with_the_extra(
     assert words == [sys.executable, "-m", "pip", "install", "-e", f"{folder}[report]"]
 
 
+def test_another_distribution_of_the_checkout_lies_in_a_folder_of_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    record = {"url": tmp_path.as_uri(), "dir_info": {"editable": True}}
+    monkeypatch.setattr(extras, "distribution", lambda name: Installed(record))
+    words = shlex.split(extras.install_command("camera", of="pointpred-observers"))
+    assert words[-2:] == ["-e", f"{tmp_path / 'observers'}[camera]"]
+    monkeypatch.setattr(extras, "distribution", lambda name: Installed(None))
+    assert shlex.split(extras.install_command(of="pointpred-observers"))[-1] == "pointpred-observers"
+
+
 @pytest.mark.parametrize("record", [None, {"url": "file:///a", "dir_info": {}}, {"url": "https://a/b.whl"}])
 def test_a_package_is_installed_by_its_name(monkeypatch: pytest.MonkeyPatch, record: object) -> None:
     assert installed(monkeypatch, record) == [sys.executable, "-m", "pip", "install", "pointpred[report]"]

@@ -1,0 +1,241 @@
+"""The unknown input observer of depth at run time: its reduced form, two states without a gain."""
+
+from __future__ import annotations
+
+from math import ceil, nan
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+from pointpred.compiled import law
+from pointpred.errors import ParameterError
+from pointpred.parameter import option, parameter
+from pointpred.records import Columns, FloatArray, Row
+from pointpred.stage import loop_of
+from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
+from pointpred_observers.camera.model import SCHEDULED, C
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+
+LARGEST_RATE = 1e3
+"""Beyond this |eta| 1/s the camera meets the point within a millisecond: the estimate is lost."""
+
+# The parameters; the bounds of zero, eta, a_z, w_x, w_y, low before high. The state: whether there was a
+# sample, its time and measurements, the observer's two states, whether there was an image, whether the
+# estimate is lost.
+FOCAL, HALF_SIGMA, START_CHI, START_ETA, GAP_S, BOX = range(6)
+STARTED = BOX + 10
+T, X, Y, WX, WY, WZ, AZ, CHI, R, IMAGED, LOST, END = range(STARTED + 1, STARTED + 13)
+
+
+class Measured(NamedTuple):
+    """The measurements used by the observer: ``x y`` in focal lengths, ``wx wy wz`` rad/s, ``az`` m/s^2."""
+
+    x: float
+    y: float
+    wx: float
+    wy: float
+    wz: float
+    az: float
+
+
+@law
+def rate(chi: float, r: float, m: Measured, dwx: float, dwy: float) -> tuple[float, float]:
+    """(chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it."""
+    x, y, wx, wy, wz, az = m
+    eta = r - wy * x + wx * y
+    flow_x = x * y * wx - (1.0 + x * x) * wy + y * wz
+    flow_y = (1.0 + y * y) * wx - x * y * wy - x * wz
+    driven = wy * flow_x - wx * flow_y + dwy * x - dwx * y
+    return (y * wx - x * wy + eta) * chi, az * chi + eta * eta + driven
+
+
+@law
+def carry(memory: FloatArray, m: Measured, dt: float) -> None:
+    """Move (chi, r) over ``dt`` s by Runge-Kutta, with measurements linear between two samples."""
+    x0, y0, az0 = memory[X], memory[Y], memory[AZ]
+    wx0, wy0, wz0 = memory[WX], memory[WY], memory[WZ]
+    dwx, dwy = (m.wx - wx0) / dt, (m.wy - wy0) / dt
+    steps = ceil(dt / SUBSTEP_S)
+    h = dt / steps
+    for i in range(steps):
+        chi, r = memory[CHI], memory[R]
+        sum_chi, sum_r, k_chi, k_r = 0.0, 0.0, 0.0, 0.0
+        for stage in range(4):
+            inner = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
+            s = (i + inner) / steps
+            between = Measured(
+                x0 + s * (m.x - x0),
+                y0 + s * (m.y - y0),
+                wx0 + s * (m.wx - wx0),
+                wy0 + s * (m.wy - wy0),
+                wz0 + s * (m.wz - wz0),
+                az0 + s * (m.az - az0),
+            )
+            k_chi, k_r = rate(chi + inner * h * k_chi, r + inner * h * k_r, between, dwx, dwy)
+            share = 1.0 if stage == 0 or stage == 3 else 2.0
+            sum_chi += share * k_chi
+            sum_r += share * k_r
+        memory[CHI] = chi + h / 6.0 * sum_chi
+        memory[R] = r + h / 6.0 * sum_r
+        if not (abs(memory[R]) <= LARGEST_RATE and abs(memory[CHI]) <= LARGEST_PX):
+            memory[LOST] = 1.0
+            memory[CHI], memory[R] = chi, r
+            return
+
+
+@law
+def inside(memory: FloatArray, zero: float, eta: float) -> bool:
+    """Whether the scheduling variables lie in the certificate's box; false without a certificate."""
+    values = (zero, eta, memory[AZ], memory[WX], memory[WY])
+    for i in range(5):
+        if not memory[BOX + 2 * i] <= values[i] <= memory[BOX + 2 * i + 1]:
+            return False
+    return bool(memory[BOX] < 0.0)
+
+
+@law
+def step(memory: FloatArray, sample: Row) -> tuple[float, float, float, float, float, float, float]:
+    """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+    row = SampleRow(*sample)
+    if not usable(row, memory[STARTED], memory[T], memory[GAP_S]):
+        return nan, nan, nan, nan, 0.0, 0.0, 0.0
+    t, x, y, wx, wy, wz, _, _, az = row
+    image = x == x
+    flat_x = x / memory[FOCAL] if image else memory[X]
+    flat_y = y / memory[FOCAL] if image else memory[Y]
+    if memory[IMAGED] == 0.0 and image:
+        memory[CHI] = memory[START_CHI]
+        memory[R] = memory[START_ETA] + wy * flat_x - wx * flat_y
+        memory[IMAGED] = 1.0
+    elif memory[IMAGED] == 1.0 and memory[LOST] == 0.0:
+        carry(memory, Measured(flat_x, flat_y, wx, wy, wz, az), t - memory[T])
+    memory[STARTED] = 1.0
+    memory[T], memory[X], memory[Y] = t, flat_x, flat_y
+    memory[WX], memory[WY], memory[WZ], memory[AZ] = wx, wy, wz, az
+    if memory[IMAGED] == 0.0 or memory[LOST] == 1.0:
+        return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
+    eta = memory[R] - wy * flat_x + wx * flat_y
+    zero = flat_y * wx - flat_x * wy + eta
+    decays = zero < -memory[HALF_SIGMA] and eta < -memory[HALF_SIGMA]
+    proved = inside(memory, zero, eta)
+    return (
+        t,
+        memory[CHI],
+        eta,
+        zero,
+        1.0 if decays else 0.0,
+        1.0 if proved else 0.0,
+        1.0 if image else 0.0,
+    )
+
+
+class Depth(msgspec.Struct, frozen=True):
+    """The observer's estimate after a sample.
+
+    ``chi`` = 1/Z 1/m, ``eta`` = v_z/Z 1/s and ``zero`` = y w_x - x w_y + eta 1/s, NaN before the first image
+    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -sigma/2;
+    ``certified`` while they and the measured quantities lie in the box of the design as well.
+    """
+
+    t: float
+    chi: float
+    eta: float
+    zero: float
+    detectable: bool
+    certified: bool
+    image: bool
+
+
+class DepthColumns(Columns[Depth]):
+    """Depths as columns."""
+
+    names = ("t", "chi", "eta", "zero", "detectable", "certified", "image")
+
+    def _record(self, row: list[float]) -> Depth:
+        t, chi, eta, zero, detectable, certified, image = row
+        return Depth(t, chi, eta, zero, bool(detectable), bool(certified), bool(image))
+
+
+class DepthObserver(CameraStage):
+    """Depth and forward velocity of a point from its image, a gyroscope and an accelerometer.
+
+    Limitation: with two unknown inputs and two outputs no measurement corrects chi and eta. The model
+    propagates their start values; errors decay only while the camera recedes, v_z is the integral of the
+    accelerometer from its start value, and the relative error of the depth converges to that of v_z.
+    ``detectable`` is computed from the estimate: it cannot detect a start with the wrong sign of v_z
+    (``CameraPipeline`` compares with the images).
+
+    chi' = (y w_x - x w_y + eta) chi; r' = a_z chi + eta^2 + w_y B_1 w - w_x B_2 w + w_y' x - w_x' y with
+    eta = r - w_y x + w_x y: the last two rows of T x, which no unknown input reaches. Between two samples
+    every measured quantity is linear, so w' is the slope of the gyroscope's readings and no angular
+    accelerometer is needed. Without an image x and y keep their last values.
+
+    Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
+    that is bridged; ``observer``, a design for ``camera_system`` whose sigma and box define the flags:
+    without one sigma is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
+    DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and
+    ``run``.
+
+    Reference: Benyoucef et al. 2021, equations (12), (15) to (18), the signs corrected.
+
+    >>> observer = DepthObserver(focal_px=800.0, start_chi=1.0, start_eta=-0.5)
+    >>> for i in range(101):  # backwards at 0.5 m/s from 1 m
+    ...     depth = observer.update(CameraSample(i / 100, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    >>> round(1.0 / depth.chi, 6), round(depth.eta / depth.chi, 6), depth.detectable, depth.certified
+    (1.5, -0.5, True, False)
+    """
+
+    focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
+    start_chi: float = parameter("1/m", 1e-6, 1e6, "inverse depth at the first image")
+    start_eta: float = parameter("1/s", -1e3, 1e3, "v_z/Z at the first image")
+    gap_s: float = parameter(
+        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
+    )
+    observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
+    states = END - STARTED
+    width = 7
+    loop = staticmethod(loop_of(step, sample_at))
+    step = staticmethod(step)
+    at_started, at_t, at_gap = STARTED, T, GAP_S
+
+    @property
+    def half_sigma(self) -> float:
+        """Half of the design's sigma in 1/s; 0 without one."""
+        return 0.0 if self.observer is None else 0.5 * self.observer.certificate.sigma
+
+    def settings(self) -> list[float]:
+        """The beginning of the memory."""
+        box = [0.0] * 10
+        if self.observer is not None:
+            bounds = _camera_bounds(self.observer)
+            box = [bound for name in SCHEDULED[:5] for bound in bounds[name]]
+        start = [float(self.start_chi), float(self.start_eta)]
+        return [float(self.focal_px), self.half_sigma, *start, float(self.gap_s), *box]
+
+    def update(self, sample: CameraSample, /) -> Depth:
+        """Consume one sample; a refused one changes nothing."""
+        t, chi, eta, zero, detectable, certified, image = self.advance(sample)
+        return Depth(t, chi, eta, zero, detectable == 1.0, certified == 1.0, image == 1.0)
+
+    def run(self, columns: CameraColumns) -> DepthColumns:
+        """Consume a table; when a row is refused the error names it and nothing is consumed."""
+        return DepthColumns(self.table(columns))
+
+
+def _camera_bounds(observer: UnknownInputObserver) -> dict[str, tuple[float, float]]:
+    """The box of a design for the camera, by name; raises ParameterError for any other design."""
+    if not isinstance(observer, UnknownInputObserver):
+        raise ParameterError(
+            f"observer must be an UnknownInputObserver for camera_system, received {observer!r:.60}",
+            field="observer",
+        )
+    system, bounds = observer.system, observer.box.bounds
+    if set(bounds) != set(SCHEDULED) or system.time != "continuous" or not np.array_equal(system.c, C):
+        raise ParameterError(
+            f"observer must be a design for camera_system in a box of {', '.join(SCHEDULED)}, as camera_box "
+            f"makes it, received one of {system.c.shape[1]} states in a box of {', '.join(bounds)}",
+            field="observer",
+        )
+    return bounds

@@ -1,0 +1,1 @@
+"""``pointpred observers`` and ``pointpred camera``."""

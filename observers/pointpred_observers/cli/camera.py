@@ -1,0 +1,160 @@
+"""``pointpred camera``: depth and velocity from one tracked point and an inertial sensor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from pointpred.cli.output_files import check_free, check_target, check_targets, write_json
+from pointpred.cli.reading_options import check_exists
+from pointpred.console import counted, remarks
+from pointpred.errors import ParameterError
+
+app = typer.Typer(
+    no_args_is_help=True, help="Depth and velocity of a camera from one tracked point and an inertial sensor."
+)
+Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
+Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
+FED = "kalman-two-state"
+SMALLEST_PX = 0.05
+"""The least noise the filter assumes: with none it would rely on its first image alone."""
+
+
+@app.command()
+def simulate(
+    focal_px: Focal,
+    scenario: Annotated[
+        str, typer.Option(help="paper, approaching, axial, rotating or stationary.")
+    ] = "paper",
+    out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
+    seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
+    noise_px: Seen = 2.0,
+    dropped: Annotated[float, typer.Option(help="Share of the images that are missing.")] = 0.0,
+    readings: Annotated[int, typer.Option(help="Readings of the inertial sensor per image.")] = 1,
+    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
+    force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
+) -> None:
+    """Write simulated data of a moving camera, and the true values to a second file (_truth).
+
+    Columns: t; x and y in px from the principal point, empty without an image; wx wy wz in rad/s; ax ay az in
+    m/s^2 of the motion in the camera's frame, gravity removed.
+
+    Try:
+
+      pointpred camera simulate --focal-px 800
+
+      pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
+    """
+    from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
+    from pointpred_observers.camera import simulate as make
+    from pointpred_observers.cli.camera_files import TRUTH, truth_table, write_table
+
+    if scenario not in SCENARIOS:
+        raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
+    check_target(out)  # first: a folder has no name to make another of
+    targets = (out, out.with_name(f"{out.stem}_truth{out.suffix}"))
+    check_target(targets[1])
+    for target in targets:
+        check_free(target, force)
+    samples, truth = make(
+        SCENARIOS[scenario],
+        focal_px=focal_px,
+        duration_s=seconds,
+        readings=readings,
+        noise=Noise(noise_px=noise_px, dropped=dropped),
+        seed=seed,
+    )
+    write_table(out, CameraColumns.names, samples.table)
+    write_table(targets[1], TRUTH, truth_table(truth))
+    for target in targets:
+        typer.echo(target)
+    remarks().print(f"{counted(len(samples), 'sample')}, simulated: {scenario}")
+
+
+@app.command()
+def run(
+    samples: Annotated[
+        Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
+    ],
+    focal_px: Focal,
+    start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
+    start_vz: Annotated[
+        float, typer.Option(metavar="M/S", help="Forward velocity the observer starts with.")
+    ] = 0.0,
+    noise_px: Seen = 2.0,
+    way: Annotated[str, typer.Option(help="Method for the image velocity; a wrong name lists all.")] = FED,
+    images: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FOLDER", callback=check_exists, file_okay=False, help="Images to follow the point in."
+        ),
+    ] = None,
+    point: Annotated[
+        str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
+    ] = "0,0",
+    every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
+    truth: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", callback=check_exists, dir_okay=False, help="CSV with the true values."),
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
+    json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
+) -> None:
+    """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
+
+    The observer's errors decay only while the camera moves away from the point; the last column shows where
+    they do not: use the filter there. The filter gives no estimate until the images determine the depth;
+    until then the observer is not checked, and a wrong start is not detected.
+
+    Try:
+
+      pointpred camera run camera.csv --focal-px 800 --start-depth 1 --start-vz -0.3
+
+      pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
+    """
+    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
+    from pointpred_observers.cli.camera_files import errors_of, read_samples, read_truth
+    from pointpred_observers.cli.camera_tables import show, summary
+
+    columns = read_samples(samples)
+    if images is not None:
+        columns = _followed(columns, images, point, every)
+    estimates = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
+    truths = None if truth is None else read_truth(truth)
+    errors = None if truths is None else errors_of(estimates, truths)
+    if plot is not None:
+        from pointpred_observers.cli.camera_plot import plot as draw
+
+        draw(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
+        remarks().print(f"{plot}", markup=False)
+    if json is not None:
+        write_json(summary(estimates, errors), json)
+    if json is None or str(json) != "-":
+        show(estimates, errors)
+
+
+def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
+    from pointpred_observers.camera.tracker import PointTracker, tracked
+    from pointpred_observers.cli.camera_files import read_images
+
+    try:
+        x, y = (float(part) for part in point.split(","))
+    except ValueError as unusable:
+        raise ParameterError(f"--point needs X,Y in px, received {point!r}") from unusable
+    if every < 1:
+        raise ParameterError(f"--every must be at least 1, received {every}")
+    return tracked(PointTracker(x=x, y=y), read_images(folder), columns, every)
+
+
+def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: str) -> Any:
+    from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
+
+    if not depth > 0.0:
+        raise ParameterError(f"--start-depth must be positive, received {depth:g}")
+    if not noise_px >= 0.0:
+        raise ParameterError(f"--noise-px must not be negative, received {noise_px:g}")
+    noise = max(noise_px / 3.0**0.5, SMALLEST_PX)
+    observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
+    return CameraPipeline(observer, PointFilter(focal_px=focal_px, noise_px=noise), way=way, noise_px=noise)

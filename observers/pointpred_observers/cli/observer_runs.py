@@ -1,0 +1,160 @@
+"""Signals of ``pointpred observers simulate``: options in, a table of every signal out."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from io import TextIOWrapper
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred.files import whole
+from pointpred.records import FloatArray
+from pointpred_observers import (
+    CornerSystem,
+    InterlacedObserver,
+    InvariantObserver,
+    ObserverDesign,
+    Persidskii,
+    ReducedOrderDesign,
+    RegulatorDesign,
+    Simulation,
+    UnknownInputObserver,
+)
+from pointpred_observers.documents.expressions import parsed
+from pointpred_observers.triangular.polynomials import symbolic
+
+
+def plant_of(design: Any) -> Any:
+    """The plant that a design was made for; raises ParameterError for what is no design."""
+    if isinstance(design, ReducedOrderDesign):
+        return design.observer.plant
+    if isinstance(design, InterlacedObserver):
+        return design.steady.system
+    if isinstance(design, UnknownInputObserver):
+        return design.system
+    if isinstance(design, ObserverDesign | RegulatorDesign | InvariantObserver):
+        return design.plant
+    raise ParameterError(
+        f"simulate needs the file of a design, received a {type(design).__name__}: design one first, with "
+        "pointpred observers design",
+        field="design",
+    )
+
+
+def sampling(plant: Any, seconds: float | None, step_s: float | None, steps: int | None) -> FloatArray:
+    """The times of the samples, or the indices of a discrete plant; an option of the other is refused."""
+    if isinstance(plant, Persidskii | CornerSystem) and plant.time == "discrete":
+        for name, value in (("--seconds", seconds), ("--step-s", step_s)):
+            if value is not None:
+                raise ParameterError(f"{name} is for continuous plants, this one is discrete: give --steps")
+        steps = 1000 if steps is None else steps
+        if steps < 1:
+            raise ParameterError(f"--steps must be at least 1, received {steps}", field="steps")
+        return np.arange(steps + 1, dtype=np.float64)
+    if steps is not None:
+        raise ParameterError(
+            "--steps is for discrete plants, this one is continuous: give --seconds and --step-s"
+        )
+    seconds, step_s = 10.0 if seconds is None else seconds, 0.01 if step_s is None else step_s
+    for name, value in (("--seconds", seconds), ("--step-s", step_s)):
+        if not 0.0 < value < np.inf:
+            raise ParameterError(f"{name} must be finite and above 0, received {value:g}")
+    count = round(seconds / step_s)
+    if not 1 <= count <= 1_000_000:
+        raise ParameterError(f"--seconds / --step-s must lie in [1, 1000000], received {seconds / step_s:g}")
+    return np.asarray(step_s * np.arange(count + 1), np.float64)
+
+
+def signals(
+    *,
+    start: str | None,
+    estimate: str | None,
+    input: list[str] | None,
+    unknown_input: list[str] | None,
+    disturbance: list[str] | None,
+    parameter: list[str] | None,
+    noise: str,
+) -> dict[str, Any]:
+    """The arguments of ``simulate`` that the options name."""
+    asked: dict[str, Any] = {"noise": _numbers("--noise", noise)}
+    for name, text in (("start", start), ("estimate", estimate)):
+        if text is not None:
+            asked[name] = _numbers(f"--{name}", text)
+    lists = (("input", input), ("unknown_input", unknown_input), ("disturbance", disturbance))
+    for name, texts in lists:
+        if texts:
+            option = f"--{name.replace('_', '-')}"
+            asked[name] = _together([_function(option, text) for text in texts])
+    if parameter:
+        asked["schedule"] = dict(_variable(text) for text in parameter)
+    return asked
+
+
+def write_signals(result: Simulation, target: Path) -> None:
+    """A CSV file with a column for each signal; what is not there (NaN) is an empty field."""
+    columns = {"k" if result.discrete else "t": result.t}
+    for i, name in enumerate(result.names):
+        columns |= {name: result.state[:, i], f"{name}_estimate": result.estimate[:, i]}
+    many = {
+        "y": result.output,
+        "u": result.input,
+        "d": result.unknown_input,
+        "d_estimate": result.unknown_input_estimate,
+        "w": result.driving,
+        "w_estimate": result.driving_estimate,
+    }
+    for name, table in many.items():
+        head, _, tail = name.partition("_")
+        for i in range(table.shape[1]):
+            columns[f"{head}{i + 1}{'_' + tail if tail else ''}"] = table[:, i]
+    if result.bound.size:
+        columns["bound"] = result.bound
+    with whole(target) as unfinished, TextIOWrapper(unfinished, encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream)
+        writer.writerow(columns)
+        for row in zip(*(one.tolist() for one in columns.values()), strict=True):
+            writer.writerow(["" if value != value else repr(value) for value in row])
+
+
+def _numbers(option: str, text: str) -> list[float]:
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError as unusable:
+        raise ParameterError(
+            f"{option} needs numbers separated by commas, received {text!r}", field=option
+        ) from unusable
+
+
+def _function(option: str, text: str) -> Callable[[float], float]:
+    """A function of t; raises ParameterError naming the option for anything else."""
+    expression, t = parsed(text, option), symbolic().Symbol("t")
+    if foreign := expression.free_symbols - {t}:
+        raise ParameterError(
+            f"{option} must be a function of t alone, received {text!r} with "
+            f"{', '.join(sorted(map(str, foreign)))}",
+            field=option,
+        )
+    function = symbolic().lambdify(t, expression, modules="math")
+
+    def value(now: float) -> float:
+        try:
+            return float(function(now))
+        except (ArithmeticError, ValueError, TypeError) as none:
+            raise ParameterError(f"{option}: {text!r} has no value at t = {now:g}", field=option) from none
+
+    return value
+
+
+def _together(functions: list[Callable[[float], float]]) -> Callable[[float], FloatArray]:
+    return lambda t: np.array([one(t) for one in functions], np.float64)
+
+
+def _variable(text: str) -> tuple[str, Callable[[float], float]]:
+    name, equals, expression = text.partition("=")
+    if not equals:
+        raise ParameterError(f"--parameter needs NAME=EXPRESSION, received {text!r}", field="--parameter")
+    return name.strip(), _function(f"--parameter {name.strip()}", expression)

@@ -1,0 +1,290 @@
+"""``pointpred observers``: plants and observers in files, designed, audited and simulated."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from pointpred.cli.output_files import Force, check_free, check_targets, write_json
+from pointpred.cli.reading_options import check_exists
+from pointpred.console import remarks
+from pointpred.errors import ParameterError
+from pointpred.extras import require
+from pointpred.files import write_whole
+
+if TYPE_CHECKING:
+    from pointpred_observers import Simulation
+
+app = typer.Typer(no_args_is_help=True, help="Observers with proofs: design, audit and simulate from files.")
+PlantFile = Annotated[
+    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a plant.")
+]
+DesignFile = Annotated[
+    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
+]
+Json = Annotated[Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")]
+
+
+@app.command()
+def example(
+    plant: Annotated[
+        str,
+        typer.Argument(
+            help="motor, pendulum, tank, wing, spring, oven, or a generator: oscillator, heating."
+        ),
+    ] = "motor",
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="File to write; not given: printed.")
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Print a plant as JSON, to be changed into your own.
+
+    A file holds one plant by its matrices, with "format", "version" and "kind" in front. Matrices are lists
+    of rows, what is left out is zero.
+
+    motor: with friction. pendulum: with a sine. tank: linear and sampled, time counts steps.
+    wing: a matrix that varies, and an input that nobody measures. spring: equations as text, driven by the
+    generator oscillator. oven: driven by the generator heating.
+
+    Try:
+
+      pointpred observers example
+
+      pointpred observers example pendulum --out pendulum.json
+    """
+    from pointpred_observers.cli.observer_examples import EXAMPLES
+    from pointpred_observers.documents.files import encoded
+
+    if plant not in EXAMPLES:
+        listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
+        raise ParameterError(f"PLANT must be one of these, received {plant!r}. {listed}", field="plant")
+    text = encoded(EXAMPLES[plant].plant())
+    if out is None:
+        typer.echo(text.decode(), nl=False)
+        return
+    check_targets({"--out": out}, [])
+    check_free(out, force)
+    write_whole(out, text)
+    typer.echo(out)
+
+
+@app.command()
+def design(
+    plant: PlantFile,
+    observer: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND",
+            help="reduced-order, full-order, driven, regulator, unknown-input or interlaced. Not given: what "
+            "the plant allows.",
+        ),
+    ] = None,
+    decay: Annotated[
+        float,
+        typer.Option(metavar="RATE", help="Decay demanded of the error, 1/s (1/step of a discrete plant)."),
+    ] = 1.0,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Design to write (PLANT_design.json).")
+    ] = None,
+    generator: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            callback=check_exists,
+            dir_okay=False,
+            help="JSON file of the generator that drives the plant (driven, interlaced).",
+        ),
+    ] = None,
+    injection: Annotated[
+        bool | None,
+        typer.Option(
+            "--injection/--no-injection", help="Whether y enters f (reduced-order). Not given: it does."
+        ),
+    ] = None,
+    upper: Annotated[
+        int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")
+    ] = None,
+    first: Annotated[
+        str | None,
+        typer.Option(
+            metavar="EXPRESSION", help="The steady state of the first lower row, such as w1 (interlaced)."
+        ),
+    ] = None,
+    degree: Annotated[
+        int | None, typer.Option(metavar="DEGREE", help="Degree of the power series (interlaced; 3).")
+    ] = None,
+    json: Json = None,
+    force: Force = False,
+) -> None:
+    """Design an observer for the plant of a file, and write it with its certificate.
+
+    reduced-order estimates what is not measured: for outputs with little noise. full-order filters the
+    outputs too. driven: the plant follows a generator whose state is estimated. regulator: the estimate
+    drives the plant. unknown-input: parameter-varying plants with inputs that nobody measures. interlaced:
+    plants as equations.
+
+    A plant that allows no observer is refused with the reason, such as a mode that the outputs do not show,
+    and exit code 1.
+
+    Try:
+
+      pointpred observers design motor.json --decay 5
+
+      pointpred observers design motor.json --observer full-order --decay 5 --out filter.json
+    """
+    target = out or plant.with_name(f"{plant.stem}_design.json")
+    check_targets({"--out": target, "--json": json}, [plant] if generator is None else [plant, generator])
+    check_free(target, force)
+    from pointpred_observers import load, save
+    from pointpred_observers.cli.observer_designs import Wish, designed
+    from pointpred_observers.cli.observer_tables import print_design, summary
+
+    wish = Wish(observer, decay, injection, upper, first, degree)
+    read, driving = load(plant), None if generator is None else load(generator)
+    try:
+        kind, made = designed(read, driving, wish)
+    except ParameterError as wrong:
+        if wrong.field != "slopes":
+            raise
+        # Slopes stand in the file of the plant and in no option, so the file is where to mend them.
+        raise ParameterError(
+            f"{plant}: {wrong}", code=wrong.code, field=wrong.field, value=wrong.value
+        ) from wrong
+    save(made, target)
+    if json is not None:
+        write_json(summary(made), json)
+    if json is None or str(json) != "-":
+        print_design(kind, made)
+    remarks().print(f"written: {target}. See it run: pointpred observers simulate {target}", markup=False)
+
+
+@app.command()
+def audit(design: DesignFile, json: Json = None) -> None:
+    """Check every inequality and equality of a design again, from the matrices in its file.
+
+    Prints how far each inequality holds, and the bound of the error that they prove. Exit code 1 if one
+    fails, with its name. The gap, how far the design may be from the best one, is not checked.
+
+    Try:
+
+      pointpred observers audit motor_design.json
+    """
+    check_targets({"--json": json}, [design])
+    from pointpred_observers import audit as audited
+    from pointpred_observers import load
+    from pointpred_observers.cli.observer_tables import print_audit, summary
+
+    made = load(design)
+    margins = audited(made)
+    if json is not None:
+        write_json(summary(made), json)
+    if json is None or str(json) != "-":
+        print_audit(made, margins)
+
+
+@app.command()
+def simulate(
+    design: DesignFile,
+    plant: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            callback=check_exists,
+            dir_okay=False,
+            help="Another plant than the design's, for a model that is wrong.",
+        ),
+    ] = None,
+    seconds: Annotated[float | None, typer.Option(help="Length, s (10).")] = None,
+    step_s: Annotated[
+        float | None,
+        typer.Option(metavar="S", help="Time between samples, s (0.01); a regulator's u is held so long."),
+    ] = None,
+    steps: Annotated[
+        int | None, typer.Option(help="Length of a discrete plant's simulation, in steps (1000).")
+    ] = None,
+    start: Annotated[
+        str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
+    ] = None,
+    estimate: Annotated[
+        str | None, typer.Option(metavar="A,B,...", help="What the observer begins with; not given: zeros.")
+    ] = None,
+    input: Annotated[
+        list[str] | None,
+        typer.Option(metavar="EXPRESSION", help="A known input, a function of t; once for each input."),
+    ] = None,
+    unknown_input: Annotated[
+        list[str] | None,
+        typer.Option(metavar="EXPRESSION", help="An input that nobody measures, a function of t."),
+    ] = None,
+    disturbance: Annotated[
+        list[str] | None,
+        typer.Option(metavar="EXPRESSION", help="What is added to x', a function of t; once for each state."),
+    ] = None,
+    parameter: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=EXPRESSION", help="A scheduling variable, a function of t."),
+    ] = None,
+    noise: Annotated[
+        str, typer.Option(metavar="SD", help="Standard deviation of the outputs' noise, or one for each.")
+    ] = "0",
+    seed: Annotated[int, typer.Option(help="Seed of the noise.")] = 0,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Figure to draw: .svg, .png or .pdf.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option(metavar="FILE", help="CSV file of every signal.")] = None,
+    json: Json = None,
+    force: Force = False,
+) -> None:
+    """Simulate a design with its plant: print the errors, draw them, write every signal.
+
+    Expressions hold numbers, t, + - * / ** and functions such as sin, exp, tanh. --plot needs the
+    extra 'report'.
+
+    Try:
+
+      pointpred observers simulate motor_design.json --input "sin(2*t)" --noise 0.01 --plot motor.png
+
+      pointpred observers simulate motor_design.json --start 0.5,0,0 --seconds 4 --out motor.csv
+    """
+    read = [design] if plant is None else [design, plant]
+    check_targets({"--plot": plot, "--out": out, "--json": json}, read)
+    for option, target in (("--plot", plot), ("--out", out)):
+        check_free(target, force, option)
+    if plot is not None:
+        from pointpred_observers.simulations.result import check_ending
+
+        require("report", "--plot")
+        check_ending(plot)
+    from pointpred_observers import load
+    from pointpred_observers import simulate as simulated
+    from pointpred_observers.cli.observer_runs import plant_of, sampling, signals, write_signals
+    from pointpred_observers.cli.observer_tables import errors_document, print_errors
+
+    made = load(design)
+    truth = plant_of(made) if plant is None else load(plant)
+    asked: dict[str, Any] = signals(
+        start=start,
+        estimate=estimate,
+        input=input,
+        unknown_input=unknown_input,
+        disturbance=disturbance,
+        parameter=parameter,
+        noise=noise,
+    )
+    result: Simulation = simulated(
+        truth, made, times=sampling(truth, seconds, step_s, steps), seed=seed, **asked
+    )
+    if plot is not None:
+        result.plot(plot)
+    if out is not None:
+        write_signals(result, out)
+    if json is not None:
+        write_json(errors_document(result), json)
+    if json is None or str(json) != "-":
+        print_errors(result)
+    for target in (plot, out):
+        if target is not None:
+            remarks().print(f"written: {target}", markup=False)

@@ -1,0 +1,189 @@
+"""State feedback for Persidskii plants: gains L0 and L1 with a proof of the closed loop's decay."""
+
+from __future__ import annotations
+
+from math import exp
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, inward, outward
+from pointpred_observers.detectability import undetectable, vertices
+from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix, positive
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.rounding import without_rounding
+
+ROOM = 1.01
+"""The feedback is designed for a decay larger by this factor than the certified one."""
+
+
+class StateFeedback(msgspec.Struct, frozen=True):
+    """u = L0 x + L1 f(Hx), and the certificate of x' = (A0 + B L0) x + (A1 + B L1) f(Hx) + d."""
+
+    L0: FloatArray
+    L1: FloatArray
+    certificate: DecayCertificate
+
+
+def design_state_feedback(
+    plant: Plant,
+    *,
+    decay: float = 1.0,
+    L1: Any = None,
+) -> StateFeedback:
+    """The feedback u = L0 x + L1 f(Hx) of small gain with which any two solutions approach each other.
+
+    Assumes that the state is known; see ``design_regulator`` where only the output is. With f = m s + df, m
+    the middle of each slope and abs(df_j) <= delta_j abs(s_j), delta half its width, Y = (L0 + L1 m H) X and
+    Z = L1 T the condition is linear:
+
+    ((sym(2 (A0 + A1 m H) X + 2 B Y) + 2 decay X, A1 T + B Z, X H' delta), (., -T, 0), (., 0, -T)) < 0
+
+    with X > 0 and a diagonal T > 0; in discrete time the corresponding inequality of the next state.
+    Minimises abs(u)^2 over the ellipsoid x'X^-1 x + df'T^-1 df <= 1 in balanced units. One function of
+    Lyapunov for all slopes: a refusal does not prove that no feedback exists unless f is absent.
+
+    Parameters: ``decay`` in 1/s (1/step), > 0; ``L1`` (m, k) if it is chosen already: zeros, or one that
+    cancels A1, for which slopes are not needed.
+    Raises InfeasibleError naming a mode that no input moves before any solver runs; InfeasibleError,
+    UndecidedError and CertificateError from the solver; ParameterError for a plant without input, with
+    varying matrices, or slopes that are missing or not bounded.
+
+    Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, section 7.2; S and S~ of Khalin 2022, Assumption
+    3.2.3.
+
+    >>> mass = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0])
+    >>> feedback = design_state_feedback(mass, decay=1.0)
+    >>> round(feedback.certificate.bound.rate, 6), min(feedback.certificate.margins.values()) > 0.0
+    (1.0, True)
+    """
+    decay = positive("decay", decay)
+    one = as_plant(plant)
+    if one.varying:
+        raise ParameterError(f"a design needs constant matrices; {', '.join(one.varying)} vary: use plant.at")
+    if not one.B.any():
+        raise ParameterError("a feedback needs an input: give the plant a B other than 0", field="B")
+    fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)
+    _require_stabilisable(one, fixed)
+    l0, l1 = _gains(one, ROOM * decay, fixed)
+    certificate = certify_decay(closed_system(one, l0, l1), decay=decay)
+    return StateFeedback(l0, l1, certificate)
+
+
+def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSystem:
+    """The system of the difference of two solutions under the feedback."""
+    whole = without_rounding(plant.A1 + plant.B @ L1, plant.A1, plant.B @ L1)
+    return sloped_system(
+        plant.A0 + plant.B @ L0,
+        whole,
+        plant.H,
+        {"d": np.eye(plant.n)},
+        slopes=plant.slopes,
+        time=plant.time,
+        domain=plant.domain,
+    )
+
+
+def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
+    """Raise InfeasibleError naming a mode that no input moves, at any corner of the slopes."""
+    a1 = plant.A1 if l1 is None else without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
+    corners = vertices(plant.slopes) if a1.any() else {"": np.zeros((plant.k, plant.r))}
+    for name, d in corners.items():
+        for mode in undetectable((plant.A0 + a1 @ d @ plant.H).T, plant.B.T, plant.time):
+            corner = f" at D = diag({name})" if name else ""
+            raise InfeasibleError(
+                f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}: "
+                "(A0, B) is not stabilisable"
+            )
+
+
+def _gains(plant: Persidskii, decay: float, fixed: FloatArray | None) -> tuple[FloatArray, FloatArray]:
+    """L0 and L1 in the user's units, from a problem in balanced ones."""
+    l1 = np.zeros((plant.m, plant.k)) if fixed is None else fixed
+    a1 = without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
+    middle, half = _slopes(plant) if a1.any() else (np.zeros(plant.k), np.zeros(plant.k))
+    slope = middle[:, None] * plant.H if a1.any() else np.zeros((plant.k, plant.n))
+    used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect
+    drift, driven, inner = plant.A0 + a1 @ slope, a1[:, used], half[used, None] * plant.H[used]
+    units = balanced(
+        drift, driven=driven, inner=inner, slopes=((0.0, 1.0),) * len(inner), rates=(decay,), time=plant.time
+    )
+    x, f, t = units.states, units.values, units.seconds
+    b = inward(plant.B, x, np.ones(plant.m), t)
+    inputs = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
+    scaled = (inward(drift, x, x, t), b * inputs, inward(driven, x, f, t), inward(inner, f, x))
+    free = fixed is None and bool(used.any())
+    y, z = _solved(*scaled, decay * t, plant.time, free=free)
+    l0 = outward(y, inputs, x)
+    if free:
+        l1[:, used] = outward(z, inputs, f)
+        l0 = l0 - l1 @ slope
+    return l0, l1
+
+
+def _slopes(plant: Persidskii) -> tuple[FloatArray, FloatArray]:
+    """The middle and half the width of each slope; raises ParameterError where one is not bounded."""
+    vertices(plant.slopes)
+    low, high = np.array(plant.slopes).reshape(-1, 2).T
+    return 0.5 * (low + high), 0.5 * (high - low)
+
+
+def _solved(
+    a: FloatArray,
+    b: FloatArray,
+    a1: FloatArray,
+    h: FloatArray,
+    decay: float,
+    time: str,
+    *,
+    free: bool,
+) -> tuple[FloatArray, FloatArray]:
+    """L0 + L1 m H and L1 for abs(df_j) <= abs(h_j x), the least input over the ellipsoid."""
+    (n, m), k = b.shape, a1.shape[1]
+    problem = MatrixInequalities("state feedback").positive("X", n).free("Y", m, n).number("size")
+    if k:
+        problem.diagonal("T", k).above("T > 0", lambda v: v.T)
+    if free:
+        problem.free("Z", m, k)
+
+    def weights(v: Any) -> FloatArray:
+        return np.asarray(v.T) if k else np.zeros((0, 0))
+
+    def onward(v: Any) -> FloatArray:
+        driven = a1 @ weights(v) + (b @ v.Z if free else 0.0)
+        return np.hstack([a @ v.X + b @ v.Y, driven])
+
+    def continuous(v: Any) -> FloatArray:
+        moved = onward(v)
+        first = moved[:, :n] + moved[:, :n].T + 2.0 * decay * v.X
+        across = np.hstack([moved[:, n:], v.X @ h.T])
+        return np.block([[first, across], [across.T, -np.kron(np.eye(2), weights(v))]])
+
+    def discrete(v: Any) -> FloatArray:
+        before = np.zeros((n + k, n + k))
+        before[:n, :n], before[n:, n:] = -exp(-2.0 * decay) * v.X, -weights(v)
+        after = np.zeros((n + k, n + k))
+        after[:n, :n], after[n:, n:] = -v.X, -weights(v)
+        moved = np.vstack([onward(v), np.hstack([h @ v.X, np.zeros((k, k))])])
+        return np.block([[before, moved.T], [moved, after]])
+
+    def input_size(v: Any) -> FloatArray:
+        u = np.hstack([v.Y, v.Z if free else np.zeros((m, k))])
+        inside = np.zeros((n + k, n + k))
+        inside[:n, :n], inside[n:, n:] = v.X, weights(v)
+        return np.block([[v.size * np.eye(m), u], [u.T, inside]])
+
+    problem.below("the closed loop", discrete if time == "discrete" else continuous)
+    problem.above("the input's size", input_size, strict=False)
+    found = problem.solve(minimise=lambda v: v.size).values
+    l0 = np.linalg.solve(found["X"], found["Y"].T).T
+    l1 = found["Z"] / np.diag(found["T"]) if free else np.zeros((m, k))
+    return np.asarray(l0, np.float64), np.asarray(l1, np.float64)

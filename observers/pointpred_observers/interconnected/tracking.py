@@ -1,0 +1,179 @@
+"""Tracking control: assumptions 3.2.3 to 3.2.6, theorems 3.2.2 and 3.2.3, for a regulator and its plant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
+from pointpred_observers.interconnected.generator import (
+    Fitted,
+    Generator,
+    fitted,
+    require_same_nonlinearity,
+)
+from pointpred_observers.interconnected.regulated import Followed, Regulated
+from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import instance, matrix, share, vector
+from pointpred_observers.persidskii import Persidskii
+
+
+class TrackingCertificate(msgspec.Struct, frozen=True):
+    """Both theorems: the ``regulator`` is ISS (3.2.2) and so is the ``error`` z = x - Pi w (3.2.3).
+
+    Local if the slopes hold on a ``domain`` only: abs(Jw), abs(Hz) and abs(Jw + Hz) must stay below it.
+    """
+
+    regulator: Solution
+    error: Solution
+    margins: dict[str, float]
+    domain: float
+
+
+def theorem_3_2_2(
+    plant: Plant,
+    regulator: Generator,
+    Pi: Any,
+) -> MatrixInequalities:
+    """Assumption 3.2.3 with the condition of Theorem 3.2.2: the regulator is ISS with respect to z, w and v.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1. The
+    condition Xi + mu J' Omega J > 0 holds for some mu exactly if it holds for mu = 1, as both terms are
+    positive semidefinite; so it is solved like the other inequalities.
+
+    Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
+    """
+    plant = as_plant(plant)
+    g, pi = _shared(plant, regulator, Pi)
+    return Regulated.of(plant, g, pi).inequalities()
+
+
+def theorem_3_2_3(
+    plant: Plant,
+    regulator: Generator,
+    Pi: Any,
+    sector: SectorBounds | None = None,
+) -> MatrixInequalities:
+    """Assumption 3.2.6 with the conditions of Theorem 3.2.3: z = x - Pi w is ISS with respect to d, w and v.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
+    A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
+    """
+    plant = as_plant(plant)
+    g, pi = _shared(plant, regulator, Pi)
+    bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
+    return Followed.of(plant, g, pi, bound).inequalities()
+
+
+def certify_tracking(
+    plant: Plant,
+    regulator: Generator,
+    Pi: Any,
+    *,
+    sector: SectorBounds | None = None,
+    tolerance: float = TOLERANCE,
+) -> TrackingCertificate:
+    """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
+
+    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1). Nothing
+    is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
+
+    Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
+    of the equalities, a share of their own terms, for matrices rounded in print.
+    Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
+    UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
+
+    Reference: Khalin 2022, section 3.2.3.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    >>> certificate = certify_tracking(plant, regulator, [[1.0]])
+    >>> min(certificate.margins.values()) > 0.0
+    True
+    """
+    plant, tolerance = as_plant(plant), share("tolerance", tolerance)
+    require_same_nonlinearity(plant, instance("regulator", regulator, Generator), name="regulator")
+    for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
+        if not part <= tolerance:
+            raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+    # With a larger tolerance J is checked to that share of its terms, above.
+    g = fitted(regulator, plant, "regulator")
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
+    both: dict[str, Regulated | Followed] = {
+        "3.2.3": Regulated.of(plant, g, pi),
+        "3.2.6": Followed.of(plant, g, pi, bound),
+    }
+    _require_no_growth(both)
+    solutions: list[Solution] = []
+    failed: list[Exception] = []
+    for one in both.values():
+        try:
+            solutions.append(_certified(one))
+        except (InfeasibleError, UndecidedError, CertificateError) as failure:
+            failed.append(failure)
+    if failed:
+        # One assumption that no matrices satisfy is enough for a refusal.
+        kind = next((type(one) for one in failed if isinstance(one, InfeasibleError)), type(failed[0]))
+        raise kind("; ".join(str(one) for one in failed)) from failed[0]
+    first, second = solutions
+    margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
+    margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
+    return TrackingCertificate(first, second, margins, plant.domain)
+
+
+def _shared(plant: Persidskii, regulator: Any, Pi: Any) -> tuple[Fitted, FloatArray]:
+    """The regulator's matrices and Pi, once it is known to share f and its arguments with the plant."""
+    g = fitted(regulator, plant, "regulator")
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    require_same_nonlinearity(plant, regulator, pi, "regulator")
+    return g, pi
+
+
+def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
+    """Raise InfeasibleError naming a motion that grows at slopes which an assumption must allow."""
+    reasons = []
+    for name, one in both.items():
+        units = one.units()
+        matrix_name, mode = one.inward(units).growing()
+        if mode is not None:
+            reasons.append(f"Assumption {name}: {mode.text(matrix_name, units.seconds)}, must lie left of 0")
+    if reasons:
+        raise InfeasibleError("; ".join(reasons))
+
+
+def _certified(one: Regulated | Followed) -> Solution:
+    """Matrices found in balanced units and audited in the user's."""
+    units = one.units()
+    inner = one.inward(units).inequalities().solve()
+    values = one.outward(inner.values, units)
+    return Solution(values, one.inequalities().check(values, printed=False))
+
+
+def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:
+    """The derivative of (x, w) under the regulator; ``rho``, ``v``, ``d`` and ``w`` are signals at t."""
+    plant = as_plant(plant)
+    g: Fitted = fitted(regulator, plant, "regulator")
+    require_same_nonlinearity(plant, regulator, name="regulator")
+    if unknown := set(signals) - {"rho", "v", "d", "w"}:
+        raise ParameterError(f"the signals are rho, v, d and w, received {', '.join(sorted(unknown))}")
+    sizes = {"rho": plant.z, "v": plant.p, "d": plant.n, "w": g.q}
+    signals = {name: vector(name, one, sizes[name]) for name, one in signals.items() if one is not None}
+    x, w = np.split(vector("both", both, plant.n + g.q), [plant.n])
+    if g.J is None:
+        raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
+    nonlinear = plant.f(g.J @ w)
+    rho = signals.get("rho")
+    dx = plant.field(t, x, g.L0 @ w + g.L1 @ nonlinear, rho, signals.get("d"))
+    dw = g.S0 @ w + g.S1 @ nonlinear + g.G @ plant.output(t, x, signals.get("v"))
+    if rho is not None:
+        dw = dw + g.E @ np.atleast_1d(rho)
+    return np.concatenate([dx, dw if signals.get("w") is None else dw + signals["w"]])

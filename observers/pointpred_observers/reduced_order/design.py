@@ -1,0 +1,219 @@
+"""Reduced-order observers: Upsilon chosen by the inequality of the theorem that certifies it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import (
+    CertificateError,
+    InfeasibleError,
+    ParameterError,
+    PointpredError,
+    UndecidedError,
+)
+from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates, balanced, form, inward, outward
+from pointpred_observers.detectability import require_detectable, vertices
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix, positive, without_rounding
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.convergence import Convergence
+from pointpred_observers.reduced_order.reversed_certificate import certify_convergence
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred_observers.reduced_order.upsilon import Choice, Split, allowed, split
+from pointpred_observers.stationary import filter_start
+
+GAMMAS = (1.0, 1e-2)
+"""The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""
+
+
+class ReducedOrderDesign(msgspec.Struct, frozen=True):
+    """A reduced-order observer, its Upsilon, and its certificate.
+
+    ``gap``: how far the least size of Upsilon in balanced units could lie below that of this one, relative to
+    it; infinite if nothing is proved, 0 where the equalities leave no choice.
+    """
+
+    observer: InvariantObserver
+    Upsilon: FloatArray
+    certificate: Convergence
+    gap: float = np.inf
+
+
+def design_reduced_order(
+    plant: Plant,
+    Pi: Any = None,
+    *,
+    decay: float = 1.0,
+    injection: bool = False,
+) -> ReducedOrderDesign:
+    """The reduced-order observer with Upsilon from the inequality, and its certificate.
+
+    Assumes y = C0 x and constant matrices. Without ``injection`` the equality J Z = H leaves only Upsilon =
+    U0 + N K, N the null space of H restricted to the unmeasured part, and P is block-diagonal there, which is
+    conservative: a search that fails proves nothing then. With ``injection`` the measured output enters f,
+    every Upsilon is allowed, and the problem is convex.
+
+    Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of all
+    Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it. The
+    certificate is then computed separately.
+
+    Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part, and where rounding leaves the
+    design undecided in it, one whose axes are those of a stationary filter; ``decay`` of the error in 1/s
+    (per step in discrete time), > 0. Raises InfeasibleError naming the undetectable mode, or the equality, or
+    from the solver; UndecidedError; ParameterError.
+
+    Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
+
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.5]], None, None, "sin", C0=[1.0, 0.0])
+    >>> design = design_reduced_order(plant, [[0.0, 1.0]], decay=2.0)
+    >>> bool(design.observer.at(0.0).S0[0, 0] < -2.0)
+    True
+    """
+    plant, decay = as_plant(plant), positive("decay", decay)
+    if not isinstance(injection, bool):
+        raise ParameterError(
+            f"injection must be True or False, received {injection!r}", field="injection", value=injection
+        )
+    if plant.varying:
+        raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+    units = balanced(
+        plant.A0,
+        seen=plant.C0,
+        driven=plant.A1,
+        inner=plant.H,
+        slopes=plant.slopes if plant.A1.any() and _bounded(plant) else None,
+        rates=(decay,),
+        time=plant.time,
+    )
+    inner = _inward(plant, units)
+    pi = _unmeasured(inner) / units.states if Pi is None else Pi
+    parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
+    sloped = bool(parts.driven.any() or parts.shown.any())
+    corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
+    for name, corner in corners.items():
+        a = parts.drift + parts.driven @ corner @ parts.inner
+        c = parts.seen + parts.shown @ corner @ parts.inner
+        require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
+
+    def designed(basis: Any, gamma: float) -> ReducedOrderDesign:
+        parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
+        choices, gap, near = allowed(parts, sloped and not injection), 0.0, None
+        chosen = choices[0]
+        if choices[1].shape[1]:
+            rates = decay, 2.0 * decay + gamma
+            chosen, gap, near = _chosen(plant, parts, sloped, choices, rates)
+        upsilon = chosen / units.outputs
+        try:
+            observer = invariant_observer(plant, basis, upsilon, injection=injection)
+            certificate = certify_convergence(observer, decay=decay, gamma=gamma, times=None, near=near)
+        except InfeasibleError as failure:
+            if not choices[1].shape[1]:
+                raise
+            # The equalities and the inequality hold for this Upsilon, as its choice has shown.
+            raise UndecidedError(
+                f"decay = {decay:g} is too large for the arithmetic: Upsilon has entries of "
+                f"{np.abs(upsilon).max():.1g}, and in its rounding {failure}; require less decay"
+            ) from failure
+        return ReducedOrderDesign(observer, upsilon, certificate, gap)
+
+    turned = _turned(inner, decay) if Pi is None else None
+    for share in GAMMAS:
+        for basis in [pi] if turned is None else [pi, turned / units.states]:
+            try:
+                return designed(basis, share * decay)
+            except InfeasibleError as failure:
+                reason: PointpredError = failure
+                break
+            except (UndecidedError, CertificateError) as failure:
+                reason = failure
+    raise reason
+
+
+def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
+    """The unmeasured part turned to the axes of the stationary filter's P; ``None`` if there is no filter.
+
+    A state that the outputs barely show is then a coordinate of its own. Elsewhere it is a small difference
+    of large numbers, and rounding decides the inequality.
+    """
+    pi = _unmeasured(plant)
+    parts = split(plant, pi)
+    start = filter_start(parts.drift, parts.seen, decay, plant.time)
+    if start is None:
+        return None
+    turned = np.linalg.eigh(start[0])[1].T @ pi
+    return without_rounding(turned, np.ones_like(turned))
+
+
+def _bounded(plant: Persidskii) -> bool:
+    """Whether every slope is known and bounded."""
+    return plant.slopes is not None and bool(np.isfinite(plant.slopes).all())
+
+
+def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
+    """The plant with its states and outputs in these units; f, inputs and time keep theirs."""
+    x, y = units.states, units.outputs
+    return Persidskii(
+        inward(plant.A0, x, x),
+        plant.A1 / x[:, None],
+        plant.H * x,
+        plant.f,
+        C0=inward(plant.C0, y, x),
+        C1=plant.C1 / y[:, None],
+        time=plant.time,
+        domain=plant.domain,
+    )
+
+
+def _chosen(
+    plant: Persidskii,
+    parts: Split,
+    sloped: bool,
+    choices: tuple[FloatArray, FloatArray],
+    rates: tuple[float, float],
+) -> tuple[FloatArray, float, dict[str, Any]]:
+    """Upsilon of ``choices``, U0 + N K, its gap and its P, by balanced units; ``rates`` of e and of V."""
+    units = balanced(
+        parts.drift,
+        seen=parts.seen,
+        driven=parts.driven,
+        shown=parts.shown,
+        inner=parts.inner,
+        slopes=plant.slopes if sloped else None,
+        rates=rates[:1],
+        time=plant.time,
+    )
+    x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
+    base, free = choices
+    slopes = units.slopes(plant.slopes)
+    choice = Choice(
+        Split(
+            inward(parts.drift, x, x, t),
+            inward(parts.seen, y, x),
+            inward(parts.driven, x, f, t),
+            inward(parts.shown, y, f),
+            inward(parts.inner, s, x),
+            parts.outer,
+        ),
+        vertices(slopes) if sloped else {},
+        slopes,
+        plant.time,
+        inward(base, x, y, t),
+        np.linalg.qr(free / x[:, None])[0],
+        rates[1] * t,
+    )
+    upsilon, gap, proof = choice.made()
+    back = {
+        name: one if name == "alpha" else form(one, x, t if name == "W" else 1.0)
+        for name, one in proof.items()
+    }
+    return outward(upsilon, x, y, t), gap, back
+
+
+def _unmeasured(plant: Persidskii) -> FloatArray:
+    """An orthonormal basis of the null space of the output."""
+    basis = np.linalg.svd(plant.C0)[2][plant.p :]
+    return without_rounding(basis, np.ones_like(basis))

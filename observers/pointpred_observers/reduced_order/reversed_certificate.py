@@ -1,0 +1,367 @@
+"""Certificates of the reversed connection of an observer: Theorems 3.3.1 and 3.3.2."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import expm1
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.bounds import least_ratio
+from pointpred_observers.detectability import vertices
+from pointpred_observers.eigenvalues import require_decay
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.unknowns import Block
+from pointpred_observers.matrices import instance, matrix, moments, positive
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.connections import Slopes, connections_of
+from pointpred_observers.reduced_order.convergence import Convergence, convergence
+from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred_observers.slopes import ROUNDING
+from pointpred_observers.stationary import cover, decay_start, middle, normal
+
+SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
+"""Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
+KEPT = ("P", "Xi", "W", "Gamma", "alpha")
+"""The matrices of the two theorems; others only help to choose among them."""
+
+
+def theorem_3_3_1(
+    observer: Any,
+    slopes: Any = None,
+    gamma: float = 1.0,
+    *,
+    F: Any = None,
+    times: Sequence[float] | None = None,
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's matrices.
+
+    Unknowns: P, Xi, and W if S1 is not zero. F = P S1; if it is passed, the equality is required.
+    e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) at each corner D of the slopes.
+
+    Parameters: ``observer`` an ``InvariantObserver``, or printed matrices {"S0": ..., "S1": ..., "J": ...};
+    ``slopes`` of each component of f, by default those of the observer's plant; ``gamma`` in 1/s, > 0;
+    ``times`` at which the matrices of an observer that varies are taken.
+
+    >>> theorem = theorem_3_3_1({"S0": [[-2.0]], "S1": [1.0], "J": [1.0]}, [(0.0, 0.5)], gamma=1.0)
+    >>> theorem.check({"P": 1.0, "Xi": 1.0, "W": 0.5})["the inequality"]
+    1.0
+    """
+    connections, slopes = connections_of(observer, slopes, times)
+    gamma = positive("gamma", gamma)
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.1").positive("P", q).symmetric("Xi", q)
+    problem.above("Xi > 0", lambda v: v.Xi)
+    sloped = any(one.S1.any() for one in connections)
+    if sloped:
+        problem.symmetric("W", q)
+    for i, one in enumerate(connections):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        if F is not None:
+            problem.equal(f"P S1 - F{mark}", _product(one, matrix("F", F, q, one.S1.shape[1])))
+        for name, corner in (vertices(slopes) if sloped else {}).items():
+            problem.above(f"W - sym(F D J), D = diag({name}){mark}", _sector(one, corner), strict=False)
+        problem.below(f"the inequality{mark}", _dissipation(one, gamma, sloped))
+    return problem
+
+
+def theorem_3_3_2(
+    observer: Any,
+    slopes: Any = None,
+    gamma: float | None = None,
+    *,
+    times: Sequence[float] | None = None,
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.2 with a constant P.
+
+    Unknowns: P, Xi, Gamma, alpha; the last row and column are q wide, as Gamma is q x q.
+
+    Parameters: ``observer``, ``slopes`` and ``times`` as for ``theorem_3_3_1``; ``gamma`` of the theorem,
+    with abs(f(Jw) - f(Jz)) <= gamma abs(w - z), by default the L with abs(L (w - z)) that the slopes imply.
+    Raises ParameterError for a gamma below the norm of that L, where an observer has slopes.
+    """
+    connections, slopes = connections_of(observer, slopes, times)
+    bounds_of_f: list[Any] = [gamma] * len(connections)
+    if gamma is None:
+        bounds_of_f = [lipschitz(slopes, one.J) for one in connections]
+    elif isinstance(observer, InvariantObserver) and slopes is not None:
+        _require_lipschitz(positive("gamma", gamma), slopes, connections)
+    else:
+        positive("gamma", gamma)
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.2").positive("P", q).symmetric("Xi", q)
+    problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
+
+    for i, (one, constant) in enumerate(zip(connections, bounds_of_f, strict=True)):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
+    return problem
+
+
+def certify_convergence(
+    observer: InvariantObserver,
+    *,
+    decay: float | None = None,
+    gamma: float | None = None,
+    times: Sequence[float] | None = None,
+    near: dict[str, Any] | None = None,
+) -> Convergence:
+    """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
+
+    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified, not
+    the times between them. Theorem 3.3.2 uses only the Lipschitz constant of the nonlinearity: a steep f is
+    refused although it may help. Takes the P of least condition number (in discrete time, with a small
+    Gamma).
+
+    Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
+    a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
+    ``near`` matrices by name, P and then W or alpha, where the search may begin.
+    Raises CertificateError for an equality that fails by more than the default tolerance, whatever the
+    observer's; InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
+    slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
+
+    Reference: Khalin 2022, Theorems 3.3.1 and 3.3.2, the bounds corrected.
+
+    >>> from pointpred_observers import Persidskii, invariant_observer
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
+    >>> certificate = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
+    >>> min(certificate.margins.values()) > 0.0, certificate.bound(1.0, 1.0) < 0.14
+    (True, True)
+    >>> certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[2.0]]))
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: Theorem 3.3.1: S0 + S1 D J has the eigenvalue 1, must lie left of 0
+    """
+    for name, given in (("decay", decay), ("gamma", gamma)):
+        if given is not None:
+            positive(name, given)
+    varying = "the observer" if instance("observer", observer, InvariantObserver).varying else ""
+    connections = [observer.at(t) for t in moments(varying, times, "certified")]
+    for one in connections:
+        one.require_equalities()
+    slowest = max(_slowest(one, observer.plant) for one in connections)
+    tried = [share * -slowest for share in SHARES] if decay is None else [decay]
+    for rate in tried:
+        try:
+            values, margins, gap = _solved(connections, observer.plant, (rate, gamma or rate), near or {})
+        except (InfeasibleError, UndecidedError) as failure:
+            if rate == tried[-1]:
+                unit = "1/step" if observer.plant.time == "discrete" else "1/s"
+                raise type(failure)(
+                    f"{failure}; with decay = {rate:g} {unit} and gamma = {gamma or rate:g} {unit}"
+                ) from failure
+            continue
+        break
+    if observer.plant.time == "continuous":
+        values["gamma"] = gamma or rate
+    return convergence(connections, observer.plant, values, margins, gap)
+
+
+def certified_convergence(
+    observer: InvariantObserver, values: dict[str, Any], gap: float = np.inf
+) -> Convergence:
+    """The certificate that matrices from any source are, audited; constant matrices of the observer only.
+
+    Parameters: ``values`` P, Xi and gamma, and W where f matters, in discrete time P, Xi, Gamma and alpha.
+    Raises CertificateError naming the equality or the inequality that fails.
+    """
+    connections = [
+        observer.at(t) for t in moments("the observer" if observer.varying else "", None, "certified")
+    ]
+    for one in connections:
+        one.require_equalities()
+    matrices = {name: one for name, one in values.items() if name != "gamma"}
+    if observer.plant.time == "discrete":
+        margins = theorem_3_3_2(observer).check(matrices, printed=False)
+    else:
+        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices, printed=False)
+    return convergence(connections, observer.plant, dict(values), margins, gap)
+
+
+def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
+    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
+
+    Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
+    """
+    if slopes is None or not np.isfinite(np.array(slopes)).all():
+        raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
+    steepest = np.abs(np.array(slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
+    return np.asarray(steepest[:, None] * j, np.float64)
+
+
+def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connection]) -> None:
+    """Raise ParameterError for a gamma that f exceeds, by its slopes, at one of the observer's matrices."""
+    for one in connections:
+        least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if one.S1.any() else 0.0
+        if gamma < least * (1.0 - ROUNDING):
+            raise ParameterError(
+                f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
+                "leave it out, or pass the slopes of f where they are narrower",
+                field="gamma",
+                value=gamma,
+            )
+
+
+def symmetric(square: FloatArray) -> FloatArray:
+    """The symmetric part."""
+    return 0.5 * (square + square.T)
+
+
+def _size(v: Any) -> float:
+    """The objective: the largest eigenvalues of P and, in discrete time, of Gamma."""
+    return float(v.bound + getattr(v, "noise", 0.0))
+
+
+def _product(one: Connection, f: FloatArray) -> Block:
+    return lambda v: v.P @ one.S1 - f
+
+
+def _sector(one: Connection, corner: FloatArray) -> Block:
+    return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+
+
+def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
+    return lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
+
+
+def _next(one: Connection, steepest: Any) -> Block:
+    """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
+    q, k = one.S1.shape
+    share = steepest.T @ steepest if isinstance(steepest, np.ndarray) else steepest**2 * np.eye(q)
+    onward = np.hstack([one.S0, one.S1, -np.eye(q)])
+
+    def block(v: Any) -> FloatArray:
+        diagonal = np.zeros((2 * q + k, 2 * q + k))
+        diagonal[:q, :q] = v.Xi - v.P + v.alpha * share
+        diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        diagonal[q + k :, q + k :] = -v.Gamma
+        return np.asarray(diagonal + onward.T @ v.P @ onward)
+
+    return block
+
+
+def _solved(
+    connections: list[Connection],
+    plant: Persidskii,
+    rates: tuple[float, float],
+    near: dict[str, Any],
+) -> tuple[dict[str, Any], dict[str, float], float]:
+    """Matrices and margins in the user's units, from a problem in balanced ones, and its gap."""
+    decay, gamma = rates
+    units = balanced(
+        [one.S0 for one in connections],
+        driven=[one.S1 for one in connections],
+        inner=[one.J for one in connections],
+        slopes=plant.slopes,
+        rates=rates,
+        time=plant.time,
+    )
+    x, t = units.states, units.seconds
+    inner = [
+        msgspec.structs.replace(
+            one,
+            S0=inward(one.S0, x, x, t),
+            S1=inward(one.S1, x, units.values, t),
+            J=inward(one.J, units.arguments, x),
+        )
+        for one in connections
+    ]
+    slopes = units.slopes(plant.slopes)
+    problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
+    needed = decay_share(decay * t, plant.time)
+    problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
+    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+    if plant.time == "discrete":
+        problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
+    given = {
+        name: one if name == "alpha" else symmetric(inward(one, 1.0 / x, x, t if name == "W" else 1.0))
+        for name, one in near.items()
+    }
+    start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
+    solution = problem.solve(minimise=_size, near=start)
+    values = {
+        name: one if name == "alpha" else form(one, x)
+        for name, one in solution.values.items()
+        if name in KEPT
+    }
+    for name in ("Xi", "W"):
+        if name in values:
+            values[name] = values[name] / t
+    theorem = _theorem(connections, plant.time, plant.slopes, gamma)
+    with answer_of_a_search():
+        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
+        share = decay_share(decay, plant.time)
+        missing = share - least_ratio(values["P"], values["Xi"])
+        if missing > 0.0:
+            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
+        margins = theorem.check(values, printed=False)
+    return values, margins, np.inf if solution.gap is None else solution.gap
+
+
+def _start(
+    connections: list[Connection],
+    time: str,
+    slopes: tuple[tuple[float, float], ...] | None,
+    rates: tuple[float, float],
+    given: dict[str, Any],
+) -> dict[str, Any] | None:
+    """Matrices of the theorem for a P that is given, or that of Lyapunov's equation at the middle slopes."""
+    one, sloped = connections[0], any(other.S1.any() for other in connections)
+    (decay, gamma), discrete = rates, time == "discrete"
+    p = normal(given["P"]) if "P" in given else None
+    scale = 1.0 if p is None else p[0, 0] / given["P"][0, 0]
+    if p is None:
+        a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
+        p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
+    if p is None:
+        return None
+    # Xi - share P is 0 to the last digit, which its audit accepts whatever the condition number of P.
+    share = decay_share(decay, time)
+    values: dict[str, Any] = {"P": p, "Xi": share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
+    if discrete:
+        alpha = scale * given["alpha"] if "alpha" in given else 1.0
+        steepest = lipschitz(slopes, one.J)
+        onward = np.hstack([one.S0, one.S1])
+        rest = -onward.T @ p @ onward
+        q = len(p)
+        rest[:q, :q] += p - values["Xi"] - alpha * steepest.T @ steepest
+        rest[q:, q:] += alpha * np.eye(len(rest) - q)
+        across = p @ onward
+        room = p + 2.0 * across @ np.linalg.pinv(rest) @ across.T
+        values["alpha"], values["Gamma"] = alpha, symmetric(room) + p
+        values["noise"] = 2.0 * float(np.linalg.norm(values["Gamma"], 2))
+    elif sloped:
+        values["W"] = scale * given["W"] if "W" in given else cover(p @ one.S1, one.J, slopes)
+    return values
+
+
+def _theorem(
+    connections: list[Connection],
+    time: str,
+    slopes: tuple[tuple[float, float], ...] | None,
+    gamma: float,
+) -> MatrixInequalities:
+    """The inequalities of the theorem."""
+    if time == "discrete":
+        return theorem_3_3_2(connections, slopes)
+    return theorem_3_3_1(connections, slopes, gamma)
+
+
+def decay_share(decay: float, time: str) -> float:
+    """The share of V that is lost in a unit of time: Xi must exceed so much of P."""
+    return -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
+
+
+def _slowest(one: Connection, plant: Persidskii) -> float:
+    """The largest real part (log modulus) at a corner of the slopes; raises unless negative."""
+    corners = [("", one.S0)]
+    if one.S1.any():
+        slopes = vertices(plant.slopes).items()
+        corners = [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
+    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
+    return require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")

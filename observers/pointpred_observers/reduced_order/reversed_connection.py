@@ -1,0 +1,353 @@
+"""The reversed connection of section 3.3: an observer whose state is a linear function of the plant's."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import (
+    ROUNDING,
+    dimensions,
+    instance,
+    matrix,
+    share,
+    without_rounding,
+)
+
+Given = Any
+"""A matrix, or a function of t (of the index in discrete time)."""
+
+
+class Connection(msgspec.Struct, frozen=True):
+    """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
+
+    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` the same relative to its
+    terms; ``unique``: whether the equalities determine S0 and B.
+    ``onward`` is the Z of the next w: Z itself in continuous time.
+    """
+
+    Z: FloatArray
+    S0: FloatArray
+    S1: FloatArray
+    J: FloatArray
+    B: FloatArray
+    O: FloatArray
+    R: FloatArray
+    residuals: dict[str, float]
+    unique: bool
+    onward: FloatArray
+    shares: dict[str, float] = {}
+
+    def require_equalities(self) -> None:
+        """Raise CertificateError unless every equality holds to ``TOLERANCE``, however it was built.
+
+        Where one fails w = Z x is not invariant, and no decay of w bounds the error of the estimate.
+        """
+        for name, share_left in self.shares.items():
+            if not share_left <= TOLERANCE:
+                raise CertificateError(
+                    f"{name} = 0 fails: its residual is {self.residuals[name]:.3g}, {share_left:.1g} of its "
+                    f"terms, and a certificate needs {TOLERANCE:g} whatever the tolerance of the "
+                    "observer: leave out B, which is then computed, and give Pi and Upsilon with all digits",
+                    field=name,
+                    value=self.residuals[name],
+                )
+
+
+class InvariantObserver:
+    """An observer with the invariant w = Pi x + Upsilon y; see ``invariant_observer``.
+
+    Assumes y = C0 x + C1
+    f(Hx) without noise; that w converges to it needs a certificate.
+    """
+
+    def __init__(
+        self,
+        plant: Plant,
+        Pi: Given,
+        Upsilon: Given,
+        *,
+        B: Given = None,
+        injection: bool = False,
+        rates: dict[str, Callable[[float], Any]] | None = None,
+        tolerance: float = TOLERANCE,
+    ) -> None:
+        plant = as_plant(plant)
+        self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
+        self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
+        self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
+        self._rates = dict(instance("rates", {} if rates is None else rates, dict))
+        self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
+        self._check_rates()
+        self._latest = 0.0, self._connection(0.0)
+
+    def given(self, name: str) -> Any:
+        """Pi, Upsilon or B as given: an array, a function of t, or ``None`` for a B that was computed."""
+        return self._given[name]
+
+    def at(self, t: float) -> Connection:
+        """The matrices at t (at the index, in discrete time)."""
+        if self.varying and t != self._latest[0]:
+            self._latest = t, self._connection(t)
+        return self._latest[1]
+
+    def field(self, t: float, w: Any, y: Any, u: Any = None) -> FloatArray:
+        """The w' at t (or the next w); ``u`` are the inputs of the plant's B, then those of its Q."""
+        now = self.at(t)
+        w, y = np.asarray(w, np.float64), np.atleast_1d(np.asarray(y, np.float64))
+        change: FloatArray = now.S0 @ w + now.B @ y
+        if now.S1.size:
+            change = change + now.S1 @ self.plant.f(now.J @ w + now.R @ y)
+        return change if u is None else change + now.O @ np.atleast_1d(u)
+
+    def invariant(self, t: float, x: Any) -> FloatArray:
+        """The w of a state of the plant: Z x."""
+        return np.asarray(self.at(t).Z @ np.asarray(x, np.float64))
+
+    def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
+        """X, Y with x = X w + Y y on the invariant solution.
+
+        Raises ParameterError if w and y do not determine x, or y contains the nonlinearity.
+        """
+        now, plant = self.at(t), self.plant.matrices(t)
+        both = np.vstack([now.Z, plant["C0"]])
+        if plant["C1"].any():
+            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
+        rank = np.linalg.matrix_rank(both, tol=1e-9 * max(1.0, float(np.abs(both).max())))
+        if rank < self.plant.n:
+            return self._recovery_beside_large_gains(t)
+        inverse = np.linalg.pinv(both)
+        onto, straight = inverse[:, : self.q], inverse[:, self.q :]
+        return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
+
+    def _recovery_beside_large_gains(self, t: float) -> tuple[FloatArray, FloatArray]:
+        """The same from w - Upsilon y = Pi x: beside a large Upsilon C0 rounding takes that of Pi."""
+        now, pi, upsilon, _ = self._maps(t)
+        both = np.vstack([pi, now["C0"]])
+        sizes = np.linalg.norm(both, axis=1, keepdims=True)
+        even = both / np.where(sizes > 0.0, sizes, 1.0)
+        rank = np.linalg.matrix_rank(even, tol=1e-9)
+        if rank < self.plant.n:
+            raise ParameterError(f"w and y hold {rank} combinations of the {self.plant.n} states, not all")
+        inverse = np.linalg.pinv(even) / np.where(sizes > 0.0, sizes, 1.0).T
+        onto = inverse[:, : self.q]
+        return onto, inverse[:, self.q :] - onto @ upsilon
+
+    def output_rate(self, t: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """V0, V1, V2 with y' = V0 w + V1 f(Hx) + V2 (y, u), in discrete time the next y, as the plant has it.
+
+        V0, V1 and V2 keep the outputs as they are if C0 varies in continuous time and its derivative is not
+        known.
+        """
+        plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
+        onto, straight = self.recovery(t)
+        inputs = plant.m + plant.z
+        c, change = now["C0"], np.zeros((plant.p, plant.n))
+        if discrete and self.varying:
+            c = plant.matrices(t + 1)["C0"]
+        elif "C0" in plant.varying:
+            if "C0" not in self._rates:
+                return (
+                    np.zeros((plant.p, self.q)),
+                    np.zeros((plant.p, plant.k)),
+                    np.zeros((plant.p, plant.p + inputs)),
+                )
+            change = matrix("C0'", self._rates["C0"](t), plant.p, plant.n)
+        drift = c @ now["A0"] + change
+        driven = c @ np.hstack([now["B"], now["Q"]])
+        return drift @ onto, c @ now["A1"], np.hstack([drift @ straight, driven])
+
+    def estimate(self, t: float, w: Any, y: Any) -> FloatArray:
+        """The plant's state from w and y."""
+        onto, straight = self.recovery(t)
+        return np.asarray(onto @ np.asarray(w, np.float64) + straight @ np.atleast_1d(y))
+
+    def _maps(self, t: float) -> tuple[dict[str, FloatArray], FloatArray, FloatArray, FloatArray]:
+        """The plant's matrices, Pi, Upsilon and Z at t."""
+        now = self.plant.matrices(t)
+        pi = matrix("Pi", _at(self._given["Pi"], t), self.q, self.plant.n)
+        given = _at(self._given["Upsilon"], t)
+        upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
+        upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
+        z = without_rounding(pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]))
+        return now, pi, upsilon, z
+
+    def _connection(self, t: float) -> Connection:
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            return self._solved(t)
+
+    def _solved(self, t: float) -> Connection:
+        now, _, upsilon, z = self._maps(t)
+        discrete = self.plant.time == "discrete"
+        onward = self._maps(t + 1)[3] if discrete and self.varying else z
+        change = onward @ now["A0"]
+        if not discrete:
+            change = change + self._rate(t, now, upsilon)
+        given = self._given["B"]
+        if given is None:
+            both = _right(np.vstack([z, now["C0"]]), change)
+            s0, b = both[:, : self.q], both[:, self.q :]
+        else:
+            b = matrix("B", _at(given, t), self.q, self.plant.p)
+            s0 = _right(z, change - b @ now["C0"])
+        sizes = np.abs(onward) @ np.abs(now["A1"]) + np.abs(b) @ np.abs(now["C1"])
+        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes)
+        stacked = np.vstack([z, now["C0"]]) if self.injection else z
+        jr = _right(stacked, now["H"])
+        j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
+        left = {
+            "Upsilon C1": upsilon @ now["C1"],
+            "J (Pi + Upsilon C0) - H": j @ z + r @ now["C0"] - now["H"] if s1.any() else np.zeros(0),
+            "S0 Z + B C0 - Z A0 - Z'": s0 @ z + b @ now["C0"] - change,
+            "R C1": r @ now["C1"],
+        }
+        # A large gain makes large terms, which round by a share of their own size.
+        terms = np.abs(s0) @ np.abs(z) + np.abs(b) @ np.abs(now["C0"]) + np.abs(onward) @ np.abs(now["A0"])
+        largest = (float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values()))
+        size = max(1.0, *largest)
+        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
+        _demand(residuals, self.tolerance, size, t)
+        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
+        units = column_units(np.vstack([z, now["C0"]]))
+        name = "S0 Z + B C0 - Z A0 - Z'"
+        shares = {
+            "Upsilon C1": _share_before_f(upsilon, now["C0"], now["C1"]),
+            name: share_of_terms(left[name], terms + np.abs(change), units),
+            "R C1": _share_before_f(r, now["C0"], now["C1"]),
+        }
+        if s1.any():
+            name = "J (Pi + Upsilon C0) - H"
+            inner = np.abs(j) @ np.abs(z) + np.abs(r) @ np.abs(now["C0"]) + np.abs(now["H"])
+            shares[name] = share_of_terms(left[name], inner, units)
+        rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
+        free = given is None and rank < self.q + self.plant.p
+        inputs = onward @ np.hstack([now["B"], now["Q"]])
+        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
+
+    def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
+        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives passed."""
+        total = np.zeros((self.q, self.plant.n))
+        if "Pi" in self._rates:
+            total += matrix("Pi'", self._rates["Pi"](t), self.q, self.plant.n)
+        if "Upsilon" in self._rates:
+            total += matrix("Upsilon'", self._rates["Upsilon"](t), self.q, self.plant.p) @ now["C0"]
+        if "C0" in self._rates:
+            total += upsilon @ matrix("C0'", self._rates["C0"](t), self.plant.p, self.plant.n)
+        return total
+
+    def _check_rates(self) -> None:
+        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
+        if "C0" in self.plant.varying and not _empty(self._given["Upsilon"]):
+            moving.add("C0")
+        foreign = set(self._rates) - {"Pi", "Upsilon", "C0"}
+        if foreign:
+            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
+        missing = moving - set(self._rates)
+        if missing and self.plant.time == "continuous":
+            raise ParameterError(
+                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
+            )
+
+
+def invariant_observer(
+    plant: Plant,
+    Pi: Given,
+    Upsilon: Given = None,
+    *,
+    B: Given = None,
+    injection: bool = False,
+    rates: dict[str, Callable[[float], Any]] | None = None,
+    tolerance: float = TOLERANCE,
+) -> InvariantObserver:
+    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
+
+    Assumes nothing about stability. If the equalities do not determine S0 and B (q + p > n), B is by default
+    the one of least norm, which need not give a stable observer.
+
+    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
+    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
+    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
+    which the thesis does not have. J is not needed if S1 = 0.
+
+    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
+    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
+    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
+    and its residual; ParameterError for a shape.
+
+    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
+    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
+    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
+    ([[-4.0]], [[-12.0]], [[1.0]])
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
+    [[1.0]]
+    """
+    return InvariantObserver(plant, Pi, Upsilon, B=B, injection=injection, rates=rates, tolerance=tolerance)
+
+
+def _empty(given: Given) -> bool:
+    """Whether a matrix was left out; rows of different lengths are refused where it is used."""
+    return dimensions(given) > 0 and np.size(given) == 0
+
+
+def _at(given: Given, t: float) -> Any:
+    return given(t) if callable(given) else given
+
+
+def _right(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The least-squares solution of X a = b, of least norm after the rows and columns of a are scaled to 1.
+
+    The scale keeps a combination of states in small units from counting as rounding. What is rounding is 0.
+    """
+    if not a.size:
+        return np.zeros((len(b), len(a)))
+    columns = np.abs(a).max(axis=0)
+    columns[columns == 0.0] = 1.0
+    rows = np.abs(a / columns).max(axis=1)
+    rows[rows == 0.0] = 1.0
+    scaled = a / columns / rows[:, None]
+    right = b / columns
+    solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
+    inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
+    answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse)) / rows
+    return answer
+
+
+def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
+    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling.
+
+    An entry of the gain that is rounding beside its row, with each output in a unit of its own, stands for 0.
+    """
+    outputs = or_one(
+        np.maximum(
+            (np.abs(c0) / column_units(c0)).max(axis=1, initial=0.0), np.abs(c1).max(axis=1, initial=0.0)
+        )
+    )
+    largest = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
+    rounding = ROUNDING * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
+    return share_of_terms(gain @ c1, np.abs(gain) @ np.abs(c1), rounding=rounding)
+
+
+def _demand(residuals: dict[str, float], tolerance: float, size: float, t: float) -> None:
+    if not (np.isfinite(size) and np.isfinite(list(residuals.values())).all()):
+        raise ParameterError(
+            f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the largest "
+            "entries of the plant, of Pi, Upsilon and B"
+        )
+    for name, residual in residuals.items():
+        if residual > tolerance * size:
+            raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")

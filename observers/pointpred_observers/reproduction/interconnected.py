@@ -1,0 +1,227 @@
+"""Figures 3.3 to 3.7 of the thesis: examples 1 to 4, systems that drive each other."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.records import FloatArray
+from pointpred.reproduction.figure import Reproduction, Value, matrix_values
+from pointpred_observers import (
+    SeededSignal,
+    closed_loop,
+    design_observer,
+    residuals,
+    steady_state_map,
+    trajectory,
+)
+from pointpred_observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
+
+SIMULATED = "simulated, from the printed initial conditions"
+INFLOWS = (12.7, 7.5)
+"""The two levels of the square wave of example 2, in the order of the print."""
+HALF_PERIOD_S = 20.0
+"""How long each lasts; the thesis does not print it."""
+
+
+def figure_3_3(_: Path | None) -> Reproduction:
+    """Example 1 with the printed gain: outputs, the observer's states, the distance to the steady state."""
+    plant, generator = academic()
+    maps = steady_state_map(plant, generator)
+    printed_p, printed_u = np.array([[1.129, 0.332], [0.332, 0.611]]), np.array([[-2.837], [-0.03]])
+    design = design_observer(plant, generator, maps.Pi, gain=[[-2.973], [1.565]])
+    g, m, noise = design.generator, design.gain, SeededSignal(1, 1, 0.05, period_s=0.05)
+
+    def field(t: float, both: Any) -> Any:
+        w, x, z = both[:2], both[2:5], both[5:]
+        dx = plant.field(t, x, g.L0 @ w + g.L1 @ plant.f(maps.J @ w), d=0.2 * np.sin(10.0 * t))
+        y = plant.output(t, x, noise(t))
+        ahead = g.S0 @ z + m @ (y - plant.C0 @ maps.Pi @ z)
+        return np.concatenate([g.S0 @ w + 0.1 * np.cos(10.0 * t), dx, ahead])
+
+    t = np.arange(0.0, 25.0, 0.05)
+    both = trajectory(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], t, step_s=0.01)
+    w, x, z = both[:, :2], both[:, 2:5], both[:, 5:]
+    y = x[:, 0] + np.array([noise(one)[0] for one in t])
+    psi = (plant.C0 @ maps.Pi)[0]
+    off = np.linalg.norm(x - w @ maps.Pi.T, axis=1)
+    panels = (
+        Panel(
+            "output",
+            beside(t, (y, "Y measured", "truth"), (w @ psi, "psi", "first"), (z @ psi, "psi^", "second")),
+        ),
+        Panel("w1", beside(t, (w[:, 0], "w1", "first"), (z[:, 0], "w1^", "second"))),
+        Panel("w2", beside(t, (w[:, 1], "w2", "first"), (z[:, 1], "w2^", "second"))),
+        Panel("distance", beside(t, (off, "norm of x - Pi w", "third"))),
+    )
+    values = (
+        *matrix_values("Pi", maps.Pi, [["-1/2", "0"], ["0", "-1/2"], ["3/2", "1/2"]]),
+        *matrix_values("J", maps.J, [["3/2", "1/2"]]),
+        *matrix_values("M = P^-1 U", np.linalg.solve(printed_p, printed_u), [["-2.973"], ["1.565"]]),
+        Value("norm of w - w^ at 5 s", float(np.linalg.norm((w - z)[t.searchsorted(5.0)]))),
+        Value("largest abs(w - w^) in the last 5 s", float(np.abs(w - z)[t >= 20.0].max())),
+        Value("largest norm of x - Pi w in the last 5 s", float(off[t >= 20.0].max())),
+    )
+    return Reproduction(values, drawing("Figure 3.3, example 1", panels), SIMULATED)
+
+
+def inflow(t: Any) -> FloatArray:
+    """The square wave of example 2, both S_in1 and S_in2."""
+    high, low = INFLOWS
+    return np.where(np.asarray(t) % (2.0 * HALF_PERIOD_S) < HALF_PERIOD_S, high, low)
+
+
+def digestion(t: FloatArray, gain: tuple[float, float], *, projected: bool) -> FloatArray:
+    """States x, w and estimates z of example 2 at the times t, with a gain of the observer."""
+    reactor = Bioreactor()
+
+    def field(now: float, states: Any) -> Any:
+        return reactor.field(float(inflow(now)), states, gain, projected=projected)
+
+    return trajectory(field, [1.0, 5.0, 0.1, 0.0, 1.0, 20.0], t, step_s=0.02)
+
+
+def figure_3_4(_: Path | None) -> Reproduction:
+    """Example 2: both states of the first stage beside Pi w."""
+    reactor, t = Bioreactor(), np.arange(0.0, 60.0, 0.1)
+    states = digestion(t, (0.0, 0.0), projected=True)
+    steady = np.column_stack([states[:, 2:4], inflow(t)]) @ reactor.printed_map[:2].T
+    panels = tuple(
+        Panel(
+            f"{name}",
+            beside(t, (states[:, i], f"x{i + 1}", "first"), (steady[:, i], f"(Pi w){i + 1}", "second")),
+        )
+        for i, name in enumerate(("x1, biomass", "x2, substrate"))
+    )
+    left = residuals(reactor.plant, reactor.generator, reactor.printed_map, relaxed=True)
+    before = int(np.searchsorted(t, HALF_PERIOD_S)) - 1
+    values = (
+        Value("largest residual of the equalities with the printed Pi",
+              max(float(np.abs(one).max()) for one in left.values()), "0"),
+        *(
+            Value(f"abs(x{i + 1} - (Pi w){i + 1}) at {HALF_PERIOD_S:g} s, before the inflow jumps",
+                  float(abs(states[before, i] - steady[before, i])))
+            for i in range(2)
+        ),
+    )  # fmt: skip
+    return Reproduction(values, drawing("Figure 3.4, example 2: x and Pi w", panels), SIMULATED)
+
+
+def figure_3_5(_: Path | None) -> Reproduction:
+    """Example 2: the observer without a gain, with the printed gain, and with it and projection."""
+    t = np.arange(0.0, 60.0, 0.1)
+    printed = Bioreactor.PRINTED_GAIN
+    none = digestion(t, (0.0, 0.0), projected=True)
+    held, free = digestion(t, printed, projected=True), digestion(t, printed, projected=False)
+    panels = tuple(
+        Panel(
+            name,
+            beside(
+                t,
+                (none[:, 2 + i], f"w{i + 1}", "truth"),
+                (none[:, 4 + i], "no gain", "third"),
+                (held[:, 4 + i], "printed gain, projected", "first"),
+                (free[:, 4 + i], "printed gain, not projected", "second"),
+            ),
+        )
+        for i, name in enumerate(("w1, biomass", "w2, acids"))
+    )
+    at = int(np.searchsorted(t, HALF_PERIOD_S)) - 1
+    runs = {"no gain": none, "printed gain, projected": held, "printed gain, not projected": free}
+    values = tuple(
+        Value(f"norm of w - w^ at {HALF_PERIOD_S:g} s, {name}",
+              float(np.linalg.norm(run[at, 2:4] - run[at, 4:])))
+        for name, run in runs.items()
+    )  # fmt: skip
+    return Reproduction(values, drawing("Figure 3.5, example 2: the observer", panels), SIMULATED)
+
+
+def arm_beside_reference(start: float, t: FloatArray) -> FloatArray:
+    """Example 3 from w(0) = start in all four states: x, w and the reference x, four columns each."""
+    plant, regulator = robotic_arm()
+    whole = regulator.beside(plant)
+
+    def field(now: float, both: Any) -> Any:
+        rho, reference = [1.0 if now % 1.0 < 0.5 else -1.0], both[8:]
+        d = np.array([0.0, 0.5 * np.sin(5.0 * now), 0.0, 0.0])
+        u = whole.L0 @ reference + whole.L1 @ plant.f(plant.H @ reference) + rho
+        ahead = plant.field(now, reference, u)
+        return np.concatenate([closed_loop(plant, regulator, now, both[:8], rho=rho, d=d), ahead])
+
+    rest = [0.0, 0.0, 1.0, 0.0]
+    return trajectory(field, [*rest, *[start] * 4, *rest], t, step_s=0.01)
+
+
+def figure_3_6(_: Path | None) -> Reproduction:
+    """Example 3: the observer's error, and how far the arm stays from the reference, from two starts."""
+    t = np.arange(0.0, 40.0, 0.1)
+    panels: list[Panel] = []
+    values: list[Value] = []
+    for start in (15.0, 1.0):
+        both = arm_beside_reference(start, t)
+        x, w, reference = both[:, :4], both[:, 4:8], both[:, 8:]
+        error, off = np.linalg.norm(x - w, axis=1), np.linalg.norm(x - reference, axis=1)
+        panels += [
+            Panel(
+                f"w(0) = {start:g}",
+                beside(t, (error, "norm of x - w", "first"), (off, "norm of x - reference", "second")),
+            ),
+            Panel(
+                "link [rad]",
+                beside(
+                    t,
+                    (reference[:, 2], "reference", "truth"),
+                    (x[:, 2], "x3", "first"),
+                    (w[:, 2], "w3", "second"),
+                ),
+            ),
+        ]
+        late = t >= 35.0
+        values += [
+            Value(f"largest norm of x - w in the last 5 s, w(0) = {start:g}", float(error[late].max())),
+            Value(f"largest norm of x - reference in the last 5 s, w(0) = {start:g}", float(off[late].max())),
+        ]
+    return Reproduction(tuple(values), drawing("Figure 3.6, example 3", panels), SIMULATED)
+
+
+PRINTED_W = ((0.25, -2.5, 0.1), (-2.5, 0.0, 0.0), (0.1, 0.0, 0.0))
+"""W of example 4."""
+
+
+def figure_3_7(_: Path | None) -> Reproduction:
+    """Example 4: two circuits and the observer with the printed gain, then its error."""
+    plant, generator = chua_circuits()
+    g, m = generator.beside(plant), np.array([[-0.34], [1.32], [5.35]])
+
+    def field(t: float, both: Any) -> Any:
+        w, x, z = both[:3], both[3:6], both[6:]
+        f, fz = w[:1] ** 3, z[:1] ** 3
+        wrong = plant.C0 @ x + x[:1] ** 3 - plant.C0 @ z - fz
+        dx = plant.A0 @ x + plant.A1 @ x[:1] ** 3 + plant.B @ (g.L0 @ w + g.L1 @ f)
+        return np.concatenate([g.S0 @ w + g.S1 @ f, dx, g.S0 @ z + g.S1 @ fz + m @ wrong])
+
+    t = np.arange(0.0, 20.0, 0.02)
+    both = trajectory(field, [0.2, 0.0, 0.2, 0.65, 0.0, 0.5, 0.0, 0.0, 0.0], t, step_s=0.005)
+    w, x, z = both[:, :3], both[:, 3:6], both[:, 6:]
+    error, apart = np.linalg.norm(w - z, axis=1), np.linalg.norm(x - w, axis=1)
+    panels = [
+        Panel(
+            f"state {i + 1}",
+            beside(t, (w[:, i], "w", "truth"), (x[:, i], "x", "third"), (z[:, i], "w^", "second")),
+        )
+        for i in range(3)
+    ]
+    lines = beside(t, (error, "norm of w - w^", "second"), (apart, "norm of x - w", "third"))
+    panels.append(Panel("distance", lines, logarithmic=True))
+    values = (
+        *matrix_values("L0", g.L0, [["31.43", "0", "0"], ["-1.43", "0", "0"], ["0", "1.7143", "0"]]),
+        *matrix_values("L1", g.L1, [["2.857"], ["10"], ["0"]]),
+        *matrix_values("A0", plant.A0, [["-28.57", "10", "0"], ["1", "-1", "1"], ["0", "-16", "0"]]),
+        Value("least eigenvalue of the printed W", float(np.linalg.eigvalsh(np.array(PRINTED_W))[0])),
+        Value("norm of w - w^ at 20 s", float(error[-1])),
+        Value("norm of x - w at 20 s", float(apart[-1])),
+    )
+    return Reproduction(values, drawing("Figure 3.7, example 4", panels), SIMULATED)

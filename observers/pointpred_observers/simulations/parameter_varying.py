@@ -1,0 +1,130 @@
+"""Parameter-varying plants with unknown inputs beside their observers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from pointpred.errors import ParameterError, PointpredError
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import instance
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+
+
+def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting) -> Simulation:
+    """An unknown-input observer, whose scheduling variables may depend on the state."""
+    system = instance("plant", plant, ParameterVaryingSystem)
+    known = observer.system
+    if system.c.shape != known.c.shape or system.time != known.time:
+        raise ParameterError(
+            f"the observer was designed for C of shape {known.c.shape} in {known.time} time, received a "
+            f"plant of shape {system.c.shape} in {system.time} time",
+            field="plant",
+        )
+    n, discrete = system.c.shape[1], system.time == "discrete"
+    times, start = setting.samples(discrete), setting.begin(n)
+    schedule = _schedule(setting.schedule, observer)
+    width = _matrices(system, schedule(float(times[0]), start))[1].shape[1]
+    b, d = setting.signal("input", n), setting.signal("unknown_input", width)
+    shake = setting.signal("disturbance", n)
+
+    def field(t: float, x: FloatArray) -> FloatArray:
+        a, f = _matrices(system, schedule(t, x))
+        change: FloatArray = a @ x + b(t) + f @ d(t) + shake(t)
+        return change
+
+    state = run(field, start, times, discrete)
+    outputs = setting.measured(state @ system.c.T)
+    running = RunningUnknownInputObserver(observer, setting.begin(n, "estimate", 0.0))
+    inputs, unknown = sampled(b, times), sampled(d, times)
+    estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
+    for i, t in enumerate(times.tolist()):
+        answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
+        estimate[i], found[i] = answer.x, answer.d
+    none = np.zeros((len(times), 0))
+    return Simulation(
+        times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
+        "unknown-input observer", discrete, unknown, found, none, none, np.zeros(0),
+    )  # fmt: skip
+
+
+def _schedule(given: Any, observer: UnknownInputObserver) -> Callable[[float, FloatArray], Point]:
+    """The scheduling variables as a function of t and x; the middle of the box where nothing is given."""
+    names = observer.box.names
+    if given is None:
+        given = {name: 0.5 * (low + high) for name, (low, high) in observer.box.bounds.items()}
+    if not (callable(given) or isinstance(given, Mapping)):
+        raise ParameterError(
+            f"schedule must be a dict of {', '.join(names)} or a function of t and x, received {given!r:.60}",
+            field="schedule",
+            value=given,
+        )
+
+    def asked(t: float, x: FloatArray) -> Any:
+        if callable(given):
+            return given(t, x)
+        return {name: one(t) if callable(one) else one for name, one in given.items()}
+
+    def schedule(t: float, x: FloatArray) -> Point:
+        try:
+            point = asked(t, x)
+        except PointpredError:
+            raise
+        except (TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as failure:
+            raise ParameterError(
+                f"schedule must be a dict of {', '.join(names)}, each a number or a function of t, or one "
+                f"function of t and x that returns such a dict; it fails at t = {t:g}: "
+                f"{type(failure).__name__}: {failure}",
+                field="schedule",
+            ) from failure
+        return _point(point, names, t)
+
+    return schedule
+
+
+def _point(given: Any, names: tuple[str, ...], t: float) -> Point:
+    """Scheduling variables as finite numbers; raises ParameterError for others, and for a missing one."""
+    if not isinstance(given, Mapping):
+        raise ParameterError(
+            f"schedule must return a dict of {', '.join(names)}, received {given!r:.60} at t = {t:g}",
+            field="schedule",
+            value=given,
+        )
+    if missing := [name for name in names if name not in given]:
+        raise ParameterError(
+            f"schedule lacks {', '.join(missing)}, received {', '.join(map(str, given))}", field="schedule"
+        )
+    point = {
+        name: one.item() if isinstance(one, np.ndarray) and one.size == 1 else one
+        for name, one in given.items()
+    }
+    for name, value in point.items():
+        if not (is_number(value) and isfinite(value)):
+            raise ParameterError(
+                f"schedule needs a finite number for {name}, or a function of t that returns one, received "
+                f"{value!r:.60} at t = {t:g}",
+                field="schedule",
+                value=value,
+            )
+    return {name: float(value) for name, value in point.items()}
+
+
+def _matrices(system: ParameterVaryingSystem, point: Point) -> tuple[FloatArray, FloatArray]:
+    """A and F at a point; raises ParameterError for a variable of the plant that the schedule lacks."""
+    try:
+        return system.a(point), system.f(point)
+    except KeyError as missing:
+        raise ParameterError(
+            f"schedule lacks the variable {missing} of the plant, received {', '.join(point)}: give it as "
+            "well, as a number or a function",
+            field="schedule",
+        ) from missing

@@ -1,0 +1,117 @@
+"""What drives a simulation: samples, starts, and signals given as constants or as functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError, PointpredError
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import matrix, vector
+from pointpred_observers.trajectories import Field, trajectory
+
+Signal = Callable[[float], FloatArray]
+SAMPLES, STEP_S = 1001, 1e-2
+"""The samples of a simulation that names none: as many, and in continuous time as far apart in s."""
+TOLERANCE = 1e-9
+
+
+class Setting(msgspec.Struct, frozen=True):
+    """What a simulation was asked for; ``None`` where nothing was."""
+
+    times: Any
+    start: Any
+    estimate: Any
+    input: Any
+    disturbance: Any
+    unknown_input: Any
+    schedule: Any
+    noise: Any
+    seed: int
+
+    def samples(self, discrete: bool) -> FloatArray:
+        """The times of the samples, or the indices; raises ParameterError unless they increase."""
+        if self.times is None:
+            return np.asarray(np.arange(SAMPLES) * (1.0 if discrete else STEP_S), np.float64)
+        times: FloatArray = matrix("times", self.times, 1)[0]
+        if len(times) < 2 or (np.diff(times) <= 0.0).any():
+            raise ParameterError(
+                f"times needs two samples or more that increase, received {self.times!r:.60}"
+            )
+        if discrete and (np.diff(times) != 1.0).any():
+            raise ParameterError("the samples of a discrete plant are its steps: times must go up by 1")
+        return times
+
+    def begin(self, size: int, what: str = "start", default: float = 1.0) -> FloatArray:
+        """A state to start with: ``start`` or ``estimate``."""
+        value = self.start if what == "start" else self.estimate
+        return np.full(size, default) if value is None else vector(what, value, size).copy()
+
+    def signal(self, name: str, size: int) -> Signal:
+        """A signal as a function of time, zero if it was not given."""
+        given = getattr(self, name)
+        if given is None:
+            zero = np.zeros(size)
+            return lambda t: zero
+        if not callable(given):
+            constant = vector(name, given, size)
+            return lambda t: constant
+
+        def value(t: float) -> FloatArray:
+            try:
+                now = vector(name, given(t), size)
+            except PointpredError:
+                raise
+            except (TypeError, ValueError, ArithmeticError, LookupError) as failure:
+                raise ParameterError(
+                    f"{name} must be a function of t, it fails at t = {t:g}: "
+                    f"{type(failure).__name__}: {failure}",
+                    field=name,
+                ) from failure
+            if not np.isfinite(now).all():
+                raise ParameterError(f"{name} must be finite, it is {now.tolist()} at t = {t:g}", field=name)
+            return now
+
+        value(0.0)
+        return value
+
+    def refuse(self, kind: str, *names: str) -> None:
+        """Raise ParameterError for what a plant of this kind has no place for."""
+        for name in names:
+            if getattr(self, name) is not None:
+                raise ParameterError(f"{kind} has no {name}: leave it out", field=name)
+
+    def measured(self, exact: FloatArray) -> FloatArray:
+        """Outputs (N, p) with the noise."""
+        sizes = matrix("noise", self.noise, 1)[0]
+        if (sizes < 0.0).any() or len(sizes) not in (1, exact.shape[1]):
+            raise ParameterError(
+                f"noise needs a standard deviation not below 0, or {exact.shape[1]} of them, "
+                f"received {self.noise!r}",
+                field="noise",
+                value=self.noise,
+            )
+        drawn = np.random.default_rng(self.seed).standard_normal(exact.shape)
+        noisy: FloatArray = exact + sizes * drawn
+        return noisy
+
+    @property
+    def silent(self) -> bool:
+        """Whether neither noise nor disturbance was asked for."""
+        return self.disturbance is None and not np.any(self.noise)
+
+
+def run(field: Field, start: FloatArray, times: FloatArray, discrete: bool) -> FloatArray:
+    """The states at the samples; no change of an input that lasts a sample is stepped over."""
+    if discrete:
+        return trajectory(field, start, times, integrator="discrete")
+    longest = float(np.diff(times).min())
+    return trajectory(field, start, times, integrator="stiff", step_s=longest / 100.0, tolerance=TOLERANCE)
+
+
+def sampled(signal: Signal, times: FloatArray) -> FloatArray:
+    """A signal at the samples, (N, size)."""
+    return np.array([signal(float(t)) for t in times])

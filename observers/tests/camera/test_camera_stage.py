@@ -1,0 +1,146 @@
+"""What every stage on camera samples obeys: refusals, chunks, pickles, plain Python of the same source."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred_observers.camera import SCENARIOS, CameraColumns, CameraSample, DepthObserver, Noise, simulate
+
+FOCAL = 800.0
+
+
+def observer(chi: float = 4.0, eta: float = -1.6) -> DepthObserver:
+    return DepthObserver(focal_px=FOCAL, start_chi=chi, start_eta=eta)
+
+
+GOOD = CameraSample(0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("change", "kind", "said"),
+    [
+        ({"t": -1.0}, EventOrderError, r"t must increase: received -1.0 s after 0.0 s"),
+        ({"t": 0.0}, EventOrderError, "t must increase"),
+        ({"t": 5.0}, EventError, "the inertial sensor was silent from 0.0 s to 5.0 s, at most 1 s"),
+        ({"t": 0.1, "y": None}, EventError, "x and y come together or not at all"),
+        ({"t": 0.1, "x": float("nan")}, EventError, "x must be a number, received nan"),
+        ({"t": 0.1, "wx": float("inf")}, EventError, r"wx must lie in \[-1000, 1000\], received inf"),
+        ({"t": 0.1, "az": 1j}, EventError, "az must be a number"),
+        ({"t": 0.1, "x": 1e9}, EventError, "x must lie in"),
+        ({"t": 0.1, "ay": "0"}, EventError, "ay must be a number"),
+    ],
+)
+def test_bad_samples_are_refused_and_change_nothing(change: dict, kind: type[Exception], said: str) -> None:
+    stage = observer()
+    stage.update(GOOD)
+    kept = stage.remembered()
+    values = {name: getattr(GOOD, name) for name in CameraColumns.names} | change
+    with pytest.raises(kind, match=said):
+        stage.update(CameraSample(**values))
+    assert stage.remembered() == kept
+
+
+def test_a_bad_row_is_named_and_nothing_is_consumed() -> None:
+    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=1.0)
+    table = samples.table.copy()
+    table[7, 4] = np.nan
+    stage = observer()
+    kept = stage.remembered()
+    with pytest.raises(EventError, match="row 7: wy must lie in"):
+        stage.run(CameraColumns(table))
+    assert stage.remembered() == kept
+    with pytest.raises(EventError, match="must be a CameraSample"):
+        stage.update(3.0)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"focal_px": 0.0}, "focal_px must lie in"),
+        ({"start_chi": 0.0}, "start_chi must lie in"),
+        ({"start_eta": float("nan")}, "start_eta must lie in"),
+        ({"gap_s": True}, "gap_s must be a number"),
+    ],
+)
+def test_bad_parameters_are_refused(change: dict, said: str) -> None:
+    with pytest.raises(ParameterError, match=said):
+        DepthObserver(**({"focal_px": 1.0, "start_chi": 1.0, "start_eta": 0.0} | change))
+
+
+def test_rows_chunks_pickles_and_fresh_agree() -> None:
+    noise = Noise(noise_px=3.0, dropped=0.2)
+    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, readings=2, noise=noise)
+    whole = observer().run(samples).table
+    stage = observer()
+    parts = [stage.run(CameraColumns(samples.table[:200])).table]
+    stage = pickle.loads(pickle.dumps(stage))
+    parts.append(stage.run(CameraColumns(samples.table[200:])).table)
+    assert np.array_equal(np.vstack(parts), whole, equal_nan=True)
+    stage.reset()
+    assert stage.remembered() == stage.fresh().remembered() == observer().remembered()
+    one_by_one = [stage.update(sample) for sample in samples.samples()]
+    assert np.array_equal([d.chi for d in one_by_one], whole[:, 1], equal_nan=True)
+
+
+SCRIPT = """
+import sys
+import numpy as np
+from pointpred_observers.camera import *
+import pointpred.compiled
+assert not pointpred.compiled.COMPILED
+samples = CameraColumns(np.load(sys.argv[1]))
+depth = DepthObserver(focal_px=800.0, start_chi=4.0, start_eta=-1.6).run(samples)
+track = PointFilter(focal_px=800.0, noise_px=1.0, gyro_noise=1e-4, accel_noise=1e-3).run(samples)
+d = UnknownInputs("kalman-two-state", focal_px=800.0).run(samples, depth.eta)
+np.savez(sys.argv[2], depth=depth.table, state=track.state, covariance=track.covariance, d=d)
+"""
+
+
+def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
+    from pointpred_observers.camera import PointFilter, UnknownInputs
+
+    noise = Noise(noise_px=1.5, dropped=0.2)
+    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=noise)
+    np.save(tmp_path / "rows.npy", samples.table)
+    environment = {**os.environ, "POINTPRED_COMPILED": "0", "PYTHONWARNINGS": "error"}
+    command = [sys.executable, "-c", SCRIPT, str(tmp_path / "rows.npy"), str(tmp_path / "out.npz")]
+    subprocess.run(command, check=True, env=environment, cwd=tmp_path)
+    depth = observer().run(samples)
+    track = PointFilter(focal_px=FOCAL, noise_px=1.0, gyro_noise=1e-4, accel_noise=1e-3).run(samples)
+    assert track.running.any()
+    with np.load(tmp_path / "out.npz") as plain:
+        np.testing.assert_allclose(depth.table, plain["depth"], rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(track.state, plain["state"], rtol=1e-7, atol=1e-9)
+        np.testing.assert_allclose(track.covariance, plain["covariance"], rtol=1e-6, atol=1e-12)
+        d = UnknownInputs("kalman-two-state", focal_px=FOCAL).run(samples, depth.eta)
+        np.testing.assert_allclose(d, plain["d"], rtol=1e-10, atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_wild_samples_within_the_bounds_leave_a_memory_of_finite_numbers(seed: int) -> None:
+    from pointpred_observers.camera import PointFilter
+
+    random = np.random.default_rng(seed)
+    rows = 3000
+    table = np.zeros((rows, 9))
+    table[:, 0] = np.cumsum(random.choice([1e-6, 0.01, 0.9], rows))
+    table[:, 1:3] = random.choice([0.0, 1.0, -300.0, 1e6], (rows, 2)) * random.normal(size=(rows, 2)).clip(
+        -1, 1
+    )
+    table[random.uniform(size=rows) < 0.2, 1:3] = np.nan
+    table[:, 3:6] = random.choice([0.0, 0.1, 1e3], (rows, 3)) * random.uniform(-1.0, 1.0, (rows, 3))
+    table[:, 6:9] = random.choice([0.0, 0.1, 1e4], (rows, 3)) * random.uniform(-1.0, 1.0, (rows, 3))
+    for stage in (observer(), PointFilter(focal_px=FOCAL, gyro_noise=1.0, accel_noise=10.0)):
+        out = stage.run(CameraColumns(table))
+        memory = np.frombuffer(stage.remembered())
+        assert np.isfinite(memory).all()
+        answers = out.table if hasattr(out, "table") else out.state
+        assert not np.isinf(answers).any()

@@ -1,0 +1,213 @@
+"""``pointpred camera simulate`` and ``run``: what they write, what they print, and what they refuse."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred_observers.camera import SCENARIOS, CameraColumns, trajectory
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.cli.camera_files import TRUTH, read_samples, truth_table, write_table
+
+FOCAL = ("--focal-px", "800")
+
+
+@pytest.fixture
+def simulated(tmp_path: Path, command: Callable) -> Path:
+    out = tmp_path / "paper.csv"
+    left = command("camera", "simulate", *FOCAL, "--out", out, "--seconds", "6", "--dropped", "0.1")
+    assert left.code == 0, left.err
+    assert left.out.split() == [str(out), str(tmp_path / "paper_truth.csv")]
+    return out
+
+
+def test_what_is_written_is_read_back_bit_for_bit(simulated: Path) -> None:
+    samples = read_samples(simulated)
+    assert len(samples) == 199
+    assert 0 < np.isnan(samples.x).sum() < 40
+    again = simulated.with_name("again.csv")
+    write_table(again, CameraColumns.names, samples.table)
+    assert again.read_bytes() == simulated.read_bytes()
+
+
+def test_run_tells_depth_velocity_errors_and_what_to_believe(simulated: Path, command: Callable) -> None:
+    truth, plot, out = (simulated.with_name(name) for name in ("paper_truth.csv", "p.svg", "p.json"))
+    start = ("--start-depth", "0.25", "--start-vz", "-0.4")
+    left = command(
+        "camera", "run", simulated, *FOCAL, *start, "--truth", truth, "--plot", plot, "--json", out
+    )
+    assert left.code == 0, left.err
+    assert "observer, unchecked" in left.out
+    assert left.out.count("filter") > 5
+    said = json.loads(out.read_text())
+    assert said["samples"] == 199
+    assert said["filter_started_s"] < 3.0
+    assert said["rmse"]["peer"]["vz"] < 0.05 < said["rmse"]["observer"]["vz"]
+    assert abs(1.0 / said["last"]["peer_chi"] - 2.99) < 0.15
+    drawn = plot.read_text()
+    assert drawn.startswith("<svg")
+    assert "truth" in drawn
+    assert "depth Z" in drawn
+
+
+def test_an_approaching_camera_is_told_to_be_so(tmp_path: Path, command: Callable) -> None:
+    out = tmp_path / "near.csv"
+    command("camera", "simulate", *FOCAL, "--scenario", "approaching", "--out", out)
+    left = command("camera", "run", out, *FOCAL, "--start-depth", "4", "--start-vz", "-0.4")
+    assert "filter; observer not detectable" in left.out.splitlines()[-1]
+
+
+@pytest.mark.parametrize("scenario", ["stationary", "rotating"])
+def test_a_camera_that_rests_checks_no_wrong_start(tmp_path: Path, command: Callable, scenario: str) -> None:
+    """Told to recede by 0.4 m/s, the observer has no witness: the filter never starts, nothing is flagged."""
+    out = tmp_path / "rest.csv"
+    command("camera", "simulate", *FOCAL, "--scenario", scenario, "--out", out, "--seconds", "4")
+    left = command("camera", "run", out, *FOCAL, "--start-depth", "2", "--start-vz", "-0.4")
+    rows = left.out.splitlines()[1:]
+    assert len(rows) == 11
+    assert all(row.rstrip().endswith("observer, unchecked") for row in rows)
+
+
+def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> None:
+    left = command("camera", "run", simulated, *FOCAL, "--json", "-")
+    assert json.loads(left.out)["version"] == 1
+    assert json.loads(left.out)["rmse"] is None
+
+
+def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
+    cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
+    from observers.tests.camera.rendering import render
+
+    truth = trajectory(SCENARIOS["paper"], np.arange(100) / 33.0)
+    folder = tmp_path / "frames"
+    folder.mkdir()
+    for k, image in enumerate(render(truth, 300.0)):
+        cv2.imwrite(str(folder / f"{k:04d}.png"), image)
+    table = observed(truth, focal_px=300.0).table.copy()
+    table[:, 1:3] = np.nan
+    readings = tmp_path / "readings.csv"
+    write_table(readings, CameraColumns.names, table)
+    write_table(tmp_path / "truth.csv", TRUTH, truth_table(truth))
+    focal = ("--focal-px", "300", "--noise-px", "0.5", "--json", "-")
+    left = command("camera", "run", readings, *focal, "--images", folder, "--truth", tmp_path / "truth.csv")
+    assert left.code == 0, left.err
+    said = json.loads(left.out)
+    assert said["images"] == 100
+    assert abs(1.0 / said["last"]["peer_chi"] - truth.p[-1, 2]) < 0.1 * truth.p[-1, 2]
+    few = command("camera", "run", readings, *focal, "--images", folder, "--every", "2")
+    assert few.code == 2
+    assert "50 images are needed" in few.err
+    bad = command("camera", "run", readings, *focal, "--images", folder, "--point", "middle")
+    assert "--point needs X,Y in px" in bad.err
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "said"),
+    [
+        (("--way", "euler"), 2, "way must be one of"),
+        (("--start-depth", "0"), 2, "--start-depth must be positive"),
+        (("--focal-px", "-1"), 2, "focal_px must lie in"),
+        (("--noise-px", "-1"), 2, "--noise-px must not be negative, received -1"),
+        (("--noise-px", "nan"), 2, "--noise-px must not be negative, received nan"),
+    ],
+)
+def test_wrong_use_is_told_in_a_line(
+    simulated: Path, command: Callable, change: tuple[str, str], code: int, said: str
+) -> None:
+    left = command("camera", "run", simulated, *FOCAL, *change)
+    assert left.code == code
+    assert said in left.err
+    assert left.err.count("\n") == 1
+
+
+def test_files_that_cannot_be_used_name_the_place(simulated: Path, command: Callable) -> None:
+    lines = simulated.read_text().splitlines()
+
+    def run(changed: list[str]) -> str:
+        simulated.write_text("\n".join(changed) + "\n")
+        left = command("camera", "run", simulated, *FOCAL)
+        assert left.code == 1
+        return left.err
+
+    assert "the header lacks az" in run([line.rpartition(",")[0] for line in lines])
+    assert "line 5: wx is no number: 'fast'" in run([*lines[:4], "0.09,1,1,fast,0,0,0,0,0", *lines[5:]])
+    assert "line 5: t is empty, only x and y may be" in run([*lines[:4], ",1,1,0,0,0,0,0,0", *lines[5:]])
+    assert "row 3: t must increase" in run([*lines[:4], lines[3], *lines[5:]])
+    assert "needs at least 2 rows, received 1" in run(lines[:2])
+
+
+@pytest.mark.parametrize(
+    "content", ["t,x,y\n".encode("utf-16"), bytes(range(128, 256)), b"\x89PNG\r\n\x1a\n\0"]
+)
+def test_what_is_no_csv_is_named(simulated: Path, command: Callable, content: bytes) -> None:
+    simulated.write_bytes(content)
+    left = command("camera", "run", simulated, *FOCAL)
+    assert left.code == 1
+    assert f"{simulated}: is no CSV file in UTF-8" in left.err
+    assert left.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("0.0,0,0,0,0", "row 0: depth_m must be positive, received 0.0"),
+        ("0.0,-1,0,0,0", "row 0: depth_m must be positive, received -1.0"),
+        ("0.0,nan,0,0,0", "row 0: depth_m must be finite, received nan"),
+        ("0.0,1,0,0,inf", "row 0: vz must be finite, received inf"),
+        ("0.0,1,0,0,0,7", "line 2: has more fields than the header"),
+        ("0.0,1,0,0", "line 2: vz is empty"),
+    ],
+)
+def test_a_truth_that_cannot_be_is_named(simulated: Path, command: Callable, line: str, said: str) -> None:
+    truth = simulated.with_name("paper_truth.csv")
+    lines = truth.read_text().splitlines()
+    truth.write_text("\n".join([lines[0], line, *lines[2:]]) + "\n")
+    left = command("camera", "run", simulated, *FOCAL, "--truth", truth)
+    assert left.code == 1
+    assert f"{truth}" in left.err
+    assert said in left.err
+    assert left.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("option", ["--plot", "--json"])
+def test_results_replace_no_input(simulated: Path, command: Callable, option: str) -> None:
+    truth = simulated.with_name("paper_truth.csv")
+    for source in (simulated, truth):
+        before = source.read_bytes()
+        left = command("camera", "run", simulated, *FOCAL, "--truth", truth, option, source)
+        assert left.code == 2
+        assert f"{option} {source} would replace" in left.err
+        assert source.read_bytes() == before
+
+
+def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -> None:
+    left = command("camera", "simulate", *FOCAL, "--out", simulated)
+    assert left.code == 2
+    assert "exists: choose another --out, or --force" in left.err
+    assert command("camera", "simulate", *FOCAL, "--out", simulated, "--force", "--seconds", "1").code == 0
+    assert "--scenario must be one of" in command("camera", "simulate", *FOCAL, "--scenario", "x").err
+    assert "Missing option" in command("camera", "simulate").err
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("--seed", "-1"), "seed must be a whole number not below 0, received -1"),
+        (("--seconds", "1e6"), "at most 1e+07 samples can be simulated, received 1e+06 s x 33 images/s"),
+        (("--seconds", "1e4", "--readings", "1000"), "10000 s x 33 images/s x 1000 readings"),
+        (("--seconds", "0"), "duration_s must lie in (0, 1e6]"),
+        (("--readings", "0"), "readings must be a whole number in [1, 1000]"),
+    ],
+)
+def test_what_cannot_be_simulated_is_told_in_a_line(
+    tmp_path: Path, command: Callable, change: tuple[str, ...], said: str
+) -> None:
+    left = command("camera", "simulate", *FOCAL, "--out", tmp_path / "c.csv", *change)
+    assert left.code == 2
+    assert said in left.err
+    assert left.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,198 @@
+"""The peer: its prediction, its start, its consistency, and its silence where the images tell nothing."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+from pages.camera.bounds import consistent, cramer_rao, normalised_errors
+from pointpred.errors import EventError, ParameterError
+from pointpred_observers.camera import (
+    SCENARIOS,
+    CameraColumns,
+    Noise,
+    PointFilter,
+    Scenario,
+    kinematics,
+    simulate,
+    trajectory,
+)
+from pointpred_observers.camera.samples import observed
+
+FOCAL = 800.0
+
+
+def peer(noise_px: float, **more: float) -> PointFilter:
+    """A filter that is told the bound of uniform noise."""
+    return PointFilter(focal_px=FOCAL, noise_px=max(noise_px, 0.1) / np.sqrt(3.0), **more)
+
+
+def test_prediction_is_exact_to_the_line_between_two_samples() -> None:
+    truth = trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    state = np.concatenate([truth.p[0], truth.v[0]])
+    for k in range(330):
+        h = truth.t[k + 1] - truth.t[k]
+        turn = 0.5 * h * (truth.w[k] + truth.w[k + 1])
+        kinematics.carry(state, 0, 1, h, tuple(turn))
+        kinematics.push(state, 0, h, tuple(turn), tuple(truth.a[k]), tuple(truth.a[k + 1]))
+    np.testing.assert_allclose(state, np.concatenate([truth.p[-1], truth.v[-1]]), atol=2e-5)
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-6, 1e-4, 0.9e-4, 0.3, 3.0])
+def test_turns_are_those_of_a_library(size: float) -> None:
+    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    turn = size * np.array([0.48, -0.6, 0.64])
+    expected = rotation.from_rotvec(turn).inv().apply([1.0, 2.0, 3.0])
+    np.testing.assert_allclose(kinematics.back(tuple(turn), (1.0, 2.0, 3.0)), expected, atol=1e-14)
+
+
+def test_a_covariance_is_carried_and_shaken_as_its_samples_are() -> None:
+    random = np.random.default_rng(1)
+    root = random.normal(size=(6, 6))
+    state = np.array([0.3, -0.2, 2.0, 0.1, 0.2, -0.4])
+    memory = np.concatenate([(root @ root.T).ravel(), state])
+    turn, h = np.array([0.1, -0.2, 0.05]), 0.3
+    columns = np.eye(6).ravel()
+    for i in range(6):
+        kinematics.carry(columns, i, 6, h, tuple(turn))
+    phi = columns.reshape(6, 6)
+    kinematics.turn_covariance(memory, 0, h, tuple(turn))
+    np.testing.assert_allclose(memory[:36].reshape(6, 6), phi @ root @ root.T @ phi.T, atol=1e-12)
+    before = memory[:36].copy()
+    kinematics.add_noise(memory, 0, 36, 0.01, 0.2)
+    moved = np.vstack([-np.cross(np.eye(3), state[:3]).T, -np.cross(np.eye(3), state[3:]).T])
+    expected = 0.01 * moved @ moved.T + np.diag([0.0] * 3 + [0.2] * 3)
+    np.testing.assert_allclose((memory[:36] - before).reshape(6, 6), expected, atol=1e-14)
+
+
+def test_clean_images_find_the_depth_within_a_second() -> None:
+    samples, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL)
+    track = peer(0.0).run(samples)
+    assert track.t[track.running][0] < 1.0
+    assert abs(track.state[-1, 2] - truth.p[-1, 2]) < 0.002
+    assert track.restarts == 0
+
+
+@pytest.fixture(scope="module", params=[2.0, 4.0, 8.0])
+def runs(request: pytest.FixtureRequest) -> tuple[np.ndarray, np.ndarray, float]:
+    """Depth errors and NEES of 40 runs with normal noise after 10 s, and the bound on the depth."""
+    errors, squares, truth = [], [], trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    for seed in range(40):
+        noise = Noise(noise_px=request.param, normal=True)
+        samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
+        track = peer(request.param).run(samples)
+        errors.append(track.state[-1, 2] - truth.p[-1, 2])
+        squares.append(normalised_errors(track, truth)[-1])
+    bound = cramer_rao(truth, focal_px=FOCAL, noise_px=request.param / np.sqrt(3.0))
+    return np.array(errors), np.array(squares), float(np.sqrt(bound[-1, 2, 2]))
+
+
+def test_depth_is_within_one_and_a_half_of_the_bound(runs: tuple[np.ndarray, np.ndarray, float]) -> None:
+    errors, _, bound = runs
+    assert 0.7 * bound < np.sqrt(np.mean(errors**2)) < 1.5 * bound
+
+
+def test_the_filter_believes_the_right_thing(runs: tuple[np.ndarray, np.ndarray, float]) -> None:
+    _, squares, _ = runs
+    mean, (low, high) = consistent(squares, 0.9999)
+    assert low < mean < high
+
+
+def test_a_filter_told_too_little_noise_fails_the_same_check() -> None:
+    squares, truth = [], trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    for seed in range(10):
+        noise = Noise(noise_px=4.0, normal=True)
+        samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
+        squares.append(normalised_errors(peer(1.5).run(samples), truth)[-1])
+    mean, (_, high) = consistent(np.array(squares), 0.9999)
+    assert mean > high
+
+
+def test_sensor_noise_is_believed_too() -> None:
+    squares, truth = [], trajectory(SCENARIOS["paper"], np.arange(991) / 99.0)
+    told = {"gyro_noise": 2e-4, "accel_noise": 2e-3}
+    for seed in range(30):
+        noise = Noise(noise_px=2.0, normal=True, dropped=0.2, **told)
+        samples = observed(truth, focal_px=FOCAL, readings=3, noise=noise, seed=seed)
+        squares.append(normalised_errors(peer(2.0, **told).run(samples), truth)[-1])
+    mean, (low, high) = consistent(np.array(squares), 0.9999)
+    assert low < mean < high
+
+
+@pytest.mark.parametrize("noise_px", [0.0, 2.0, 8.0])
+@pytest.mark.parametrize("name", ["stationary", "rotating", "axial"])
+def test_nothing_is_claimed_where_no_image_tells_the_depth(name: str, noise_px: float) -> None:
+    truth = trajectory(SCENARIOS[name], np.arange(331) / 33.0)
+    for seed in range(3):
+        samples = observed(truth, focal_px=FOCAL, noise=Noise(noise_px=noise_px), seed=seed)
+        assert not peer(noise_px).run(samples).running.any()
+
+
+def test_without_the_noise_taken_out_the_start_would_be_far_too_near() -> None:
+    """Plain least squares on the same images: less than half of the depth at 8 px."""
+    samples, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=Noise(noise_px=8.0))
+    normal, right, phi, push = np.zeros((6, 6)), np.zeros(6), np.eye(6), np.zeros(6)
+    for k in range(len(truth.t)):
+        if k:
+            h = truth.t[k] - truth.t[k - 1]
+            turn = 0.5 * h * (truth.w[k] + truth.w[k - 1])
+            flat = phi.ravel().copy()
+            for i in range(6):
+                kinematics.carry(flat, i, 6, h, tuple(turn))
+            phi = flat.reshape(6, 6)
+            kinematics.carry(push, 0, 1, h, tuple(turn))
+            kinematics.push(push, 0, h, tuple(turn), tuple(truth.a[k - 1]), tuple(truth.a[k]))
+        x, y = samples.table[k, 1:3] / FOCAL
+        rows = np.array([[1.0, 0.0, -x], [0.0, 1.0, -y]])
+        normal += (rows @ phi[:3]).T @ rows @ phi[:3]
+        right -= (rows @ phi[:3]).T @ rows @ push[:3]
+    assert 0.0 < np.linalg.solve(normal, right)[2] < 0.5
+    started = peer(8.0, share=0.5).run(samples)
+    first = np.flatnonzero(started.running)[0]
+    assert abs(started.state[first, 2] - truth.p[first, 2]) < 3.0 * np.sqrt(started.covariance[first, 2, 2])
+
+
+def test_a_point_that_passes_the_camera_makes_it_begin_anew() -> None:
+    def velocity(t: object) -> tuple[object, object, object]:
+        return 0.3 * np.sin(2.0 * t), 0.3 * np.cos(3.0 * t), 0.4  # type: ignore[call-overload, operator]
+
+    scenario = Scenario("meets", velocity, lambda t: (0.0, 0.0, 0.0), (0.0, 0.0, 4.0))
+    samples, _ = simulate(scenario, focal_px=FOCAL, duration_s=9.9)
+    stage = peer(0.0)
+    assert stage.run(samples).restarts == 0
+    table = samples.table[-1:].repeat(40, axis=0)
+    table[:, 0] += np.arange(1, 41) / 33.0
+    table[:, 1:3] = np.nan  # past the point nothing is seen
+    track = stage.run(CameraColumns(table))
+    assert track.restarts == 1
+    assert not track.running[-1]
+
+
+def test_rows_chunks_and_pickles_agree() -> None:
+    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, noise=Noise(noise_px=1.0, dropped=0.1))
+    whole = peer(1.0).run(samples)
+    stage = peer(1.0)
+    stage.run(CameraColumns(samples.table[:100]))
+    rest = pickle.loads(pickle.dumps(stage)).run(CameraColumns(samples.table[100:]))
+    assert np.array_equal(rest.state, whole.state[100:], equal_nan=True)
+    stage.reset()
+    records = [stage.update(sample) for sample in samples.samples()]
+    last = records[-1]
+    assert last is not None
+    assert np.array_equal(last.state, whole.state[-1])
+    assert np.array_equal(last.covariance, whole.covariance[-1])
+    assert [record is not None for record in records] == whole.running.tolist()
+
+
+def test_refusals() -> None:
+    with pytest.raises(ParameterError, match="noise_px must lie in"):
+        PointFilter(focal_px=FOCAL, noise_px=0.0)
+    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=1.0)
+    stage, table = peer(1.0), samples.table.copy()
+    table[9, 0] = table[8, 0]
+    kept = stage.remembered()
+    with pytest.raises(EventError, match="row 9: t must increase"):
+        stage.run(CameraColumns(table))
+    assert stage.remembered() == kept

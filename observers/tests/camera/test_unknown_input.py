@@ -1,0 +1,323 @@
+"""Designs: feasible where the zeros allow it, certificates that hold, and reasons where there is none."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import pointpred_observers as o
+from pages.camera import printed
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.documents.files import encoded
+from pointpred_observers.inequalities.definite import least
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.certificate import audit, discrete_inequality, inequality
+from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+
+CAMERA = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
+
+
+@pytest.fixture(scope="module")
+def camera() -> UnknownInputObserver:
+    return UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CAMERA), 0.02)
+
+
+def parts(observer: UnknownInputObserver) -> tuple:
+    """Gamma, T and W at each vertex of a design, C and P."""
+    points = [observer.box.named(vertex) for vertex in observer.box.vertices]
+    gammas = np.array([observer.system.gamma(p) for p in points])
+    ts = np.array([observer.system.t(p) for p in points])
+    p = observer.certificate.p
+    return gammas, ts, observer.system.c, p, p @ observer.gains.matrices
+
+
+def test_128_vertices_are_proved_one_by_one(camera: UnknownInputObserver) -> None:
+    gammas, ts, c, p, ws = parts(camera)
+    assert len(gammas) == 128
+    one = camera.certificate
+    force = one.gamma * np.eye(4)
+    worst = max(
+        np.linalg.eigvalsh(inequality(g, t, c, p, w, force, one.sigma))[-1]
+        for g, t, w in zip(gammas, ts, ws, strict=True)
+    )
+    assert worst == pytest.approx(-one.margin, rel=1e-6)
+    assert one.margin > 0.0
+    assert one.largest_sigma == pytest.approx(0.06)
+
+
+def test_every_frozen_observer_decays_as_proved(camera: UnknownInputObserver) -> None:
+    random = np.random.default_rng(0)
+    lows, highs = np.array(list(camera.box.bounds.values())).T
+    for share in random.uniform(size=(20, 7)):
+        point = camera.box.named(lows + share * (highs - lows))
+        n = camera.system.gamma(point) - camera.gains.at(point) @ camera.system.c
+        assert np.linalg.eigvals(n).real.max() < -0.5 * camera.certificate.sigma
+
+
+def test_the_bound_holds_for_errors_that_jump_about_in_the_box(camera: UnknownInputObserver) -> None:
+    """e' = N(p) e + T(p) delta with p and delta changing at random: no trajectory leaves the bound."""
+    random = np.random.default_rng(5)
+    lows, highs = np.array(list(camera.box.bounds.values())).T
+    error, largest, h = np.array([0.3, -0.2, 0.5, 1.0]), 1e-3, 0.01
+    first = float(np.linalg.norm(error))
+    for k in range(1500):
+        if k % 50 == 0:
+            point = camera.box.named(lows + random.uniform(size=7) * (highs - lows))
+            n = camera.system.gamma(point) - camera.gains.at(point) @ camera.system.c
+            t = camera.system.t(point)
+        push = random.normal(size=4)
+        error = error + h * (n @ error + t @ push * largest / np.linalg.norm(push))
+        assert np.linalg.norm(error) <= camera.certificate.bound((k + 1) * h, first, largest)
+
+
+@pytest.mark.parametrize("eta", [-0.2, -0.05, -0.021])
+def test_designs_are_feasible_exactly_when_the_zeros_allow_it(eta: float) -> None:
+    box = camera_box((-0.4, eta), **CAMERA)
+    most = -2.0 * (eta + 0.02)
+    observer = UnknownInputObserver.design(camera_system(), box, 0.9 * most)
+    assert observer.certificate.largest_sigma == pytest.approx(most)
+    with pytest.raises(InfeasibleError, match=f"the largest feasible sigma is below {most:.6g} 1/s"):
+        UnknownInputObserver.design(camera_system(), box, 1.01 * most)
+
+
+def test_a_camera_that_may_approach_is_refused_before_any_solver(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("a solver was called")
+
+    monkeypatch.setattr(MatrixInequalities, "solve", never)
+    box = camera_box((-0.4, 0.01), **CAMERA)
+    with pytest.raises(InfeasibleError, match="no sigma above 0 is feasible in this box"):
+        UnknownInputObserver.design(camera_system(), box, 1e-6)
+
+
+def test_the_certificate_does_not_change_with_its_scale(camera: UnknownInputObserver) -> None:
+    gammas, ts, c, p, _ = parts(camera)
+    ks, one = camera.gains.matrices, camera.certificate
+    force = one.gamma * np.eye(4)
+    for scale in (1e-12, 1e-3, 1e6):
+        other = audit(gammas, ts, c, scale * p, ks, scale * force, one.sigma, one.zeros)
+        assert other.phi1 == pytest.approx(one.phi1, rel=1e-9)
+        assert other.phi2 == pytest.approx(one.phi2, rel=1e-9)
+        assert other.margin == pytest.approx(scale * one.margin, rel=1e-6)
+
+
+def test_a_certificate_that_fails_is_an_error_never_a_gain(camera: UnknownInputObserver) -> None:
+    gammas, ts, c, p, _ = parts(camera)
+    ks, one = camera.gains.matrices, camera.certificate
+    force = one.gamma * np.eye(4)
+    with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue"):
+        audit(gammas, ts, c, p, ks, force, 1.1 * one.largest_sigma, one.zeros)
+    with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue .* at vertex"):
+        audit(gammas, ts, c, p, -ks, force, one.sigma, one.zeros)
+    with pytest.raises(CertificateError, match="P must be symmetric and positive definite"):
+        audit(gammas, ts, c, p - 2.0 * np.eye(4), ks, force, one.sigma, one.zeros)
+    with pytest.raises(CertificateError, match="F must be symmetric and positive definite"):
+        audit(gammas, ts, c, p, ks, -force, one.sigma, one.zeros)
+
+
+def test_the_printed_sign_of_27c_with_44_is_unstable(camera: UnknownInputObserver) -> None:
+    """W that satisfies the print makes Gamma - K C, the observer of (44), grow."""
+    gammas, ts, c, p, ws = parts(camera)
+    force = camera.certificate.gamma * np.eye(4)
+    for g, t, w in zip(gammas, ts, ws, strict=True):
+        found = printed.gain_inequality(g, t, c, p, -w, force, camera.certificate.sigma)
+        assert np.linalg.eigvalsh(found)[-1] < 0.0
+        assert np.linalg.eigvals(g - np.linalg.solve(p, -w) @ c).real.max() > 1.0
+
+
+def test_the_printed_p_breaks_its_own_bound() -> None:
+    assert np.linalg.eigvalsh(printed.P)[0] < printed.CHI_1
+
+
+def test_degenerate_axes_make_fewer_vertices(camera: UnknownInputObserver) -> None:
+    still = {"turn": (0.0, 0.0), "a_z": (0.05, 0.05), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
+    observer = UnknownInputObserver.design(camera_system(), camera_box((-0.3, -0.1), **still), 0.1)
+    assert len(observer.box.vertices) == 4
+    assert observer.certificate.margin > 0.0
+    assert len(camera.box.vertices) == 128
+
+
+STILL = camera_box((-0.4, -0.05), turn=(-0.02, 0.02), a_z=(-0.1, 0.1), w=(0.0, 0.0), dw=(0.0, 0.0))
+
+
+def test_a_design_comes_near_to_the_zeros() -> None:
+    near = UnknownInputObserver.design(camera_system(), STILL, 0.06 * (1.0 - 1e-7))
+    assert near.certificate.margin > 0.0
+
+
+@pytest.mark.slow
+def test_closer_to_the_zeros_than_a_proof_can_be_is_undecided_not_infeasible() -> None:
+    with pytest.raises(UndecidedError, match=r"the invariant zeros allow sigma = 0\.06"):
+        UnknownInputObserver.design(camera_system(), STILL, 0.06 * (1.0 - 1e-10))
+
+
+def test_more_outputs_than_unknown_inputs() -> None:
+    """Another system: a third output repairs an unstable zero, and T moves with the schedule."""
+    c = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    system = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0, 0.0], [0.0, 0.3, 0.0], [0.0, 1.0, p["k"]]]),
+        lambda p: np.array([[1.0], [p["s"]], [0.0]]),
+        c,
+        rates={"s": "ds"},
+    )
+    box = Box({"k": (-2.0, -1.0), "s": (-0.2, 0.2), "ds": (-0.1, 0.1)})
+    observer = UnknownInputObserver.design(system, box, 0.5)
+    assert observer.certificate.zeros.size == 0
+    assert observer.certificate.largest_sigma == float("inf")
+    assert not observer.reducible
+    with pytest.raises(ParameterError, match="2 outputs and 1 inputs"):
+        observer.reduce(np.zeros(3))
+    point = {"k": -1.5, "s": 0.1, "ds": 0.0}
+    n = system.gamma(point) - observer.gains.at(point) @ c
+    values = np.linalg.eigvals(n).real
+    assert values.max() < -0.25
+    assert values.min() > -100.0  # no gain is larger than it must be
+
+
+def test_the_rate_of_e_is_the_derivative_of_e() -> None:
+    random = np.random.default_rng(2)
+    parts_of_f = random.normal(size=(3, 5, 2))
+    system = ParameterVaryingSystem(
+        lambda p: np.zeros((5, 5)),
+        lambda p: parts_of_f[0] + p["s"] * parts_of_f[1] + p["r"] * parts_of_f[2],
+        random.normal(size=(3, 5)),
+        rates={"s": "ds", "r": "dr"},
+    )
+    h, point = 1e-6, {"s": 0.3, "r": -0.2, "ds": 0.7, "dr": -0.4}
+    ahead = {**point, "s": 0.3 + h * 0.7, "r": -0.2 - h * 0.4}
+    behind = {**point, "s": 0.3 - h * 0.7, "r": -0.2 + h * 0.4}
+    difference = (system.e(ahead) - system.e(behind)) / (2.0 * h)
+    np.testing.assert_allclose(system.e_rate(point), difference, rtol=1e-6, atol=1e-7)
+    np.testing.assert_allclose(system.t(point), np.eye(5) + system.e(point) @ system.c, atol=1e-12)
+
+
+@pytest.mark.parametrize("sigma", [0.0, -1.0, float("nan"), float("inf")])
+def test_sigma_must_be_positive(sigma: float) -> None:
+    with pytest.raises(ParameterError, match="sigma must be positive and finite"):
+        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.1), **CAMERA), sigma)
+
+
+def test_bad_systems_are_named() -> None:
+    def one(a: object = None, f: object = None, c: object = None, **more: object) -> None:
+        system = ParameterVaryingSystem(
+            lambda p: np.eye(2) * -1.0 if a is None else np.asarray(a),
+            f or (lambda p: np.array([[1.0], [0.0]])),  # type: ignore[arg-type]
+            np.eye(1, 2) if c is None else np.asarray(c),
+            **more,  # type: ignore[arg-type]
+        )
+        UnknownInputObserver.design(system, Box({"k": (0.0, 1.0)}), 0.1)
+
+    with pytest.raises(ParameterError, match=r"A has shape \(3, 3\), needs \(2, 2\)"):
+        one(a=np.eye(3))
+    with pytest.raises(ParameterError, match=r"F has shape \(3, 1\), needs \(2, inputs\)"):
+        one(f=lambda p: np.ones((3, 1)))
+    with pytest.raises(ParameterError, match="A must be finite"):
+        one(a=np.diag([np.nan, 1.0]))
+    with pytest.raises(ParameterError, match="A must be real"):
+        one(a=np.diag([-1.0 + 1.0j, -1.0]))
+    with pytest.raises(ParameterError, match="C must be real"):
+        one(c=np.array([[1.0j, 0.0]]))
+    with pytest.raises(ParameterError, match=r"C has shape \(2,\), needs \(outputs, states\)"):
+        one(c=[1.0, 0.0])
+    with pytest.raises(ParameterError, match="C must be finite"):
+        one(c=[[np.inf, 0.0]])
+    with pytest.raises(ParameterError, match=r"rank\(C F\) = 0 < rank\(F\) = 1.*at the vertex \{'k': 0.0\}"):
+        one(f=lambda p: np.array([[0.0], [1.0]]))
+    with pytest.raises(ParameterError, match="F varies with k: its rate must be"):
+        one(f=lambda p: np.array([[1.0], [p["k"]]]))
+    with pytest.raises(ParameterError, match="the box needs the axis dk"):
+        one(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"})
+    with pytest.raises(ParameterError, match="must be affine in each variable"):
+        one(f=lambda p: np.array([[1.0 + p["k"] ** 2], [0.0]]))
+
+
+def test_what_cancels_off_the_diagonal_proves_nothing() -> None:
+    """A pair without damping: the energy's change, 5.6e-17 in exact numbers, is 0 in floating point."""
+    n = np.array([[-1e-17, 1.0], [-1.0 / 3.0, -1e-17]])
+    p, c, none = np.diag([1.0, 3.0]), np.zeros((1, 2)), np.zeros((1, 1), complex)
+    exact = [[Fraction(float(one)) for one in row] for row in n]
+    across = exact[0][1] + 3 * exact[1][0]
+    assert across**2 > 12 * exact[0][0] ** 2  # not negative definite
+    with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue 0 at vertex 0"):
+        audit(n[None], np.zeros((1, 2, 2)), c, p, np.zeros((1, 2, 1)), np.eye(2), 1e-20, none)
+
+
+def test_the_gain_that_runs_is_the_one_that_is_proved() -> None:
+    """In discrete time and with a P that is nearly singular: W = P K no longer tells K."""
+    axes = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
+    p = (axes * [1.0, 1.0, 1e-10]) @ axes.T
+    p = 0.5 * (p + p.T)
+    k, c = axes[:, 2:], axes[:, 2:].T
+    one = audit(
+        0.3 * np.eye(3)[None], np.zeros((1, 3, 3)), c, p, k[None], np.eye(3), 0.1,
+        np.zeros((1, 0), complex), "discrete",
+    )  # fmt: skip
+    assert not np.allclose(np.linalg.solve(p, p @ k), k, rtol=1e-8, atol=1e-8)
+    whole = -discrete_inequality(0.3 * np.eye(3) - k @ c, np.zeros((3, 3)), p, np.eye(3), 0.1)
+    assert one.margin == pytest.approx(least(whole)[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-12])
+def test_an_entry_that_is_not_affine_does_not_hide_behind_others_or_in_small_units(size: float) -> None:
+    def a(p: dict) -> np.ndarray:  # um beside m: the small entry decides whether it decays
+        rows = [[0.0, 0.0, 0.0], [0.0, -1.0, 1e6], [0.0, 1e-4 * (1.0 - p["k"] ** 2), -1.0]]
+        return size * np.array(rows)
+
+    system = ParameterVaryingSystem(a, np.eye(3, 1), np.eye(1, 3))
+    with pytest.raises(ParameterError, match=r"affine in each variable.* row 3, column 2"):
+        UnknownInputObserver.design(system, Box({"k": (-1.0, 1.0)}), size)
+
+
+def test_matrices_that_rounding_moves_are_affine() -> None:
+    """T A of many inputs and outputs in mixed units, whose entries are small differences."""
+    random = np.random.default_rng(26)
+    x, y = 10.0 ** random.uniform(-6, 6, 5), 10.0 ** random.uniform(-6, 6, 3)
+    a, more, f, c = (random.normal(size=size) for size in ((5, 5), (5, 5), (5, 2), (3, 5)))
+    c[:, 4] = 0.0
+    moving = np.zeros((5, 2))
+    moving[4] = random.normal(size=2)
+    system = ParameterVaryingSystem(
+        lambda p: (a + p["k"] * more) * x / x[:, None],
+        lambda p: (f + p["s"] * moving) / x[:, None],
+        c * x / y[:, None],
+        rates={"s": "ds"},
+    )
+    box = Box({"k": (-1e-3, 7.0), "s": (-0.3, 0.2), "ds": (-4.0, 4.0)})
+    gammas, ts = system.weighted(box).at_vertices(box)
+    assert len(gammas) == len(ts) == 8
+
+
+@pytest.mark.parametrize("through", ["function", "corners"])
+def test_a_ta_that_is_not_t_times_a_is_refused(through: str) -> None:
+    box = Box({"k": (1.0, 3.0)})
+    system = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]),
+        np.eye(2, 1),
+        np.eye(1, 2),
+        decoupled=lambda p: np.diag([0.0, -p["k"]]),
+    )
+    make = {
+        "function": lambda: UnknownInputObserver.design(system, box, 1.0),
+        "corners": lambda: CornerSystem.of(system, box),
+    }
+    with pytest.raises(ParameterError, match=r"TA must be T times A.* 6 in row 2, column 2") as failure:
+        make[through]()
+    assert failure.value.field == "TA"
+
+
+def test_a_ta_whose_a_needs_more_variables_is_audited_but_not_kept(camera: UnknownInputObserver) -> None:
+    assert o.audit(camera) == {"(27c)": camera.certificate.margin}
+    with pytest.raises(ParameterError, match="A needs the variable 'x', the box has zero, eta"):
+        encoded(camera)
+
+
+def test_zeros_over_the_box_need_no_solver() -> None:
+    zeros = zeros_over(camera_system(), camera_box((-0.4, 0.3), **CAMERA))
+    assert zeros.shape == (128, 2)
+    assert zeros.real.max() == pytest.approx(0.32)

@@ -1,0 +1,114 @@
+"""A plant and a design of every kind, for tests of files, audits and simulations."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointpred_observers as o
+
+sp = pytest.importorskip("sympy")
+X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")
+CART = o.Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
+PENDULUM = o.Persidskii(
+    [[0.0, 1.0], [0.0, -0.3]], [0.0, -9.81], [1.0, 0.0], "sin", [0.0, 1.0], [0.0, 0.5], [1.0, 0.0]
+)
+DRIVEN = o.Persidskii(
+    [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0]
+)
+CONSTANT = o.Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
+TANKS = o.Persidskii(
+    [[0.95, 0.0], [0.05, 0.93]], None, None, "sin", [0.1, 0.0], None, [0.0, 1.0], time="discrete"
+)
+SYMBOLIC = o.SymbolicSystem((X1, X2), (-X1 + X2**2, -sp.sin(X2) + U), U, outputs=(X2,))
+CIRCLE = o.SymbolicGenerator((W1, W2), (W2, -W1))
+WING = o.CornerSystem(
+    o.Box({"k": (1.0, 3.0)}),
+    [[[-0.5, 1.0], [-1.0, -2.0]], [[-0.5, 1.0], [-3.0, -2.0]]],
+    [[1.0], [0.0]],
+    [[1.0, 0.0]],
+)
+SAMPLED_WING = o.CornerSystem(
+    o.Box({"k": (0.2, 0.4)}),
+    [[[0.9, 0.1], [-0.2, 0.7]], [[0.9, 0.1], [-0.4, 0.7]]],
+    [[1.0], [0.0]],
+    [[1.0, 0.0]],
+    time="discrete",
+)
+
+
+@cache
+def design(name: str) -> Any:
+    """The design of this name, made once."""
+    return MAKERS[name]()
+
+
+def _interlaced() -> Any:
+    return o.InterlacedObserver.design(
+        o.interlaced(SYMBOLIC, CIRCLE, 1, W1, degree=2), rate=0.5, start=[0.5, 0.0]
+    )
+
+
+def _servo() -> Any:
+    """A regulator whose pendulum follows an oscillator."""
+    upright = o.Persidskii(
+        [[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
+    )
+    circle = o.Generator([[0.0, 2.0], [-2.0, 0.0]])
+    return o.design_regulator(upright, decay=1.0, reference=circle, following=([[1.0, 0.0]], [[1.0, 0.0]]))
+
+
+MAKERS = {
+    "reduced order": lambda: o.design_reduced_order(PENDULUM, decay=2.0, injection=True),
+    "reduced order, linear": lambda: o.design_reduced_order(CART, decay=2.0),
+    "reduced order, discrete": lambda: o.design_reduced_order(TANKS, decay=0.5),
+    "full order": lambda: o.design_full_order(PENDULUM, decay=2.0),
+    "full order, discrete": lambda: o.design_full_order(TANKS, decay=0.2),
+    "driven": lambda: o.design_observer(DRIVEN, CONSTANT, [[1.0], [2.0]], decay=1.0),
+    "regulator": lambda: o.design_regulator(PENDULUM, decay=1.0),
+    "servo": _servo,
+    "unknown input": lambda: o.UnknownInputObserver.design(WING, WING.box, sigma=1.0),
+    "unknown input, discrete": lambda: o.UnknownInputObserver.design(
+        SAMPLED_WING, SAMPLED_WING.box, sigma=0.3
+    ),
+    "interlaced": _interlaced,
+}
+
+
+def numbers(thing: Any) -> dict[str, np.ndarray[Any, Any]]:
+    """Every array that a design carries, by its place."""
+    found: dict[str, Any] = {}
+
+    def walk(name: str, one: Any) -> None:
+        if isinstance(one, np.ndarray | float):
+            found[name] = np.asarray(one)
+        elif isinstance(one, dict):
+            for key, value in one.items():
+                walk(f"{name}.{key}", value)
+        elif hasattr(one, "__struct_fields__"):
+            for key in one.__struct_fields__:
+                walk(f"{name}.{key}", getattr(one, key))
+
+    parts = {
+        key: getattr(thing, key)
+        for key in (
+            "gain",
+            "values",
+            "bound",
+            "certificate",
+            "Upsilon",
+            "gap",
+            "observer",
+            "feedback",
+            "Pi",
+            "gains",
+        )
+        if hasattr(thing, key)
+    }
+    walk("", parts)
+    if "gains" in parts:
+        found["gains"] = thing.gains.matrices
+    return {name: one for name, one in found.items() if "margins" not in name}

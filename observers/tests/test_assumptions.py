@@ -1,0 +1,235 @@
+"""Assumptions 3.2.2, 3.2.3, 3.2.6 and 4.4.2 beside simulations, eigenvalues and the thesis's examples."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred_observers import (
+    Generator,
+    Persidskii,
+    SymbolicGenerator,
+    SymbolicSystem,
+    assumption_3_2_2,
+    assumption_3_2_3,
+    assumption_3_2_6,
+    assumption_4_4_2,
+    certify_tracking,
+    interlaced,
+    steady_state_map,
+    trajectory,
+)
+from pointpred_observers.examples import academic, chua_circuits
+from pointpred_observers.triangular.ranges import enclosure
+
+sp = pytest.importorskip("sympy")
+W1, W2, U = sp.symbols("w1 w2 u")
+X = X1, X2, X3, X4 = sp.symbols("x1:5")
+OSCILLATOR = SymbolicGenerator((W1, W2), (W2, -W1))
+
+
+def slopes_within(plant: Persidskii, reach: float) -> Persidskii:
+    return Persidskii(
+        plant.A0,
+        plant.A1,
+        plant.H,
+        "sin",
+        plant.B,
+        None,
+        plant.C0,
+        slopes=(float(np.cos(reach)), 1.0),
+        domain=reach,
+    )
+
+
+def test_example_1_satisfies_3_2_2_near_the_origin_and_not_far_from_it() -> None:
+    plant, generator = academic()
+    near = assumption_3_2_2(slopes_within(plant, 0.5), generator)
+    assert near.domain == 0.5
+    assert min(near.margins.values()) > 0.0
+    with pytest.raises(
+        InfeasibleError, match=r"Assumption 3\.2\.2: .* at D = diag\(-1\), must lie left of 0"
+    ):
+        assumption_3_2_2(plant, generator)
+
+
+@given(st.integers(0, 2**31))
+@settings(max_examples=6)
+def test_the_plant_approaches_its_map_within_the_bound(seed: int) -> None:
+    """A reciprocal interconnection: the output is fed back, G is not 0."""
+    rng = np.random.default_rng(seed)
+    a, g = -np.diag(rng.uniform(0.5, 2.0, 2)) + [[0.0, 0.5], [-0.5, 0.0]], 0.3 * rng.normal(size=(2, 1))
+    c = np.array([[1.0, 0.0]])
+    plant = Persidskii(a, [-0.5, 0.2], [1.0, 0.0], "tanh", np.eye(2), None, c)
+    l0 = 0.2 * rng.normal(size=(2, 2))
+    generator = Generator(a + l0 - g @ c, [-0.5, 0.2], [[1.0, 0.0]], g, l0)
+    map_ = np.eye(2)
+    found = assumption_3_2_2(plant, generator, map_)
+    push = 0.2 * rng.normal(size=2)
+
+    def field(t: float, both: Any) -> Any:
+        x, w = both[:2], both[2:]
+        u = generator.output(w)
+        return np.concatenate(
+            [plant.field(t, x, u) + push * np.sin(t), generator.field(w, y=plant.output(t, x), f=plant.f)]
+        )
+
+    start = rng.normal(size=4)
+    times = np.arange(0.0, 6.0, 0.25)
+    both = trajectory(field, start, times, step_s=0.02)
+    for t, one in zip(times, both, strict=True):
+        bound = found.bound(
+            float(t), float(np.linalg.norm(start[:2] - start[2:])), d=float(np.linalg.norm(push))
+        )
+        assert np.linalg.norm(one[:2] - one[2:]) <= bound + 1e-12
+
+
+def test_a_linear_plant_satisfies_3_2_2_exactly_if_it_is_stable() -> None:
+    rng = np.random.default_rng(8)
+    for _ in range(6):
+        a = rng.normal(size=(3, 3)) - rng.uniform(0.0, 2.5) * np.eye(3)
+        plant = Persidskii(a, None, None, "sin", B=[1.0, 0.0, 0.0])
+        if np.linalg.eigvals(a).real.max() < 0.0:
+            assert min(assumption_3_2_2(plant).margins.values()) > 0.0
+        else:
+            with pytest.raises(InfeasibleError, match="the error system has the eigenvalue"):
+                assumption_3_2_2(plant)
+
+
+def test_feedback_needs_the_map() -> None:
+    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    with pytest.raises(ParameterError, match="needs Pi"):
+        assumption_3_2_2(plant, Generator([[-2.0]], G=[1.0], L0=[1.0]))
+
+
+def test_assumption_3_2_3_is_theorem_3_2_2_without_its_condition() -> None:
+    plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    found = certify_tracking(plant, regulator, [[1.0]])
+    both = assumption_3_2_3(plant, regulator, [[1.0]]).check(found.regulator.values)
+    assert both == {name: one for name, one in found.regulator.margins.items() if name != "Xi + J' Omega J"}
+    third = assumption_3_2_6(plant, regulator, [[1.0]]).check(found.error.values)
+    assert set(third) < set(found.error.margins)
+
+
+def test_assumption_3_2_3_by_hand() -> None:
+    """S = -1, S~ = -2, J = 1: the entries of Phi are written out."""
+    plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    p, gamma, xi, omega, lift = 2.0, 99.0, 1.0, 4.0, 1.0
+    across = -2.0 * p - lift + omega
+    phi = np.array(
+        [
+            [-2.0 * p + xi, across, p, p],
+            [across, -4.0 * lift, lift, lift],
+            [p, lift, -gamma, 0.0],
+            [p, lift, 0.0, -gamma],
+        ]
+    )
+    printed = {"P": p, "Gamma": gamma, "Xi": xi, "Omega": omega, "Lambda": lift}
+    margins = assumption_3_2_3(plant, regulator, [[1.0]]).check(printed)
+    assert margins["Phi"] == pytest.approx(-np.linalg.eigvalsh(phi)[-1])
+    with pytest.raises(CertificateError, match=r"Assumption 3\.2\.3: Phi has the eigenvalue"):
+        assumption_3_2_3(plant, regulator, [[1.0]]).check(printed | {"Xi": 4.0})
+
+
+def nine(stiffness: float = 3.0) -> Any:
+    """Example 9, corrected."""
+    y1, y2, y3, y4 = sp.symbols("y1:5")
+    spring = 3 * y3 + stiffness * y3**3 + sp.Rational(3, 5) * y4
+    rows = (y2, -spring, y4, -2 * spring + sp.Rational(3, 5) * (y1 - y3) + 2 * (y2 - y4) - U)
+    plant = SymbolicSystem((y1, y2, y3, y4), rows, U, outputs=(y3,))
+    return interlaced(plant, OSCILLATOR, 2, W1 + W2, degree=3), y3
+
+
+def test_example_9_satisfies_4_4_2_in_a_region() -> None:
+    steady, y3 = nine()
+    found = assumption_4_4_2(steady, {y3: (-0.3, 0.3)})
+    assert found.C.tolist() == [[1.0, 1.0]]
+    low, high = found.terms["y3**2"]
+    assert -1e-12 < low <= 0.0
+    assert high == pytest.approx(0.09, rel=1e-3)
+    assert min(found.decay.margins.values()) > 0.0
+    slope = steady.system.field[1].diff(y3)
+    assert float(slope.subs(y3, 0.3)) == pytest.approx(found.decay.system.A[:, 1, 2].min(), rel=1e-3)
+
+
+@pytest.mark.parametrize("expression", ["x*y - x**2*sin(z)", "exp(x)*y/(2 + z)", "x**3", "sqrt(2 + x*y*z)"])
+def test_an_enclosure_holds_every_value_and_little_more(expression: str) -> None:
+    symbols = sp.symbols("x y z")
+    box = dict(zip(symbols, [(-1.0, 1.5), (0.2, 1.0), (-0.5, 1.0)], strict=True))
+    function = sp.sympify(expression)
+    low, high = enclosure(function, box)
+    grid = np.meshgrid(*(np.linspace(*side, 25) for side in box.values()))
+    values = np.broadcast_to(sp.lambdify(symbols, function)(*grid), grid[0].shape)
+    least, most = float(values.min()), float(values.max())
+    assert low <= least
+    assert most <= high
+    assert high - low <= 1.35 * (most - least)
+
+
+def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> None:
+    steady, y3 = nine()
+    found = assumption_4_4_2(steady, {str(y3): (-0.3, 0.3)})
+    system = steady.system
+    rows = sp.lambdify([*system.states, U], system.field)
+    push = sp.lambdify((W1, W2), steady.input)
+    starts = [np.array([0.02, 0.0, 0.05, -0.02]), np.array([-0.05, 0.03, -0.04, 0.02])]
+    times = np.arange(0.0, 15.0, 0.5)
+    runs = [
+        trajectory(lambda t, x: rows(*x, push(0.05 * np.cos(t), -0.05 * np.sin(t))), one, times, step_s=0.02)
+        for one in starts
+    ]
+    assert max(np.abs(run[:, 2]).max() for run in runs) < 0.3
+    first = float(np.linalg.norm(starts[0] - starts[1]))
+    for t, one, other in zip(times, *runs, strict=True):
+        assert np.linalg.norm(one - other) <= found.decay.bound(float(t), first) + 1e-9
+
+
+@pytest.mark.slow
+def test_example_8_converges_too_slowly_at_rest_for_an_exponential_bound() -> None:
+    rows = (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U)
+    steady = interlaced(SymbolicSystem(X, rows, U, outputs=(X3,)), OSCILLATOR, 2, W1, degree=3)
+    region = {X2: (-0.1, 0.1), X3: (-0.1, 0.1), W1: (-0.1, 0.1), W2: (-0.1, 0.1)}
+    with pytest.raises(InfeasibleError, match=r"Assumption 4\.4\.2: the error system has the eigenvalue"):
+        assumption_4_4_2(steady, region)
+
+
+def test_the_output_must_show_the_generator() -> None:
+    x = sp.Symbol("x")
+    system = SymbolicSystem((x,), (-x + U,), U, outputs=(x - W2 * 0,))
+    steady = interlaced(system, OSCILLATOR, 0, W1)
+    assert assumption_4_4_2(steady).C.tolist() == [[1.0, 0.0]]
+    three = sp.Symbol("w3")
+    wider = SymbolicGenerator((W1, W2, three), (W2, -W1, 0))
+    with pytest.raises(InfeasibleError, match=r"\(A, C\) is not detectable: the mode of the eigenvalue 0"):
+        assumption_4_4_2(interlaced(system, wider, 0, W1))
+
+
+@pytest.mark.parametrize(
+    ("region", "message"),
+    [
+        (None, "region needs x2"),
+        ({"x9": (0.0, 1.0)}, "region may hold x1, x2, w1, w2, received 'x9'"),
+        ({X2: 1.0}, r"x2 needs \(low, high\), received 1.0"),
+        ({X2: (1.0, 0.0)}, "x2 needs finite low <= high"),
+        ([(0.0, 1.0)], r"region needs 4 pairs"),
+    ],
+)
+def test_a_region_that_cannot_be_is_named(region: Any, message: str) -> None:
+    system = SymbolicSystem((X1, X2), (-X1 + X2**2, -X2 + U), U, outputs=(X2,))
+    steady = interlaced(system, OSCILLATOR, 1, W1, degree=2)
+    with pytest.raises(ParameterError, match=message):
+        assumption_4_4_2(steady, region)
+
+
+def test_the_circuits_of_example_4_are_not_contracting_where_they_oscillate() -> None:
+    plant, generator = chua_circuits(1.0)
+    assert steady_state_map(plant, generator).Pi == pytest.approx(np.eye(3), abs=1e-9)
+    found = assumption_3_2_2(plant, generator)
+    assert found.bound.rate > 0.0

@@ -1,0 +1,333 @@
+"""Plants and designs as JSON: nothing is lost, nothing unproved comes back, and errors name the field."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred_observers.documents.designs import margins_of
+from pointpred_observers.documents.files import VERSION, decoded, encoded
+from pointpred_observers.persidskii import NAMES
+
+pytest.importorskip("cvxpy")
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+SIZES = st.integers(0, 3)
+
+
+@st.composite
+def plants(draw: Callable[..., Any]) -> o.Persidskii:
+    """Persidskii plants of every size, f by names, with numbers of every size."""
+    n, k, m, z, p = draw(st.integers(1, 3)), draw(SIZES), draw(SIZES), draw(SIZES), draw(SIZES)
+
+    def entries(rows: int, columns: int) -> Any:
+        return np.array(draw(st.lists(NUMBERS, min_size=rows * columns, max_size=rows * columns))).reshape(
+            rows, columns
+        )
+
+    names = draw(st.lists(st.sampled_from(("sin", "tanh", "cube", "identity")), min_size=k, max_size=k))
+    pairs = draw(st.none() | st.lists(st.tuples(NUMBERS, NUMBERS), min_size=k, max_size=k))
+    return o.Persidskii(
+        entries(n, n),
+        entries(n, k),
+        entries(k, n),
+        names,
+        entries(n, m),
+        entries(n, z),
+        entries(p, n) if p else None,
+        entries(p, k) if p else None,
+        # Wide enough for every name.
+        slopes=[(min(-1.0, *pair), np.inf) for pair in pairs] if pairs and k else None,
+        time=draw(st.sampled_from(("continuous", "discrete"))),
+        domain=draw(st.just(np.inf) | st.floats(1e-300, 1e300)),
+    )
+
+
+@given(plants())
+def test_a_plant_comes_back_bit_by_bit(plant: o.Persidskii) -> None:
+    text = encoded(plant)
+    again = decoded(text)
+    for name in NAMES:
+        left, right = getattr(plant, name), getattr(again, name)
+        assert left.tobytes() == right.tobytes()
+        assert left.shape == right.shape or not left.size
+    assert (again.f.codes, again.slopes, again.domain, again.time) == (
+        plant.f.codes, plant.slopes, plant.domain, plant.time,
+    )  # fmt: skip
+    assert encoded(again) == text
+
+
+@given(st.integers(1, 3), st.data())
+def test_a_generator_comes_back_bit_by_bit(q: int, data: st.DataObject) -> None:
+    def entries(columns: int) -> Any:
+        size = q * columns
+        return np.array(data.draw(st.lists(NUMBERS, min_size=size, max_size=size))).reshape(q, columns)
+
+    generator = o.Generator(entries(q), entries(2), None, None, entries(q).T, None, entries(1), f="tanh")
+    again = decoded(encoded(generator))
+    for name in ("S0", "S1", "L0", "E"):
+        assert getattr(generator, name).tobytes() == getattr(again, name).tobytes()
+    assert again.J is None
+    assert again.f.codes == generator.f.codes
+
+
+@pytest.mark.parametrize("name", kept.MAKERS)
+def test_a_design_comes_back_with_every_number_and_proof(name: str, tmp_path: Path) -> None:
+    design = kept.design(name)
+    again = o.load(o.save(design, tmp_path / "design.json"))
+    assert type(again) is type(design)
+    left, right = kept.numbers(design), kept.numbers(again)
+    assert left.keys() == right.keys()
+    assert left
+    for place, one in left.items():
+        assert one.tobytes() == right[place].tobytes(), place
+    assert encoded(again) == encoded(design)
+    assert o.audit(again) == o.audit(design) == margins_of(design)
+    assert min(o.audit(design).values()) > -1e-9
+
+
+@pytest.mark.parametrize("name", ["reduced order", "full order", "driven", "unknown input", "interlaced"])
+def test_a_loaded_observer_runs_to_the_same_bits(name: str) -> None:
+    design = kept.design(name)
+    again = decoded(encoded(design))
+    plant = {"reduced order": kept.PENDULUM, "full order": kept.PENDULUM, "driven": kept.DRIVEN,
+             "unknown input": kept.WING, "interlaced": kept.SYMBOLIC}[name]  # fmt: skip
+    first, second = (
+        o.simulate(plant, one, times=np.arange(0.0, 0.5, 0.01), noise=0.1) for one in (design, again)
+    )
+    assert first.estimate.tobytes() == second.estimate.tobytes()
+
+
+def test_symbols_come_back_as_the_same_expressions() -> None:
+    steady = kept.design("interlaced").steady
+    for thing in (kept.SYMBOLIC, kept.CIRCLE, steady):
+        again = decoded(encoded(thing))
+        assert encoded(again) == encoded(thing)
+    again = decoded(encoded(steady))
+    assert (again.maps, again.input, again.exact) == (steady.maps, steady.input, steady.exact)
+
+
+def test_linear_systems_of_other_libraries_are_saved_as_plants() -> None:
+    signal = pytest.importorskip("scipy.signal")
+    plant = decoded(
+        encoded(signal.StateSpace([[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]]))
+    )
+    assert plant.A0.tolist() == [[-1.0, 2.0], [0.0, -3.0]]
+
+
+def test_an_observer_without_certificate_is_kept() -> None:
+    observer = o.invariant_observer(kept.CART, [[0.0, 1.0]], [[-3.0]])
+    again = decoded(encoded(observer))
+    assert again.at(0.0).S0.tobytes() == observer.at(0.0).S0.tobytes()
+
+
+def test_what_a_person_writes_by_hand_is_read() -> None:
+    text = """{"format": "pointpred observers", "version": 1, "kind": "plant",
+               "A0": [[0, 1], [0, -1]], "A1": [0, 2], "H": [1, 0], "f": "tanh", "B": [0, 1], "C0": [1, 0]}"""
+    plant = decoded(text)
+    assert plant.A1.tolist() == [[0.0], [2.0]]
+    assert plant.slopes == ((0.0, 1.0),)
+
+
+def test_a_corner_system_is_the_function_between_and_beyond_the_corners() -> None:
+    box = o.Box({"a": (1.0, 2.0), "still": (5.0, 5.0), "b": (-1.0, 3.0)})
+
+    def a(p: Any) -> Any:
+        return np.array([[p["a"], 1.0 + p["b"]], [p["a"] * p["b"], -1.0]])
+
+    system = o.CornerSystem.of(o.ParameterVaryingSystem(a, [[1.0], [0.0]], [[1.0, 0.0]]), box)
+    again = decoded(encoded(system))
+    for point in ({"a": 1.0, "b": 3.0}, {"a": 1.3, "b": 0.7}, {"a": 5.0, "b": -9.0}):
+        assert np.allclose(again.a(point), a(point), atol=1e-12)
+        assert again.a(point).tobytes() == system.a(point).tobytes()
+    assert again.f({}).tolist() == [[1.0], [0.0]]  # needs none of the variables
+    with pytest.raises(ParameterError, match="affine"):
+        o.CornerSystem.of(o.ParameterVaryingSystem(lambda p: a(p) ** 2, [[1.0], [0.0]], [[1.0, 0.0]]), box)
+
+
+def growth(s: Any) -> Any:
+    return s / (1.0 + np.abs(s))
+
+
+def test_python_functions_are_passed_again() -> None:
+    plant = o.Persidskii(
+        lambda t: [[0.0, 1.0], [-1.0 - t, -0.1]],
+        [0.0, -1.0],
+        [1.0, 0.0],
+        growth,
+        C0=[1.0, 0.0],
+        slopes=(0.0, 1.0),
+    )
+    text = encoded(plant)
+    with pytest.raises(
+        ParameterError, match=r"f was saved as the Python function 'growth'.*functions=\{'f'"
+    ) as wrong:
+        decoded(text, functions={"A0": plant.given("A0")}, name="plant.json")
+    assert wrong.value.field == "f"
+    again = decoded(text, functions={"f": growth, "A0": plant.given("A0")})
+    assert np.array_equal(again.field(2.0, [0.3, -0.1]), plant.field(2.0, [0.3, -0.1]))
+    design = o.design_full_order(plant.at(0.0), decay=0.1)
+    assert o.audit(design) == design.margins
+    assert decoded(encoded(design), functions={"f": growth}).bound == design.bound
+
+
+def changed(name: str, change: Callable[[dict[str, Any]], Any]) -> str:
+    thing = {"plant": kept.PENDULUM, "wing": kept.WING, "circle": kept.CIRCLE}.get(name) or kept.design(name)
+    content = json.loads(encoded(thing))
+    change(content)
+    return json.dumps(content)
+
+
+def put(*path: Any, value: Any) -> Callable[[dict[str, Any]], None]:
+    def change(content: dict[str, Any]) -> None:
+        place: Any = content
+        for key in path[:-1]:
+            place = place[key]
+        place[path[-1]] = value
+
+    return change
+
+
+WRONG = [
+    (
+        "plant",
+        put("version", value=VERSION + 1),
+        "version",
+        "this pointpred reads version 1: install a newer",
+    ),
+    ("plant", put("version", value="1"), "version", '"version" must be 1'),
+    ("plant", put("format", value="matlab"), "format", '"format" must be "pointpred observers"'),
+    ("plant", put("kind", value="plan"), "kind", "must be one of plant, generator"),
+    ("plant", put("kind", value=["plant"]), "kind", "must be one of plant"),
+    ("plant", put("A", value=[[1.0]]), "", "unknown field A; the fields are A0, A1"),
+    ("plant", put("A0", 0, 1, value="fast"), "A0[0][1]", "Expected float, got str"),
+    ("plant", put("A0", value=[[0.0, 1.0]]), "A0", "A0 has shape (1, 2), needs (1, 1)"),
+    ("plant", put("A0", value=[[0.0, 1.0], [2.0]]), "A0", "A0 must be a matrix of numbers"),
+    ("plant", put("B", value=[[1.0], [2.0, 3.0]]), "B", "B must be a matrix of numbers"),
+    ("plant", put("B", value=[[1.0, 2.0]]), "B", "B has shape (1, 2), needs (2, any)"),
+    ("plant", put("f", value="sine"), "f", "f must be a function or one of identity, sin"),
+    ("plant", put("time", value="sometimes"), "time", "Invalid enum value 'sometimes'"),
+    ("plant", put("domain", value=-1.0), "domain", "domain must lie above 0"),
+    ("wing", lambda c: c["corners"].pop(), "corners", "the corner {'k': 3.0} of the box is missing"),
+    (
+        "wing",
+        put("corners", 0, "at", value={"k": 2.0}),
+        "corners",
+        "the corner {'k': 1.0} of the box is missing",
+    ),
+    ("wing", put("corners", 0, "A", value=[[1.0]]), "A", "same shape at every corner"),
+    ("wing", put("box", value={}), "", "a box needs at least one axis"),
+    ("circle", put("field", 0, value="w2 +"), "", "'w2 +' is no expression"),
+    (
+        "circle",
+        put("field", 0, value="__import__('os').getcwd()"),
+        "",
+        "is not known; an expression may hold",
+    ),
+    ("circle", put("states", value=["w1", "sin"]), "sin", "needs a plain name"),
+    ("full order", put("certificate", "Q", value=[[1.0]]), "", "certificate: Q is not known"),
+    ("full order", lambda c: c["certificate"].pop("P"), "", "certificate: P is missing"),
+    (
+        "full order",
+        put("certificate", "P", value=[[1.0]]),
+        "certificate: P",
+        "has shape (1, 1), needs (2, 2)",
+    ),
+    ("reduced order", put("certificate", "gamma", value=[[1.0]]), "", "gamma must be a number"),
+    ("reduced order", lambda c: c["certificate"].pop("gamma"), "", "certificate: gamma is missing"),
+    ("reduced order", lambda c: c["certificate"].pop("W"), "", "W"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "field", "words"), WRONG, ids=[row[3][:40] for row in WRONG])
+def test_a_wrong_file_is_refused_with_its_name_and_the_field(
+    name: str, change: Callable[[dict[str, Any]], Any], field: str, words: str
+) -> None:
+    with pytest.raises(ParameterError) as wrong:
+        decoded(changed(name, change), name="mine.json")
+    assert str(wrong.value).startswith("mine.json: ")
+    assert words in str(wrong.value).replace("`", "")
+    assert wrong.value.field == field
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "3", '"plant"', "\x00", "[" * 100_000])
+def test_what_is_no_document_is_refused(text: str) -> None:
+    with pytest.raises(ParameterError):
+        decoded(text)
+
+
+TAMPERED = [
+    ("full order", put("gain", value=[[0.1], [0.1]]), CertificateError),
+    ("full order", put("Pi", value=[[1.0, 0.0], [0.0, 2.0]]), InfeasibleError),
+    ("reduced order", put("Upsilon", value=[[3.0]]), CertificateError),
+    ("reduced order, discrete", put("certificate", "P", value=[[-1.0]]), CertificateError),
+    ("driven", put("plant", "A0", value=[[-1.0, 0.5], [0.0, -1.0]]), InfeasibleError),
+    ("regulator", put("regulator", "G", value=[[1.0], [1.0]]), InfeasibleError),
+    ("regulator", put("feedback", "L0", value=[[0.0, 0.0]]), CertificateError),
+    (
+        "regulator",
+        lambda c: c["feedback"]["L0"][0].append(1.000001 * c["feedback"]["L0"][0].pop()),
+        CertificateError,
+    ),
+    ("regulator", put("feedback", "decay", value=-3.0), ParameterError),
+    ("regulator", put("observer", "plant", "B", value=[[0.0], [2.0]]), CertificateError),
+    ("regulator", put("observer", "plant", "domain", value=1.0), CertificateError),
+    ("unknown input", put("gains", value=[[[9.0], [-90.0]], [[9.0], [90.0]]]), CertificateError),
+    ("unknown input", put("sigma", value=5.0), CertificateError),
+    ("interlaced", put("certificate", "U", value=[[-1.0], [0.0]]), CertificateError),
+    ("interlaced", put("steady", "maps", 0, value="w1**2"), CertificateError),
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "error"), TAMPERED, ids=[f"{row[0]} {i}" for i, row in enumerate(TAMPERED)]
+)
+def test_a_design_that_proves_nothing_is_not_loaded(
+    name: str, change: Callable[[dict[str, Any]], Any], error: type[Exception]
+) -> None:
+    with pytest.raises(error, match=r"^mine\.json: "):
+        decoded(changed(name, change), name="mine.json")
+
+
+def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:
+    target = o.save(kept.CART, tmp_path / "cart.json")
+    before = target.read_bytes()
+    for thing in (object(), o.ParameterVaryingSystem(np.eye(1), [[1.0]], [[1.0]])):
+        with pytest.raises(ParameterError, match=r"can save|CornerSystem\.of"):
+            o.save(thing, target)
+    assert target.read_bytes() == before
+    assert [one.name for one in tmp_path.iterdir()] == ["cart.json"]
+
+
+def test_a_plant_has_nothing_to_audit() -> None:
+    with pytest.raises(ParameterError, match="design with a certificate"):
+        o.audit(kept.CART)
+
+
+@pytest.mark.parametrize("name", [None, 5, "", "folder", "missing/cart.json"])
+def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any, name: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(ParameterError, match=r"must be the path of a file|its folder must exist"):
+        o.save(kept.CART, name)
+    with pytest.raises(
+        ParameterError, match=r"must be the path of a file|it is a folder|no such file"
+    ) as wrong:
+        o.load(name)
+    assert wrong.value.field == "file"
+
+
+@pytest.mark.parametrize("thing", [None, "motor.json", kept.CART])
+def test_an_audit_needs_a_design(thing: Any) -> None:
+    with pytest.raises(ParameterError, match="an audit needs a design with a certificate, received"):
+        o.audit(thing)

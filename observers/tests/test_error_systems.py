@@ -1,0 +1,320 @@
+"""Error systems: H-infinity norms, L2 gains and decay beside closed forms and simulations."""
+
+from __future__ import annotations
+
+from math import asinh, pi, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred_observers import (
+    Box,
+    ErrorSystem,
+    Generator,
+    ParameterVaryingSystem,
+    Persidskii,
+    UnknownInputObserver,
+    assumption_3_2_2,
+    certify_decay,
+    design_full_order,
+    design_observer,
+    design_reduced_order,
+    design_regulator,
+    design_state_feedback,
+    error_system,
+    l2_gain,
+    trajectory,
+)
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.error_systems.h_infinity import h_infinity
+from pointpred_observers.error_systems.system import sloped_system
+
+RESONANCES = [(3.0, 0.1), (0.2, 0.4), (1e3, 0.01)]
+
+
+def stable(rng: np.random.Generator, n: int, *, discrete: bool = False) -> np.ndarray:
+    a = rng.normal(size=(n, n))
+    values = np.linalg.eigvals(a)
+    if discrete:
+        return a * (0.9 / np.abs(values).max())
+    return a - (float(values.real.max()) + rng.uniform(0.05, 1.0)) * np.eye(n)
+
+
+def linear(a: Any, b: Any, c: Any, time: str = "continuous") -> ErrorSystem:
+    a, b, c = (np.asarray(one, np.float64) for one in (a, b, c))
+    return ErrorSystem(a[None], b[None], c, ("",), {"d": b.shape[1]}, time)
+
+
+@pytest.mark.parametrize(
+    ("changed", "field"),
+    [
+        ({"time": "Discrete"}, "time"),
+        ({"A": [[[1.0, 0.0]]]}, "A"),
+        ({"A": [[0.5]]}, "A"),
+        ({"A": [[[float("nan")]]]}, "A"),
+        ({"A": 0.5}, "A"),
+        ({"B": [[[1.0]], [[2.0]]]}, "A"),
+        ({"B": "none"}, "B"),
+        ({"C": [[1.0, 2.0]]}, "C"),
+        ({"names": ()}, "names"),
+        ({"disturbances": {"d": 2}}, "disturbances"),
+        ({"disturbances": {"d": "one"}}, "disturbances"),
+        ({"domain": -1.0}, "domain"),
+    ],
+)
+def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: str) -> None:
+    """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
+    right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
+    right |= {"disturbances": {"d": 1}, "time": "continuous"}
+    assert certify_decay(ErrorSystem(**right)).bound.rate > 0.0
+    with pytest.raises(InfeasibleError):
+        certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
+    with pytest.raises(ParameterError) as refused:
+        ErrorSystem(**{**right, **changed})
+    assert refused.value.field == field
+
+
+@pytest.mark.parametrize(("frequency", "damping"), RESONANCES)
+def test_the_norm_of_a_resonance_is_known(frequency: float, damping: float) -> None:
+    a = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * damping * frequency]])
+    norm, at = h_infinity(a, np.array([[0.0], [frequency**2]]), np.array([[1.0, 0.0]]))
+    assert norm == pytest.approx(0.5 / (damping * sqrt(1.0 - damping**2)), rel=1e-9)
+    assert at == pytest.approx(frequency * sqrt(1.0 - 2.0 * damping**2), rel=1e-4)
+
+
+@pytest.mark.parametrize("pole", [0.5, -0.5, 0.99, 0.0])
+def test_the_norm_of_a_discrete_lag_is_known(pole: float) -> None:
+    norm, at = h_infinity(np.array([[pole]]), np.eye(1), np.eye(1), "discrete")
+    assert norm == pytest.approx(1.0 / (1.0 - abs(pole)), rel=1e-9)
+    assert pole == 0.0 or at == pytest.approx(0.0 if pole > 0.0 else pi, abs=1e-6)
+
+
+@given(st.integers(0, 2**31), st.integers(1, 6), st.booleans())
+@settings(max_examples=15)
+def test_no_frequency_exceeds_the_norm_and_one_reaches_it(seed: int, n: int, discrete: bool) -> None:
+    rng = np.random.default_rng(seed)
+    a, b, c = stable(rng, n, discrete=discrete), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
+    norm, at = h_infinity(a, b, c, "discrete" if discrete else "continuous")
+
+    def gain(w: float) -> float:
+        place = np.exp(1j * w) if discrete else 1j * w
+        return float(np.linalg.norm(c @ np.linalg.solve(place * np.eye(n) - a, b), 2))
+
+    grid = np.linspace(0.0, pi, 400) if discrete else np.concatenate([[0.0], np.geomspace(1e-3, 1e3, 400)])
+    assert max(map(gain, grid)) <= norm * (1.0 + 1e-8)
+    assert gain(at) == pytest.approx(norm, rel=1e-8)
+
+
+def test_python_control_computes_the_same_norm() -> None:
+    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
+    rng = np.random.default_rng(4)
+    for n in (1, 4):
+        a, b, c = stable(rng, n), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
+        other = control.system_norm(control.ss(a, b, c, np.zeros((2, 2))), "inf", tol=1e-8)
+        assert h_infinity(a, b, c)[0] == pytest.approx(other, rel=1e-6)
+
+
+@pytest.mark.parametrize("time", ["continuous", "discrete"])
+def test_the_proved_gain_of_a_linear_system_is_its_norm(time: str) -> None:
+    rng = np.random.default_rng(11)
+    for n in (1, 2, 4):
+        a = stable(rng, n, discrete=time == "discrete")
+        units, tick = 10.0 ** rng.uniform(-3.0, 3.0, n), 1e4 if time == "continuous" else 1.0
+        a, b, c = (
+            tick * a * units / units[:, None],
+            rng.normal(size=(n, 1)) / units[:, None],
+            rng.normal(size=(1, n)) * units,
+        )
+        found = l2_gain(linear(a, b, c, time))
+        assert found.lower <= found.upper <= 1.002 * found.lower
+        assert min(found.margins.values()) > 0.0
+
+
+@given(st.integers(0, 2**31))
+@settings(max_examples=5)
+def test_no_signal_is_amplified_more_than_the_proved_gain(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    system = sloped_system(
+        np.array([[0.0, 1.0], [-2.0, -1.0]]), np.array([[0.0], [-1.0]]), np.array([[1.0, 0.0]]),
+        {"d": np.array([[0.0], [1.0]])}, slopes=((0.0, 1.0),), time="continuous",
+    ).seen_as([[1.0, 0.0]])  # fmt: skip
+    found = l2_gain(system)
+    w, h = rng.uniform(0.5, 3.0), 0.05
+    times = np.arange(0.0, 40.0, h)
+
+    def push(t: float) -> float:
+        return float(np.sin(w * t) * np.exp(-0.1 * t) * 5.0)
+
+    states = trajectory(
+        lambda t, x: [x[1], -2.0 * x[0] - x[1] - np.tanh(x[0]) + push(t)], [0.0, 0.0], times, step_s=h
+    )
+    ratio = np.linalg.norm(states[:, 0]) / np.linalg.norm([push(t) for t in times])
+    assert ratio <= found.upper
+    assert found.lower <= found.upper <= 1.4 * found.lower
+
+
+@given(st.integers(0, 2**31), st.booleans())
+@settings(max_examples=8)
+def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete: bool) -> None:
+    rng = np.random.default_rng(seed)
+    time = "discrete" if discrete else "continuous"
+    a = np.array([[0.5, 0.3], [-0.2, 0.4]]) if discrete else np.array([[-1.0, 2.0], [-1.0, -2.0]])
+    f, h = np.array([[0.2], [0.1]]), np.array([[1.0, -1.0]])
+    system = sloped_system(a, f, h, {"d": np.eye(2)}, slopes=((-0.5, 1.0),), time=time)
+    found = certify_decay(system)
+    assert min(found.margins.values()) > 0.0
+    phases, pushes = rng.uniform(0.0, 6.0, 3), 0.3 * rng.normal(size=2)
+
+    def field(t: float, e: Any) -> Any:
+        slope = 0.25 + 0.75 * np.sin(2.0 * t + phases[0])
+        return (a + slope * f @ h) @ e + pushes * np.sin(t + phases[1])
+
+    start = rng.normal(size=2)
+    times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
+    errors = trajectory(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
+    largest = float(np.linalg.norm(pushes))
+    for t, e in zip(times, errors, strict=True):
+        assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12
+
+
+def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> None:
+    system = linear(np.array([[-1.0, 5.0], [-5.0, -1.0]]), np.eye(2), np.eye(2))
+    found = certify_decay(system, decay=0.99)
+    assert found.bound.overshoot == pytest.approx(1.0, abs=1e-3)
+    with pytest.raises(InfeasibleError):
+        certify_decay(system, decay=1.01)
+    with pytest.raises(InfeasibleError, match=r"eigenvalue 0\.5 at D = diag\(1\.5\), must lie left of 0"):
+        certify_decay(
+            sloped_system(
+                -np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.5),), time="continuous"
+            )
+        )
+
+
+def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
+    """The observer of (3.5) and its generator are run."""
+    plant = Persidskii(
+        [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],
+        C0=[[1.0, 0.0]], slopes=(0.3, 1.0), domain=3.0,
+    )  # fmt: skip
+    generator = Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
+    pi_map = np.eye(2)
+    design = design_observer(
+        Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0, domain=3.0),
+        generator,
+        pi_map,
+        decay=0.5,
+    )
+    system = error_system(design)
+    g, m = design.generator, design.gain
+    rng = np.random.default_rng(2)
+    for _ in range(20):
+        w, other, v, eps, dist = (rng.normal(size=k) for k in (2, 2, 1, 1, 2))
+        true = g.S0 @ w + g.S1 @ plant.f(plant.H @ w) + dist
+        y = plant.C0 @ w + eps + v
+        copy = g.S0 @ other + g.S1 @ plant.f(plant.H @ other) + m @ (y - plant.C0 @ other)
+        slope = (plant.f(plant.H @ w) - plant.f(plant.H @ other)) / (plant.H @ (w - other))
+        share = float((slope[0] - 0.3) / 0.7)
+        a = (1.0 - share) * system.A[0] + share * system.A[1]
+        assert a @ (w - other) + system.B[0] @ np.concatenate([v, eps, dist]) == pytest.approx(true - copy)
+    assert list(system.disturbances) == ["v", "eps", "w"]
+    assert l2_gain(system.disturbed_by("v")).upper <= l2_gain(system).upper * 1.001
+
+
+def test_the_error_system_of_a_reduced_observer_is_what_its_error_does() -> None:
+    plant = Persidskii(
+        [[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
+    )
+    design = design_reduced_order(plant, [[0.0, 1.0]], decay=3.0, injection=True)
+    system, observer, rng = error_system(design), design.observer, np.random.default_rng(3)
+    now = observer.at(0.0)
+    for _ in range(20):
+        x, u, v, delta = rng.normal(size=2), rng.normal(size=1), 0.1 * rng.normal(size=1), rng.normal(size=1)
+        e = rng.normal(size=1)
+        w = observer.invariant(0.0, x) + e
+        moved = observer.field(0.0, w, plant.output(0.0, x) + v, u) + delta - now.Z @ plant.field(0.0, x, u)
+        inner = now.J @ e + now.R @ v
+        slope = (plant.f(plant.H @ x + inner) - plant.f(plant.H @ x)) / inner
+        share = 0.5 * (float(slope[0]) + 1.0)
+        a = (1.0 - share) * system.A[0] + share * system.A[1]
+        b = (1.0 - share) * system.B[0] + share * system.B[1]
+        assert a @ e + b @ np.concatenate([delta, v]) == pytest.approx(moved)
+
+
+def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
+    system = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
+    )
+    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
+    errors = error_system(observer)
+    assert errors.names == ("k = -3", "k = -1")
+    for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
+        assert np.abs(np.linalg.eigvals(a) - zero).min() < 1e-9
+    assert certify_decay(errors, decay=0.5).bound.rate == 0.5
+
+
+def test_the_error_system_of_an_interlaced_observer() -> None:
+    sp = pytest.importorskip("sympy")
+    from pointpred_observers import InterlacedObserver, SymbolicGenerator, SymbolicSystem, interlaced
+
+    x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))
+    steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
+    observer = InterlacedObserver.design(steady, rate=0.3, gain=[[1.0], [0.0]])
+    system = error_system(observer)
+    assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
+    # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.
+    found = l2_gain(system.seen_as([[1.0, 0.0]]))
+    assert found.lower == pytest.approx(1.0, rel=1e-6)
+    assert found.frequency == pytest.approx(1.0, rel=1e-3)
+
+
+def test_what_cannot_be_is_named() -> None:
+    system = linear(-np.eye(1), np.eye(1), np.eye(1))
+    with pytest.raises(ParameterError, match="the disturbances are d, received w"):
+        system.disturbed_by("w")
+    with pytest.raises(ParameterError, match=r"C has shape \(1, 2\)"):
+        system.seen_as([[1.0, 0.0]])
+    with pytest.raises(ParameterError, match=r"needs an ObserverDesign, .*, received str"):
+        error_system("observer")
+    with pytest.raises(InfeasibleError, match="eigenvalue 0"):
+        l2_gain(linear(np.zeros((1, 1)), np.eye(1), np.eye(1)))
+
+
+@pytest.mark.parametrize("slopes", [(1.0, 1.0), (0.7, 1.0)])
+def test_every_proof_with_slopes_of_a_domain_is_local(slopes: tuple[float, float]) -> None:
+    """Equal bounds leave one corner, outside the domain the slopes are others: there 4 is not attracted."""
+    domain = 1.0 if slopes == (1.0, 1.0) else 0.5
+    f = "saturation" if slopes == (1.0, 1.0) else "tanh"
+    plant = Persidskii([[1.0]], [-3.0], [1.0], f, [1.0], None, [1.0], slopes=slopes, domain=domain)
+    assert plant.field(0.0, [4.0])[0] > 0.0
+    observer, regulator = design_full_order(plant), design_regulator(plant)
+    system = error_system(observer)
+    local = [
+        assumption_3_2_2(plant),
+        system,
+        certify_decay(system),
+        certify_decay(system, domain=2.0 * domain),
+        l2_gain(system.disturbed_by("v")),
+        error_system(design_reduced_order(_with_speed(plant), decay=0.5, injection=True)),
+        design_state_feedback(plant, L1=[[0.0]]).certificate,
+        decoded(encoded(design_regulator(plant, L1=[[0.0]]))).feedback.certificate,
+        regulator.observer.plant,
+    ]
+    assert [one.domain for one in local] == [domain] * len(local)
+    assert certify_decay(system, domain=0.1 * domain).domain == 0.1 * domain
+    with pytest.raises(ParameterError, match="domain"):
+        certify_decay(system, domain=float("nan"))
+    cancelled = design_state_feedback(plant, L1=[[3.0]]).certificate
+    assert cancelled.domain == cancelled.system.domain == np.inf
+
+
+def _with_speed(plant: Persidskii) -> Persidskii:
+    """A second state, not measured, upon which f of the first acts."""
+    return Persidskii(
+        [[-1.0, 1.0], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.3], plant.f, C0=[1.0, 0.0], domain=plant.domain
+    )

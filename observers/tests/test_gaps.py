@@ -1,0 +1,66 @@
+"""What is minimised says how far from the least it may be, at every door that minimises."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred_observers import (
+    UnknownInputObserver,
+    certify_convergence,
+    certify_interlaced,
+    design_observer,
+    design_reduced_order,
+    invariant_observer,
+    steady_state_map,
+)
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.affine import Affine
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.solver import Answer, run
+
+CALM = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
+DOORS: dict[str, Any] = {
+    "observer": lambda: design_observer(*academic(), steady_state_map(*academic()).Pi).gap,
+    "observer with a sector": lambda: design_observer(*chua_circuits(0.3), np.eye(3)).gap,
+    "convergence": lambda: (
+        certify_convergence(invariant_observer(two_masses(1.0), UNMEASURED, [[-1, 0], [0, 0]]), decay=0.2).gap
+    ),
+    "reduced order": lambda: design_reduced_order(two_masses(), UNMEASURED, decay=0.5, injection=True).gap,
+    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], rate=0.25).gap,
+    "unknown input": lambda: (
+        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.02).certificate.gap
+    ),
+}
+
+
+@pytest.mark.parametrize("door", list(DOORS))
+def test_the_answer_tells_its_gap(door: str) -> None:
+    assert 0.0 <= DOORS[door]() < 1e-2
+
+
+def test_where_the_solver_fails_on_the_minimum_bisection_comes_near_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
+
+    def least() -> Any:
+        problem = MatrixInequalities("Lyapunov").positive("P", 3)
+        problem.below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
+        return problem.solve(minimise=lambda v: np.trace(v.P))
+
+    wanted = least()
+
+    def stalled(problem: Affine, *, margin: float | None) -> Answer:
+        if margin is not None:
+            return Answer("user_limit", None, -np.inf, None)
+        return run(problem, margin=margin)
+
+    monkeypatch.setattr(matrix_inequalities, "run", stalled)
+    reached = least()
+    assert reached.gap == np.inf  # nothing is proved without multipliers
+    assert wanted.objective <= reached.objective <= 1.1 * wanted.objective

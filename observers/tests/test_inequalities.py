@@ -1,0 +1,302 @@
+"""Matrix inequalities: three answers, and no certificate that its own eigenvalues do not bear out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from scipy.linalg import solve_continuous_lyapunov
+
+from observers.tests.solvers import solved_by
+from pointpred.errors import (
+    CertificateError,
+    InfeasibleError,
+    ParameterError,
+    UndecidedError,
+)
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.affine import Affine, scaled
+from pointpred_observers.inequalities.audit import Inequalities
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.proof import largest_margin, reach
+from pointpred_observers.inequalities.rescaling import rescaled
+from pointpred_observers.inequalities.solver import CAP, Answer, run
+
+
+def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
+    return (
+        MatrixInequalities("Lyapunov", **bounds)
+        .positive("P", len(a))
+        .below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
+    )
+
+
+def trace(v: Any) -> float:
+    return float(np.trace(v.P))
+
+
+@given(st.integers(1, 5), st.integers(0, 2**32 - 1), st.booleans())
+@example(4, 568621, False)  # the solver stalls before its tight tolerances
+@settings(max_examples=25)
+def test_a_certificate_exists_exactly_where_the_eigenvalues_say_so(n: int, seed: int, stable: bool) -> None:
+    a = np.random.default_rng(seed).normal(size=(n, n))
+    a -= (np.linalg.eigvals(a).real.max() + (0.3 if stable else -0.3)) * np.eye(n)
+    if not stable:
+        with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
+            lyapunov(a).solve()
+        return
+    solution = lyapunov(a).solve(minimise=trace)
+    p = solution.values["P"]
+    assert np.array_equal(p, p.T)
+    assert np.linalg.eigvalsh(p).min() == pytest.approx(solution.margins["P > 0"])
+    largest = np.linalg.eigvalsh(a.T @ p + p @ a).max()
+    assert largest == pytest.approx(-solution.margins["A'P + PA"], abs=1e-9)
+    assert largest < 0.0
+
+
+def test_two_solvers_find_the_same_least_objective() -> None:
+    pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
+    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
+    first = lyapunov(a).solve(minimise=trace)
+    with solved_by("CVXOPT"):
+        second = lyapunov(a).solve(minimise=trace)
+    assert first.objective == pytest.approx(second.objective, rel=1e-5)
+    assert np.allclose(first.values["P"], second.values["P"], rtol=1e-4, atol=1e-4)
+
+
+def test_infeasible_is_not_undecided() -> None:
+    with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
+        lyapunov(np.diag([-1.0, 0.1])).solve()
+    with pytest.raises(UndecidedError, match="no P with a condition number below"):
+        lyapunov(np.array([[-1.0, 1e6], [0.0, -1.0]]), kappa=1e8).solve()
+
+
+def test_a_system_on_the_edge_has_no_margin() -> None:
+    with pytest.raises((InfeasibleError, UndecidedError)):
+        lyapunov(np.array([[0.0, 1.0], [-1.0, 0.0]])).solve()
+
+
+def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    def lie(problem: Affine, *, margin: float | None) -> Answer:
+        return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, None)
+
+    monkeypatch.setattr(matrix_inequalities, "run", lie)
+    with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices fail: A'P \+ PA has 0\.162"):
+        lyapunov(np.array([[0.0, 1.0], [-2.0, -3.0]])).solve()
+
+
+def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    def indefinite(problem: Affine, *, margin: float | None) -> Answer:
+        return Answer("optimal", np.array([-1.0]), 1e-2, None)
+
+    monkeypatch.setattr(matrix_inequalities, "run", indefinite)
+    with pytest.raises(CertificateError):
+        lyapunov(np.array([[1.0]])).solve()
+
+
+def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    def mute(problem: Affine, *, margin: float | None) -> Answer:
+        answer = run(problem, margin=margin)
+        return Answer(answer.status, None, answer.claimed, None)
+
+    monkeypatch.setattr(matrix_inequalities, "run", mute)
+    with pytest.raises(UndecidedError, match=r"the solver proves nothing \(its status"):
+        lyapunov(np.eye(2)).solve()
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=20)
+def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a = rng.normal(size=(3, 3))
+    problem = lyapunov(a, kappa=100.0)
+    affine = problem._numbers(None, 100.0)
+    scale = scaled(*problem.unknowns.coefficients("A'P + PA", problem.blocks["A'P + PA"]))[1]
+    answer = run(affine, margin=None)
+    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
+    excluded = reach(affine, answer.multipliers)
+    for _ in range(30):
+        factor = rng.normal(size=(3, 3))
+        p = np.eye(3) + factor @ factor.T
+        reached, largest = problem.margins({"P": p})["A'P + PA"] / scale, np.linalg.eigvalsh(p).max()
+        assert reached <= bound + 1e-9 or largest > 100.0 or bound >= CAP - 1e-6
+        assert reached < 0.0 or largest > excluded
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=10)
+def test_the_bound_of_the_margin_is_tight_where_numbers_must_not_be_negative(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a, e = rng.normal(size=(3, 3)) + np.eye(3), rng.normal(size=(3, 2))
+    problem = lyapunov(a, kappa=100.0).diagonal("D", 2).number("g")
+    problem.below("damped", lambda v: a.T @ v.P + v.P @ a - v.P + e @ v.D @ e.T + v.g * np.eye(3))
+    affine = problem._numbers(None, 100.0)
+    answer = run(affine, margin=None)
+    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
+    assert answer.claimed < 1e-3
+    assert answer.claimed - 1e-6 <= bound <= answer.claimed + 1e-4
+
+
+@given(st.integers(1, 5), st.integers(0, 2**32 - 1))
+@settings(max_examples=15, deadline=None)
+def test_a_least_objective_comes_with_a_bound_below_it(n: int, seed: int) -> None:
+    """The least trace of P >= I with A'P + PA < 0; no P that is tried lies below objective - gap."""
+    rng = np.random.default_rng(seed)
+    a = rng.normal(size=(n, n))
+    a -= (np.linalg.eigvals(a).real.max() + 0.3) * np.eye(n)
+    solution = lyapunov(a).solve(minimise=trace)
+    assert solution.objective is not None
+    assert solution.gap is not None
+    assert 0.0 <= solution.gap < 1e-2
+    least = solution.objective * (1.0 - solution.gap)
+    for _ in range(20):
+        q = rng.normal(size=(n, n))
+        p = solve_continuous_lyapunov(a.T, -q @ q.T - 1e-9 * np.eye(n))
+        p = p / np.linalg.eigvalsh(p).min()
+        assert np.trace(p) >= least * (1.0 - 1e-9)
+
+
+def test_numbers_that_only_relax_have_no_bound() -> None:
+    """The epigraph of a square of 1e5: 1e10 is far above kappa."""
+    problem = MatrixInequalities("square").positive("P", 1).number("size").free("K", 1, 1)
+    problem.above("size - K^2 / P", lambda v: np.block([[v.size * np.eye(1), v.K.T], [v.K, v.P]]))
+    problem.below("K", lambda v: v.K + 1e5 * v.P)
+    solution = problem.solve(minimise=lambda v: v.size)
+    assert solution.objective == pytest.approx(1e10, rel=1e-3)
+
+
+def test_equalities_hold_exactly_and_contradictions_are_found() -> None:
+    a = np.array([[-1.0, 2.0], [0.0, -3.0]])
+    problem = lyapunov(a).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)
+    solution = problem.solve()
+    assert np.trace(solution.values["P"]) == pytest.approx(5.0, abs=1e-12)
+    with pytest.raises(InfeasibleError, match=r"cannot hold: the least residual is 1"):
+        problem.equal("trace P = 7", lambda v: np.trace(v.P) - 7.0).solve()
+
+
+def test_an_equality_that_fails_is_named() -> None:
+    problem = lyapunov(-np.eye(2)).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)
+    with pytest.raises(CertificateError, match="trace P = 5 fails by 3"):
+        problem.check({"P": np.eye(2)})
+
+
+def test_rounding_is_an_excuse_only_where_it_is_one() -> None:
+    a = np.array([[0.0, 1.0], [-1.0, -0.001]])
+    with pytest.raises(CertificateError, match=r"entries rounded by 0\.001 could explain it"):
+        lyapunov(a).check({"P": np.eye(2)}, rounding=1e-3)
+    with pytest.raises(CertificateError, match=r"entries rounded by 0\.001 cannot explain it"):
+        lyapunov(a).check({"P": np.diag([1.0, 2.0])}, rounding=1e-3)
+
+
+def test_diagonals_and_numbers_are_never_negative() -> None:
+    problem = MatrixInequalities("bounds").diagonal("D", 2).number("g").free("F", 1, 2)
+    problem = problem.below("D", lambda v: v.D - v.g * np.eye(2)).above("g", lambda v: 3.0 - v.g)
+    solution = problem.solve(minimise=lambda v: v.g + np.trace(v.D))
+    assert (np.diag(solution.values["D"]) >= 0.0).all()
+    assert solution.values["F"].shape == (1, 2)
+    with pytest.raises(CertificateError, match="D >= 0 fails: its least value is -1"):
+        problem.check({"D": np.diag([-1.0, 0.0]), "g": 1.0, "F": [[0.0, 0.0]]})
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({}, r"needs the matrices \['P'\], received \[\]"),
+        ({"P": np.eye(3)}, r"P has shape \(3, 3\), needs \(2, 2\)"),
+        ({"P": np.array([[1.0, 2.0], [0.0, 1.0]])}, "P must be symmetric"),
+        ({"P": np.diag([1.0, np.nan])}, "P must be finite"),
+        ({"P": np.diag([1.0, np.inf])}, "P must be finite"),
+        ({"P": np.eye(2) * 1j}, "P must be real"),
+        ({"P": "I"}, "P must be a matrix of numbers"),
+    ],
+)
+def test_printed_matrices_of_the_wrong_kind(given: Any, told: str) -> None:
+    with pytest.raises(ParameterError, match=told):
+        lyapunov(-np.eye(2)).check(given)
+
+
+def test_blocks_that_are_no_inequality() -> None:
+    problem = MatrixInequalities("blocks").positive("P", 2)
+    with pytest.raises(ParameterError, match="square must be affine"):
+        MatrixInequalities("b").positive("P", 2).below("square", lambda v: v.P @ v.P).solve()
+    with pytest.raises(ParameterError, match="skew must be symmetric"):
+        MatrixInequalities("b").positive("P", 2).below("skew", lambda v: v.P @ np.diag([1.0, 2.0])).solve()
+    with pytest.raises(ParameterError, match="row must be a square matrix"):
+        MatrixInequalities("b").positive("P", 2).below("row", lambda v: v.P[:1]).solve()
+    with pytest.raises(ParameterError, match="an unknown needs a new name"):
+        problem.free("P", 1, 1)
+    with pytest.raises(ParameterError, match="an inequality needs a new name"):
+        problem.below("one", lambda v: v.P).below("one", lambda v: v.P)
+    with pytest.raises(ParameterError, match=r"margin must lie in \(0, 0.01\], received 0"):
+        MatrixInequalities("b", margin=0.0)
+    with pytest.raises(ParameterError, match=r"kappa must lie in \[10, 1e14\], received 1"):
+        MatrixInequalities("b", kappa=1.0)
+
+
+@pytest.mark.parametrize("scale", [1e-14, 1.0, 1e14])
+def test_an_eigenvalue_of_zero_is_told_from_a_small_one_in_every_unit(scale: float) -> None:
+    """A block of 1e-14 fails by a tenth of itself, one of 1e14 holds although rounding moves it by 0.02."""
+    equal = MatrixInequalities("edge").number("a").number("b")
+    equal.below("a - b", lambda v: scale * (v.a - v.b), strict=False)
+    equal.above("b - a", lambda v: scale * (v.b - v.a), strict=False)
+    assert equal.check({"a": 1.0 + 2.0**-52, "b": 1.0})["a - b"] < 0.0
+    with pytest.raises(CertificateError, match="a - b has the eigenvalue"):
+        equal.check({"a": 1.1, "b": 1.0})
+    with pytest.raises(CertificateError, match="b - a has the eigenvalue"):
+        equal.check({"a": 1.0 + 1e-11, "b": 1.0})
+
+
+def test_an_answer_may_not_violate_what_a_printed_matrix_may(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P - Q <= 0 fails by 1e-13 of its terms: rounding of a print, but no design."""
+    problem = MatrixInequalities("weak").positive("P", 1).symmetric("Q", 1)
+    problem.below("P - Q", lambda v: v.P - v.Q, strict=False)
+    assert problem.check({"P": 1.0, "Q": 1.0 - 1e-13})["P - Q"] < 0.0
+    answer = Answer("optimal", np.array([1.0, 1.0 - 1e-13]), 0.0, None)
+    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    with pytest.raises(UndecidedError):
+        problem.solve()
+
+
+def test_an_answer_too_large_for_a_symmetric_block_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    """a + b - b is a for the numbers with which the block is probed, and 0 for a = 1 and b = 1e20."""
+    problem = MatrixInequalities("large").number("a").number("b").positive("P", 1)
+    problem.below("block", lambda v: np.array([[-2.0, v.a + v.b - v.b], [v.a, -2.0]]))
+    answer = Answer("optimal", np.array([1.0, 1e20, 1.0]), 0.0, None)
+    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    with pytest.raises(UndecidedError):
+        problem.solve()
+
+
+def test_a_slack_of_zero_keeps_its_scale() -> None:
+    problem = MatrixInequalities("edge").positive("P", 2).below("P - 2", lambda v: v.P - 2.0 * np.eye(2))
+    edge = rescaled(problem._numbers(None, 100.0), np.array([2.0, 0.0, 2.0]))
+    assert max(float(np.abs(part).max()) for part in edge.problem.strict[0]) < 10.0
+
+
+def test_numbers_that_overflow_are_too_large_rather_than_not_affine() -> None:
+    problem = MatrixInequalities("huge").symmetric("P", 1)
+    problem.below("block", lambda v: 1e308 * (1e308 * v.P))
+    with (
+        np.errstate(all="ignore"),
+        pytest.raises(ParameterError, match="block holds numbers that are too large"),
+    ):
+        problem.check({"P": [[1.0]]})
+
+
+@pytest.mark.parametrize("size", [1.0, 1e8])
+def test_an_equality_is_judged_by_its_own_terms(size: float) -> None:
+    """Gamma = 1e8 is no excuse for a printed F that is off, nor is a first row of 1e8 for the second."""
+    scale = np.diag([size, 1.0])
+
+    def off(by: float) -> Inequalities:
+        problem = Inequalities("print").symmetric("P", 2).symmetric("Gamma", 1)
+        return problem.equal("P S - F", lambda v: scale @ v.P @ [[1.0], [3.0]] - scale @ [[1.0], [3.0 + by]])
+
+    values = {"P": np.eye(2), "Gamma": [[size]]}
+    assert off(0.0).check(values)["P S - F"] >= 0.0
+    assert off(1e-10).check(values)["P S - F"] >= 0.0
+    with pytest.raises(CertificateError, match=r"P S - F fails by 9\.[0-9]+e-07"):
+        off(1e-6).check(values)

@@ -1,0 +1,173 @@
+"""Plants of scipy and python-control, taken by every door as their Persidskii systems are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import signal
+
+from observers.tests.printed import check_map, check_observer
+from pointpred.errors import ParameterError
+from pointpred_observers import (
+    Generator,
+    Persidskii,
+    as_plant,
+    assumption_3_2_2,
+    assumption_3_2_3,
+    c2d,
+    certify_convergence,
+    certify_tracking,
+    closed_loop,
+    design_observer,
+    design_reduced_order,
+    design_regulator,
+    design_state_feedback,
+    invariant_observer,
+    regulator_equations,
+    regulator_stage,
+    residuals,
+    sector_bounds,
+    steady_state_map,
+    theorem_3_2_1,
+    theorem_3_2_2,
+    theorem_3_2_3,
+)
+
+A, B, C, D = [[0.0, 1.0], [-2.0, -0.5]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]]
+OWN = Persidskii(A, None, None, "identity", B, C0=C)
+CIRCLE = Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[[1.0, 0.0]])
+REGULATOR = design_regulator(OWN)
+PI = steady_state_map(OWN, CIRCLE).Pi
+
+DOORS: dict[str, Callable[[Any], Any]] = {
+    "steady_state_map": lambda p: steady_state_map(p, CIRCLE).Pi,
+    "residuals": lambda p: residuals(p, CIRCLE, PI)["A0 Pi - Pi G C0 Pi - Pi S0 + B L0"],
+    "design_observer": lambda p: design_observer(p, CIRCLE, PI, decay=0.5).gain,
+    "theorem_3_2_1": lambda p: [sorted(theorem_3_2_1(p, CIRCLE, PI).blocks)],
+    "theorem_3_2_2": lambda p: [sorted(theorem_3_2_2(p, REGULATOR.regulator, REGULATOR.Pi).blocks)],
+    "theorem_3_2_3": lambda p: [sorted(theorem_3_2_3(p, REGULATOR.regulator, REGULATOR.Pi).blocks)],
+    "assumption_3_2_2": lambda p: assumption_3_2_2(p, decay=0.1).P,
+    "assumption_3_2_3": lambda p: [sorted(assumption_3_2_3(p, REGULATOR.regulator, REGULATOR.Pi).blocks)],
+    "certify_tracking": lambda p: certify_tracking(p, REGULATOR.regulator, REGULATOR.Pi).regulator.values[
+        "P"
+    ],
+    "closed_loop": lambda p: closed_loop(p, REGULATOR.regulator, 0.0, [1.0, 2.0, 3.0, 4.0]),
+    "regulator_stage": lambda p: regulator_stage(p, REGULATOR.regulator, start=[1.0, 2.0]).update(0.0, [1.0]),
+    "sector_bounds": lambda p: sector_bounds(p).Sigma1,
+    "design_reduced_order": lambda p: design_reduced_order(p, decay=2.0).Upsilon,
+    "invariant_observer": lambda p: invariant_observer(p, [[0.0, 1.0]], [[-3.0]]).at(0.0).S0,
+    "certify_convergence": lambda p: certify_convergence(
+        invariant_observer(p, [[0.0, 1.0]], [[-3.0]])
+    ).values["P"],
+    "design_state_feedback": lambda p: design_state_feedback(p).L0,
+    "design_regulator": lambda p: design_regulator(p).regulator.S0,
+    "regulator_equations": lambda p: regulator_equations(p, CIRCLE).Pi,
+    "c2d": lambda p: c2d(p, 0.1).A0,
+    "check_map": lambda p: [[*check_map(p, CIRCLE, PI).values()]],
+    "check_observer": lambda p: [[*check_observer(p, [[0.0, 1.0]], [[-3.0]], {"O": [[1.0]]}).values()]],
+    "beside": lambda p: CIRCLE.beside(p).L0,
+}
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_every_door_takes_a_state_space_system(door: str) -> None:
+    expected = DOORS[door](OWN)
+    assert np.array_equal(DOORS[door](signal.StateSpace(A, B, C, D)), expected)
+
+
+def test_systems_of_python_control() -> None:
+    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
+    for system in (control.ss(A, B, C, D), control.ss(control.tf([1.0], [1.0, 0.5, 2.0]))):
+        design = design_reduced_order(system, decay=2.0)
+        assert design.certificate.bound.rate >= 2.0 - 1e-9
+    sampled = control.c2d(control.ss(A, B, C, D), 0.1)
+    assert as_plant(sampled).time == "discrete"
+    assert np.array_equal(as_plant(sampled).A0, sampled.A)
+    plant = as_plant(control.tf([1.0], [1.0, 0.5, 2.0]))
+    assert np.poly(plant.A0) == pytest.approx([1.0, 0.5, 2.0])
+    for one in (control.frd([1.0, 2.0], [1.0, 2.0]), control.tf([1.0, 1.0, 1.0], [1.0, 1.0])):
+        with pytest.raises(ParameterError, match="must have a state-space form, received a"):
+            as_plant(one)
+    assert as_plant(control.ss(A, B, C, D, None)).time == "continuous"
+    assert as_plant(control.ss(A, B, C, D, True)).time == "discrete"
+    own = control.poles(control.ss(A, B, C, D))
+    assert np.sort_complex(np.linalg.eigvals(as_plant(control.ss(A, B, C, D)).A0)) == pytest.approx(
+        np.sort_complex(own)
+    )
+
+
+def test_systems_of_scipy() -> None:
+    assert as_plant(signal.lti(A, B, C, D)).time == "continuous"
+    assert as_plant(signal.dlti(A, B, C, D, dt=0.1)).time == "discrete"
+    for one in (
+        signal.TransferFunction([1.0], [1.0, 0.5, 2.0]),
+        signal.ZerosPolesGain([], [-1.0, -2.0], 3.0),
+    ):
+        plant = as_plant(one)
+        w, response = signal.freqresp(one, [0.7])
+        inside = plant.C0 @ np.linalg.solve(1j * w[0] * np.eye(2) - plant.A0, plant.B)
+        assert complex(inside[0, 0]) == pytest.approx(complex(response[0]))
+
+
+@pytest.mark.parametrize(
+    ("system", "message"),
+    [
+        (signal.StateSpace(A, B, C, [[1.0]]), "needs D = 0: subtract D u"),
+        (signal.TransferFunction([1.0, 0.0], [1.0, 1.0]), "needs D = 0"),
+        (
+            SimpleNamespace(A=np.zeros((0, 0)), B=np.zeros((0, 1)), C=np.zeros((1, 0)), D=[[0.0]]),
+            "A is empty",
+        ),
+        (SimpleNamespace(A=[[1.0, 2.0]], B=[[0.0]], C=[[1.0, 0.0]], D=[[0.0]]), "A0 has shape"),
+        (SimpleNamespace(A=[[1.0]], B=[[0.0]], C=[[1.0]], D=[[0.0, 0.0]]), "D has shape"),
+        (
+            signal.TransferFunction([1.0, 1.0, 1.0], [1.0, 1.0]),
+            "must have a state-space form, received a TransferFunction",
+        ),
+        *(
+            (SimpleNamespace(A=A, B=B, C=C, D=D, dt=dt), f"dt of a plant must be a number .* {dt!r}")
+            for dt in ("x", -1.0, np.nan, [0.1])
+        ),
+        ({"A": A}, "received dict"),
+        (None, "received NoneType"),
+    ],
+)
+def test_systems_that_are_no_plant(system: Any, message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
+        as_plant(system)
+    with pytest.raises(ParameterError):
+        design_reduced_order(system)
+
+
+def test_tracking_without_a_nonlinearity() -> None:
+    certificate = certify_tracking(OWN, REGULATOR.regulator, REGULATOR.Pi)
+    assert sorted(certificate.regulator.values) == ["Gamma", "P", "Xi"]
+    assert sorted(certificate.error.values) == ["Gamma", "P", "Xi"]
+    for values, a in (
+        (certificate.regulator.values, OWN.A0 + OWN.B @ REGULATOR.feedback.L0),
+        (certificate.error.values, OWN.A0 - REGULATOR.observer.gain @ OWN.C0),
+    ):
+        assert np.linalg.eigvalsh(a.T @ values["P"] + values["P"] @ a).max() < 0.0
+
+
+def test_a_linear_plant_needs_no_f() -> None:
+    cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
+    assert (cart.k, cart.r, cart.field(0.0, [1.0, 2.0], u=3.0).tolist()) == (0, 0, [2.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "field", "words"),
+    [
+        ({"A0": []}, "A0", "A0 is empty: a plant needs at least one state"),
+        ({"A0": [[-1.0]], "A1": [1.0], "f": "sin"}, "H", "A1 needs H, .* 1 rows of 1 entries"),
+        ({"A0": [[-1.0]], "A1": [1.0], "H": [1.0]}, "f", "A1 needs f: a name"),
+    ],
+)
+def test_a_plant_that_lacks_a_part_is_refused_by_its_name(wrong: Any, field: str, words: str) -> None:
+    with pytest.raises(ParameterError, match=words) as refused:
+        Persidskii(**wrong)
+    assert refused.value.field == field

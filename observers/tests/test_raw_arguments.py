@@ -1,0 +1,87 @@
+"""Arguments of the wrong kind: a named error, never what Python says of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred.errors import ParameterError
+from pointpred_observers import (
+    Generator,
+    Persidskii,
+    UnknownInputObserver,
+    certify_tracking,
+    design_observer,
+    design_reduced_order,
+    invariant_observer,
+    undetectable,
+)
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.triangular.interlaced_certificate import certify
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+
+PLANT = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
+DRIVEN = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+CONSTANT = Generator([[0.0]], L0=[1.0])
+WRONG: list[Any] = ["fast", 1.0 + 1.0j, None, True, np.nan, np.inf, -1.0]
+
+
+def unknown_input(columns: int = 1, axis: str = "k", sigma: Any = 0.1, **more: Any) -> Any:
+    system = ParameterVaryingSystem(
+        lambda p: np.diag([-1.0, -2.0 - p["k"]]), lambda p: np.eye(2, columns), np.eye(1, 2)
+    )
+    return UnknownInputObserver.design(system, Box({axis: (0.0, 1.0)}), sigma, **more)
+
+
+NOT_NEEDED = "output_rate must be positive and finite"
+TAKING: dict[str, Callable[[Any], Any]] = {
+    "decay must be finite and not below 0": lambda v: design_observer(DRIVEN, CONSTANT, [[1.0]], decay=v),
+    "decay must be finite and above 0": lambda v: design_reduced_order(PLANT, decay=v),
+    "sigma must be positive and finite": lambda v: unknown_input(sigma=v),
+    NOT_NEEDED: lambda v: unknown_input(output_rate=v),
+    "rate must be a positive number": lambda v: certify([[0.0]], [[1.0]], rate=v),
+    "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
+}
+
+
+@pytest.mark.parametrize(
+    ("told", "value"),
+    [(told, value) for told in TAKING for value in WRONG if value is not None or told != NOT_NEEDED],
+)
+def test_what_is_no_such_number_is_named(told: str, value: Any) -> None:
+    with pytest.raises(ParameterError, match=told):
+        TAKING[told](value)
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: undetectable([[1.0]], [[1.0]], time="foo"), "time must be 'continuous' or 'discrete'"),
+        (lambda: Generator(np.zeros((0, 0))), "S0 needs at least one state, received none"),
+        (lambda: MatrixInequalities("empty").positive("P", 1).solve(), "at least one inequality"),
+        (lambda: unknown_input(columns=0), "F needs a column for each unknown input"),
+        (lambda: unknown_input(axis="other"), "the system needs the variable 'k', the box has other"),
+    ],
+)
+def test_what_is_missing_is_named(call: Callable[[], Any], told: str) -> None:
+    with pytest.raises(ParameterError, match=told):
+        call()
+
+
+@pytest.mark.parametrize("value", WRONG)
+def test_the_tolerance_of_tracking_is_a_share(value: Any) -> None:
+    with pytest.raises(ParameterError, match="tolerance must lie in"):
+        certify_tracking(DRIVEN, CONSTANT, [[1.0]], tolerance=value)
+
+
+def test_sound_arguments_pass() -> None:
+    assert unknown_input().certificate.margin > 0.0
+    assert certify_tracking(
+        Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0]),
+        Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0]),
+        [[1.0]],
+    )

@@ -1,0 +1,237 @@
+"""Proposition 3.2.1 and Corollary 3.2.1 on random systems, and what is said where no Pi exists."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred_observers import Generator, Persidskii, residuals, steady_state_map, trajectory
+
+
+def matched(
+    seed: int, *, feedback: bool = False, time: str = "continuous"
+) -> tuple[Persidskii, Generator, Any]:
+    """A random plant and generator made so that a known Pi satisfies every equality."""
+    rng = np.random.default_rng(seed)
+    n, q = int(rng.integers(2, 5)), int(rng.integers(1, 3))
+    k, m, p, z = 2, 2, 1, 1
+    scale = 0.3 if time == "discrete" else 1.0
+    pi = rng.normal(size=(n, q))
+    a0 = scale * (rng.normal(size=(n, n)) - (0.0 if time == "discrete" else 3.0) * np.eye(n))
+    half = rng.normal(size=(q, q))
+    s0 = half - half.T if time == "continuous" else np.linalg.qr(half)[0]
+    g = 0.3 * rng.normal(size=(q, p)) if feedback else np.zeros((q, p))
+    c0, c1 = rng.normal(size=(p, n)), rng.normal(size=(p, k)) if feedback else np.zeros((p, k))
+    l0, l1 = rng.normal(size=(m, q)), rng.normal(size=(m, k))
+    s1, e, b = scale * rng.normal(size=(q, k)), rng.normal(size=(q, z)), rng.normal(size=(n, m))
+    # A0 and A1 are corrected so that the equalities hold: (A0 + X) Pi = ..., X of least norm.
+    left = np.linalg.pinv(pi)
+    a0 = a0 + (pi @ s0 + pi @ g @ c0 @ pi - b @ l0 - a0 @ pi) @ left
+    a1 = pi @ (s1 + g @ c1) - b @ l1
+    h = 0.5 * rng.normal(size=(k, n))
+    plant = Persidskii(a0, a1, h, ["sin", "tanh"], b, pi @ e, c0, c1, time=time)
+    return plant, Generator(s0, s1, None, g, l0, l1, e), pi
+
+
+def largest(found: dict[str, Any]) -> float:
+    return max(float(np.abs(one).max()) for one in found.values())
+
+
+@given(st.integers(0, 2**31), st.booleans(), st.sampled_from(["continuous", "discrete"]))
+@settings(max_examples=30)
+def test_the_map_satisfies_every_equality(seed: int, feedback: bool, time: str) -> None:
+    plant, generator, pi = matched(seed, feedback=feedback, time=time)
+    assert largest(residuals(plant, generator, pi)) < 1e-10
+    found = steady_state_map(plant, generator)
+    assert largest(residuals(plant, generator, found.Pi)) < 1e-7
+    assert np.allclose(found.J, plant.H @ found.Pi)
+    assert max(found.residuals.values()) == largest(residuals(plant, generator, found.Pi))
+    every = [found.Pi, *found.others]
+    assert found.nullity > 0 or min(np.abs(one - pi).max() for one in every) < 1e-5
+    for direction in found.basis:
+        step = 1e-4 * direction if feedback else direction
+        assert largest(residuals(plant, generator, found.Pi + step)) < 1e-6
+
+
+@given(st.integers(0, 2**31), st.booleans())
+@example(283, False)  # one of its eigenvalues is 1238 a second
+@settings(max_examples=8)
+def test_the_hyperplane_is_invariant_along_trajectories(seed: int, feedback: bool) -> None:
+    plant, generator, _ = matched(seed, feedback=feedback)
+    found = steady_state_map(plant, generator)
+    q = generator.q
+    joined = Generator(
+        **{**{n: getattr(generator, n) for n in ("S0", "S1", "G", "L0", "L1", "E")}, "J": found.J}
+    )
+
+    def field(t: float, both: Any) -> Any:
+        w, x = both[:q], both[q:]
+        rho = [np.sin(3.0 * t)]
+        drive = joined.field(w, y=plant.output(t, x), rho=rho, f=plant.f)
+        return np.concatenate([drive, plant.field(t, x, u=joined.output(w, f=plant.f), rho=rho)])
+
+    w0 = 0.5 * np.random.default_rng(seed).normal(size=q)
+    start = np.concatenate([w0, found.Pi @ w0])
+    quick = min(1.0, 20.0 / np.linalg.norm(plant.A0, 2))  # a quicker plant has a shorter time
+    times = quick * np.array([0.0, 0.3, 0.7])
+    for integrator in ("rk4", "scipy"):
+        both = trajectory(field, start, times, integrator=integrator, step_s=1e-2 * quick)
+        size = max(1.0, float(np.abs(both).max()))
+        # What leaves the hyperplane is rounding, and the residual of Pi, enlarged by an unstable plant.
+        assert np.abs(both[:, q:] - both[:, :q] @ found.Pi.T).max() < 1e-9 * size * max(
+            1.0, max(found.residuals.values()) * 1e10
+        )
+
+
+def test_the_hyperplane_is_invariant_in_discrete_time() -> None:
+    plant, generator, pi = matched(11, time="discrete")
+    found = steady_state_map(plant, generator)
+    j = found.J
+    w, x = np.ones(generator.q), pi @ np.ones(generator.q)
+    x = found.Pi @ w
+    for k in range(30):
+        u = generator.L0 @ w + generator.L1 @ plant.f(j @ w)
+        rho = [np.cos(k)]
+        w_next = generator.S0 @ w + generator.S1 @ plant.f(j @ w) + generator.E @ rho
+        x, w = plant.field(k, x, u=u, rho=rho), w_next
+        assert np.abs(x - found.Pi @ w).max() < 1e-9
+
+
+def test_a_riccati_equation_has_several_solutions_and_all_are_told() -> None:
+    plant = Persidskii([[0.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    found = steady_state_map(plant, Generator([[0.0]], G=[1.0], L0=[1.0]))  # Pi^2 = 1
+    assert found.Pi.item() == pytest.approx(1.0)  # A0 - Pi G C0 = -1: the plant follows this one
+    assert [one.item() for one in found.others] == pytest.approx([-1.0])
+    with pytest.raises(UndecidedError, match=r"Riccati equation .* keeps a residual of 1"):
+        steady_state_map(plant, Generator([[0.0]], G=[1.0], L0=[-1.0]))  # Pi^2 = -1
+
+
+def test_a_map_that_is_not_unique_has_a_basis() -> None:
+    plant = Persidskii([[0.0, 0.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0])
+    found = steady_state_map(plant, Generator([[0.0]], L0=[3.0]))
+    assert found.nullity == 1
+    assert np.abs(found.basis[0]).round(9).tolist() == [[1.0], [0.0]]
+    assert found.Pi.round(9).tolist() == [[0.0], [3.0]]
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"L0": [[2.0]], "S0": [[-1.0]]}, r"S0 \+ B L0 = 0 cannot hold: the least residual is 2"),
+        ({"L1": [[3.0]]}, r"A1 \+ B L1 - Pi \(S1 \+ G C1\) = 0 cannot hold beside A0 .* residual is 3"),
+        ({"E": [[5.0]]}, r"Q - Pi E = 0 cannot hold beside"),
+        ({"J": [[5.0]]}, r"H Pi - J = 0 cannot hold beside"),
+    ],
+)  # fmt: skip
+def test_an_equality_that_cannot_hold_is_named_with_its_residual(change: dict[str, Any], name: str) -> None:
+    plant = Persidskii([[-1.0]], [[0.0]], [[1.0]], "sin", B=[1.0], Q=[1.0])
+    sound = {"S0": [[0.0]], "S1": [[0.0]], "L0": [[1.0]], "L1": [[0.0]], "E": [[1.0]]}
+    assert steady_state_map(plant, Generator(**sound)).Pi.round(9).tolist() == [[1.0]]
+    with pytest.raises(InfeasibleError, match=name):
+        steady_state_map(plant, Generator(**{**sound, **change}))
+
+
+def test_varying_matrices_need_a_constant_map_at_each_time() -> None:
+    def a0(t: float) -> Any:
+        return [[-2.0 - np.sin(t), 1.0 + np.sin(t)], [0.0, -1.0]]
+
+    plant = Persidskii(a0, None, None, "sin", B=[1.0, 1.0])
+    generator = Generator([[0.0]], L0=[1.0])
+    times = np.linspace(0.0, 6.0, 7)
+    found = steady_state_map(plant, generator, times=times)
+    assert found.Pi.round(9).tolist() == [[1.0], [1.0]]
+    other = Persidskii(lambda t: [[-1.0 - t, 0.0], [0.0, -1.0]], None, None, "sin", B=[1.0, 1.0])
+    with pytest.raises(InfeasibleError, match="cannot hold"):
+        steady_state_map(other, generator, times=times)
+    for none in (None, []):
+        with pytest.raises(
+            ParameterError, match=r"the plant \(A0\) varies: give the times at which it is to hold"
+        ):
+            steady_state_map(other, generator, times=none)
+    assert steady_state_map(other, generator, times=[0.0]).Pi.round(9).tolist() == [[1.0], [1.0]]
+
+
+def test_a_generator_with_its_own_f_needs_the_corollary() -> None:
+    plant = Persidskii([[-1.0]], [[0.0]], [[1.0]], "sin", B=[1.0])
+    with pytest.raises(ParameterError, match="relaxed=True"):
+        steady_state_map(plant, Generator([[0.0]], L0=[1.0], f="tanh"))
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"A0": [[1.0, 2.0]]}, r"A0 has shape \(1, 2\), needs \(1, 1\)"),
+        ({"A1": [[1.0], [1.0], [1.0]]}, r"A1 has shape \(3, 1\), needs \(2, any\)"),
+        ({"H": [[1.0]]}, r"H has shape \(1, 1\), needs \(any, 2\)"),
+        ({"B": [[1.0]]}, r"B has shape \(1, 1\), needs \(2, any\)"),
+        ({"C0": [[1.0]]}, r"C0 has shape \(1, 1\), needs \(any, 2\)"),
+        ({"C1": [[1.0, 2.0]]}, r"C1 has shape \(1, 2\), needs \(1, 1\)"),
+        ({"H": np.eye(2)}, "H has 2 rows, an elementwise f with 1 components needs 1"),
+        ({"A0": [[np.nan, 0.0], [0.0, 1.0]]}, "A0 must be finite"),
+        ({"A0": [[np.inf, 0.0], [0.0, 1.0]]}, "A0 must be finite"),
+        ({"A0": [[1j, 0.0], [0.0, 1.0]]}, "A0 must be real"),
+        ({"A0": "identity"}, "A0 must be a matrix of numbers"),
+        ({"A0": [[1.0, 2.0], [3.0]]}, "A0 must be a matrix of numbers"),
+        ({"time": "hybrid"}, "time must be 'continuous' or 'discrete', received 'hybrid'"),
+        ({"f": "sinus"}, "f must be a function or one of identity, sin"),
+        ({"f": ["sin", "sin"]}, "f needs 1 components"),
+        ({"slopes": (1.0, 0.0)}, "slopes need low <= high"),
+        ({"slopes": "steep"}, "slopes must be"),
+        ({"domain": 0.0}, "domain must lie above 0"),
+    ],
+)
+def test_plants_that_cannot_be(given: dict[str, Any], told: str) -> None:
+    sound: dict[str, Any] = {
+        "A0": -np.eye(2),
+        "A1": [0.0, 1.0],
+        "H": [1.0, 0.0],
+        "f": "sin",
+        "C0": [1.0, 0.0],
+    }
+    Persidskii(**sound)
+    with pytest.raises(ParameterError, match=told):
+        Persidskii(**{**sound, **given})
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"S0": [[1.0, 2.0]]}, r"S0 has shape \(1, 2\), needs \(1, 1\)"),
+        ({"S1": [[1.0, 1.0]]}, r"S1 has shape \(1, 2\), needs \(1, 1\)"),
+        ({"G": [[1.0, 1.0]]}, r"G has shape \(1, 2\), needs \(1, 1\)"),
+        ({"L0": [[1.0], [2.0]]}, r"L0 has shape \(2, 1\), needs \(1, 1\)"),
+        ({"J": [[1.0], [2.0]]}, r"J has shape \(2, 1\), needs \(1, 1\)"),
+        ({"E": [[np.inf]]}, "E must be finite"),
+    ],
+)
+def test_generators_that_do_not_fit(given: dict[str, Any], told: str) -> None:
+    plant = Persidskii(-np.eye(2), [0.0, 1.0], [1.0, 0.0], "sin", [1.0, 1.0], None, [1.0, 0.0])
+    with pytest.raises(ParameterError, match=told):
+        steady_state_map(plant, Generator(**{"S0": [[0.0]], **given}))
+
+
+def test_a_plant_keeps_what_it_was_given() -> None:
+    a0 = -np.eye(2)
+    plant = Persidskii(a0, None, None, "sin")
+    a0[0, 0] = 7.0
+    assert plant.A0[0, 0] == plant.at(0.0).A0[0, 0] == -1.0
+
+
+def test_a_varying_plant_is_its_matrices_at_each_time() -> None:
+    plant = Persidskii(
+        lambda t: [[-1.0 - t]], [1.0], [1.0], "sin", lambda t: [[2.0 * t]], [3.0], lambda t: [[t]], [[1.0]]
+    )
+    assert plant.varying == ("A0", "B", "C0")
+    expected = -3.0 * 0.5 + np.sin(0.5) + 4.0 * 0.7 + 3.0 * 0.2 + 0.1
+    assert plant.field(2.0, [0.5], u=0.7, rho=0.2, d=0.1).item() == pytest.approx(expected)
+    assert plant.output(2.0, [0.5], v=0.1).item() == pytest.approx(1.0 + np.sin(0.5) + 0.1)
+    held = plant.at(2.0)
+    assert not held.varying
+    assert held.field(9.0, [0.5], u=0.7, rho=0.2, d=0.1).item() == pytest.approx(expected)
+    with pytest.raises(ParameterError, match=r"A0 has shape \(1, 2\), needs \(1, 1\)"):
+        Persidskii(lambda t: [[1.0]] if t == 0.0 else [[1.0, 2.0]], None, None, "sin").field(1.0, [1.0])

@@ -1,0 +1,368 @@
+"""Unknown input observers of any system: all states measured, redundant and missing outputs, fast poles."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from pointpred.errors import EventError, InfeasibleError, ParameterError
+from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers.camera import SCENARIOS, camera_box, camera_system, model, simulate
+
+A = np.array([[-1.0, 2.0, 0.0], [0.5, 0.3, 1.0], [0.0, -1.0, -0.4]])
+F = np.array([[1.0], [0.5], [0.0]])
+PART = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+NAN = np.nan
+
+
+def system(c: Any, a: Any = None, f: Any = F, **more: Any) -> ParameterVaryingSystem:
+    """A system with a coefficient k that varies, or of constant matrices."""
+    first = A if a is None else np.asarray(a)
+    return ParameterVaryingSystem(
+        lambda p: first + p["k"] * np.eye(len(first)), lambda p: np.asarray(f), np.asarray(c), **more
+    )
+
+
+def k(t: float) -> float:
+    return float(-0.25 + 0.25 * np.sin(t))
+
+
+def at(t: float) -> Any:
+    """The schedule at a time: k, whatever the estimate is."""
+    return lambda _: {"k": k(t)}
+
+
+def observed(c: Any, f: Any = F, sigma: float = 0.5) -> UnknownInputObserver:
+    return UnknownInputObserver.design(system(c, f=f), Box({"k": (-0.5, 0.0)}), sigma)
+
+
+def run(
+    observer: UnknownInputObserver, start: Any, times: Any, lost: Any = (), **noise: Any
+) -> tuple[Any, Any, Any]:
+    """Errors of the state, estimates, and the true d, with outputs ``lost[i]`` missing from sample i."""
+    one, lost = observer.system, dict(lost)
+
+    def d(t: float) -> Any:
+        return np.array([1.5 * np.sin(2.0 * t) + 0.5, np.cos(t)])[: one.f({"k": 0.0}).shape[1]]
+
+    def rate(t: float, x: Any) -> Any:
+        return one.a({"k": k(t)}) @ x + one.f({"k": k(t)}) @ d(t) + np.array([0.0, t, 0.0])
+
+    truth = solve_ivp(
+        rate, (0.0, times[-1]), [0.3, -0.2, 0.5], method="DOP853", t_eval=times, rtol=1e-10, atol=1e-12
+    ).y.T
+    observer.start(np.asarray(start, float), **noise)
+    estimates = []
+    for i, (t, x) in enumerate(zip(times, truth, strict=True)):
+        y = one.c @ x
+        y[list(lost.get(i, ()))] = NAN
+        known = np.array([0.0, t, 0.0])
+        estimates.append(observer.update(UnknownInputSample(t, y, known, at(t))))
+    errors = np.array([e.x for e in estimates]) - truth
+    return errors, estimates, np.array([d(t) for t in times])
+
+
+@pytest.mark.parametrize("f", [F, np.eye(3, 2), np.eye(3)])
+def test_every_state_measured(f: Any) -> None:
+    observer = observed(np.eye(3), f)
+    one = observer.certificate
+    assert one.margin > 0.0
+    assert one.zeros.size == 0
+    assert one.largest_sigma == np.inf
+    for k in (-0.5, -0.2, 0.0):
+        n = observer.system.gamma({"k": k}) - observer.gains.at({"k": k})
+        assert np.linalg.eigvals(n).real.max() < -0.25
+        assert np.abs(n).max() < 30.0  # no gain is larger than it must be
+    if f is F:
+        errors, _, _ = run(observer, np.zeros(3), np.arange(0.0, 3.0, 0.01))
+        assert np.abs(errors[-1]).max() < 1e-4
+
+
+def test_the_bound_of_every_state_measured_is_what_it_says() -> None:
+    """|T| / sigma for a disturbance: the gamma that costs as much of the decay as sigma itself."""
+    one = observed(np.eye(3)).certificate
+    assert one.phi2 < 5.0
+    assert one.phi1 < 3.0
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        [[2.0, 0.0, -1.0]],
+        pytest.param([[1.0, 0.0, 0.0]], marks=pytest.mark.slow),
+        pytest.param([[1e4, 0.0, 0.0], [0.0, 0.0, 1e-3], [1.0, 0.0, 1.0]], marks=pytest.mark.slow),
+    ],
+)
+def test_redundant_outputs(more: Any) -> None:
+    observer = observed(np.vstack([PART, more]))
+    assert observer.certificate.margin > 0.0
+    for k in (-0.5, 0.0):
+        n = observer.system.gamma({"k": k}) - observer.gains.at({"k": k}) @ observer.system.c
+        assert np.linalg.eigvals(n).real.max() < -0.25
+    errors, _, _ = run(observer, [0.0, 1.0, 0.0], np.arange(0.0, 20.0, 0.1))
+    assert np.abs(errors[0]).max() > 1.0
+    assert np.abs(errors[-1]).max() < 0.01
+
+
+@pytest.mark.parametrize("time", ["continuous", "discrete"])
+@pytest.mark.parametrize("c", [PART, np.vstack([PART, [[2.0, 0.0, -1.0]]])])
+def test_more_outputs_than_inputs_in_other_units(c: Any, time: str) -> None:
+    """Of the many inverses of C F the same one is taken whatever the units of the outputs and states are."""
+    x, y = np.array([1e4, 1e-3, 1.0]), np.array([1e5, 1e-4, 30.0])[: len(c)]
+    first = 0.3 * A if time == "discrete" else A
+    one = system(c, first, time=time)
+    other = system(c * x / y[:, None], first * x / x[:, None], F / x[:, None], time=time)
+    box = Box({"k": (-0.5, 0.0)})
+    found, again = (UnknownInputObserver.design(each, box, 0.5) for each in (one, other))
+    point = {"k": -0.3}
+    assert again.system.t(point) * x[:, None] / x == pytest.approx(found.system.t(point), rel=1e-6, abs=1e-9)
+    gains = again.gains.at(point) * x[:, None] / y
+    assert gains == pytest.approx(found.gains.at(point), rel=2e-3, abs=1e-6)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_the_zeros_of_a_system_in_other_units(scale: float) -> None:
+    """Two sensors, three states, one zero at -2 + k: it does not depend on the units of the states."""
+    a = np.array([[0.1, 1.0, 0.5], [0.0, -2.0, 0.0], [1.0, 0.0, -1.0]])
+    x = np.array([1.0, scale, 1.0 / scale])
+    one = system(PART * x, a * x / x[:, None], np.array([[1.0], [0.0], [0.0]]) / x[:, None])
+    found = UnknownInputObserver.design(one, Box({"k": (-0.5, 0.0)}), 0.5).certificate
+    assert np.sort(found.zeros.real.ravel()) == pytest.approx([-2.5, -2.0], rel=1e-9)
+
+
+def test_redundant_outputs_do_not_repair_a_rank() -> None:
+    with pytest.raises(ParameterError, match=r"rank\(C F\) = 1 < rank\(F\) = 2"):
+        observed([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], np.eye(3, 2))
+
+
+@pytest.mark.slow
+def test_the_unknown_input_is_the_mean_over_each_interval() -> None:
+    """Its error falls with the square of the interval, against the true d at the middle."""
+    worst = []
+    for h in (0.08, 0.04):
+        times = np.arange(0.0, 12.0, h)
+        _, estimates, _ = run(observed(PART), [0.3, -0.2, 0.5], times)
+        middle = times[1:] - 0.5 * h
+        found = np.array([e.d[0] for e in estimates[1:]])
+        worst.append(np.abs(found - 1.5 * np.sin(2.0 * middle) - 0.5)[len(found) // 2 :].max())
+    assert np.isnan(estimates[0].d).all()
+    assert worst[0] < 3e-2
+    assert 3.0 < worst[0] / worst[1] < 5.0
+
+
+@pytest.mark.slow
+def test_the_filter_reconstructs_the_unknown_input_through_noise() -> None:
+    """Beside a raw difference, whose noise is that of the output times sqrt(2) / h, and within its spread."""
+    rng, h, size = np.random.default_rng(3), 0.01, 1e-2
+    observer, times = observed(PART), np.arange(0.0, 6.0, h)
+    d = 1.5 * np.sin(2.0 * times) + 0.5
+    one = observer.system
+
+    truth = solve_ivp(
+        lambda t, x: one.a({"k": k(t)}) @ x + F[:, 0] * (1.5 * np.sin(2.0 * t) + 0.5),
+        (0.0, 6.0), [0.3, -0.2, 0.5], t_eval=times, rtol=1e-9, atol=1e-11,
+    ).y.T  # fmt: skip
+    outputs = truth @ PART.T + size * rng.normal(size=(len(times), 2))
+    found = {}
+    for name, more in {"raw": {}, "filter": {"noise": size, "density": 2.0}}.items():
+        observer.start(np.array([0.3, -0.2, 0.5]), **more)
+        estimates = [
+            observer.update(UnknownInputSample(t, y, np.zeros(3), at(t)))
+            for t, y in zip(times, outputs, strict=True)
+        ]
+        found[name] = np.array([[e.d[0], e.spread[0]] for e in estimates])[100:]
+    raw, filtered = (found[name][:, 0] - d[100:] for name in ("raw", "filter"))
+    assert raw.std() == pytest.approx(np.sqrt(2.0) * size / h, rel=0.1)
+    assert filtered.std() < 0.2 * raw.std()
+    normal = filtered / found["filter"][:, 1]
+    assert 0.2 < (normal**2).mean() < 1.5
+
+
+def test_the_spread_is_that_of_the_riccati_equation() -> None:
+    from scipy.linalg import solve_discrete_are
+
+    h, size, density = 0.02, 1e-3, 5.0
+    _, estimates, _ = run(observed(PART), np.zeros(3), np.arange(0.0, 4.0, h), noise=size, density=density)
+    # The unknown input moves the first output only, by C F = (1, 0)'.
+    onward, row = np.array([[1.0, h], [0.0, 1.0]]), np.array([[1.0, 0.0]])
+    growth = density * np.array([[h**3 / 3.0, h**2 / 2.0], [h**2 / 2.0, h]])
+    before = solve_discrete_are(onward.T, row.T, growth, np.array([[size**2]]))
+    after = before - before @ row.T @ row @ before / (before[0, 0] + size**2)
+    assert estimates[-1].spread[0] == pytest.approx(np.sqrt(after[1, 1]), rel=1e-6)
+
+
+def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
+    """With a constant d the model with the last d is the plant: the error of a gap is that of its start."""
+    a = np.array([[0.0, 1.0], [-2.0, -0.3]])
+    one = ParameterVaryingSystem(lambda p: a + 0.0 * p["k"], lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2))
+    observer = UnknownInputObserver.design(one, Box({"k": (0.0, 0.0)}), 0.5)
+    times = np.arange(0.0, 3.0, 0.01)
+    truth = solve_ivp(
+        lambda t, x: a @ x + [0.8, 0.0], (0.0, 3.0), [0.3, -0.2], t_eval=times, rtol=1e-11, atol=1e-12
+    ).y.T
+    observer.start(np.array([0.3, -0.2]))
+    for i, (t, x) in enumerate(zip(times, truth, strict=True)):
+        y = x[:1] if i < 100 or i > 200 else np.array([NAN])
+        estimate = observer.update(UnknownInputSample(t, y, np.zeros(2), lambda _: {"k": 0.0}))
+        assert estimate.x == pytest.approx(x, abs=2e-4)
+        assert estimate.certified == (i < 100 or i > 201)
+        if i > 100:
+            assert estimate.d[0] == pytest.approx(0.8, abs=1e-3)
+
+
+def test_the_first_output_may_be_missing() -> None:
+    observer = observed(PART)
+    observer.start(np.array([0.3, -0.2, 0.5]))
+    first = observer.update(UnknownInputSample(0.0, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
+    second = observer.update(UnknownInputSample(0.5, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
+    assert first.x.tolist() == [0.3, -0.2, 0.5]
+    wanted = solve_ivp(lambda t, x: A @ x, (0.0, 0.5), first.x, rtol=1e-10, atol=1e-12).y[:, -1]
+    assert second.x == pytest.approx(wanted, abs=1e-7)
+    assert not first.certified
+    assert np.isnan(second.d).all()
+
+
+@pytest.mark.slow
+def test_the_outputs_that_are_left_still_correct_along_f() -> None:
+    """The second output is lost for a while: the first still shows what the unknown input does to it."""
+    times = np.arange(0.0, 20.0, 0.04)
+    lost = dict.fromkeys(range(150, 200), (1,))
+    both = dict.fromkeys(range(150, 200), (0, 1))
+    one, estimates, _ = run(observed(PART), [0.3, -0.2, 0.5], times, lost)
+    none, _, _ = run(observed(PART), [0.3, -0.2, 0.5], times, both)
+    gap = slice(151, 200)
+    assert np.abs(one[gap, 0]).max() < 1e-6  # measured
+    assert np.abs(one[gap]).max() < 0.5 * np.abs(none[gap]).max()
+    assert not any(e.certified for e in estimates[gap])
+    assert np.abs(none[-1]).max() < 5e-3  # after twelve seconds with both again
+    assert np.abs(one[-1]).max() < 5e-3
+
+
+def test_a_fast_unknown_input_observer_takes_short_steps() -> None:
+    one = ParameterVaryingSystem(
+        lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
+    )
+    observer = UnknownInputObserver.design(one, Box({"k": (-310.0, -300.0)}), 1.0)
+    observer.start(np.array([0.0, 1.0]))
+    for i in range(40):
+        sample = UnknownInputSample(0.02 * i, np.array([7.0]), np.zeros(2), lambda _: {"k": -300.0})
+        found = observer.update(sample).x[1]
+    assert abs(found) < 1e-9
+    quick = UnknownInputObserver.design(system(PART), Box({"k": (-0.5, 0.0)}), 0.5, output_rate=400.0)
+    errors, _, _ = run(quick, [0.3, 0.2, 0.5], np.arange(0.0, 3.0, 0.04))
+    assert np.abs(errors[-1]).max() < 0.05
+
+
+def slow(unit: float) -> UnknownInputObserver:
+    one = system(PART, unit * A)
+    box = Box({"k": (-0.5 * unit, 0.0)})
+    return UnknownInputObserver.design(one, box, 0.5 * unit)
+
+
+def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same plant in other units of time: the same number of rates between two samples."""
+    counts = []
+    for unit in (1.0, 1e-5):
+        observer, called = slow(unit), []
+        rate = observer.rate
+        monkeypatch.setattr(observer, "rate", lambda *a, r=rate, c=called: (c.append(0), r(*a))[1])
+        observer.start(np.array([0.3, -0.2, 0.5]))
+        for i in range(3):
+            sample = UnknownInputSample(0.1 * i / unit, np.ones(2), np.zeros(3), lambda _: {"k": 0.0})
+            observer.update(sample)
+        counts.append(len(called))
+    assert counts[0] == counts[1] < 200
+
+
+@pytest.mark.parametrize("y", [np.ones(2), None])
+def test_too_long_an_interval_is_refused(y: Any) -> None:
+    observer = slow(1.0)
+    observer.start(np.array([0.3, -0.2, 0.5]))
+    schedule = at(0.0)
+    observer.update(UnknownInputSample(0.0, np.ones(2), np.zeros(3), schedule))
+    with pytest.raises(EventError, match=r"bridges at most .* s, 1e\+05 steps: sample more often"):
+        observer.update(UnknownInputSample(1e9, y, np.zeros(3), schedule))
+    assert observer.update(UnknownInputSample(0.01, np.ones(2), np.zeros(3), schedule)).certified
+
+
+def test_none_stands_for_a_sample_without_any_output() -> None:
+    found = []
+    for lost in (None, np.full(2, NAN)):
+        observer = observed(PART)
+        observer.start(np.array([0.3, -0.2, 0.5]))
+        for i, y in enumerate((lost, np.ones(2), lost, np.ones(2))):
+            estimate = observer.update(UnknownInputSample(0.1 * i, y, np.zeros(3), at(0.0)))
+            found.append(estimate)
+            assert not estimate.certified
+    assert all(np.array_equal(one.x, two.x) for one, two in zip(found[:4], found[4:], strict=True))
+
+
+def test_what_is_no_sample_is_named() -> None:
+    observer = observed(PART)
+    observer.start(np.zeros(3))
+    wrong: Any = None
+    with pytest.raises(EventError, match="UnknownInputSample, with y=None where every output is missing"):
+        observer.update(wrong)
+
+
+@pytest.fixture(scope="module")
+def camera() -> Any:
+    bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
+    observer = UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.01)
+    _, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=3.0, image_hz=100.0)
+    return observer, truth
+
+
+def test_the_camera_through_the_general_reconstruction(camera: Any) -> None:
+    """chi (v_x, v_y) of the paper's scenario, through a gap of half a second without images."""
+    observer, truth = camera
+    slopes = np.gradient(truth.w, truth.t, axis=0, edge_order=2)
+    z = truth.p[:, 2]
+    observer.start(np.array([0.0, 0.0, 1.0 / z[0], truth.v[0, 2] / z[0]]), noise=1e-5, density=1.0)
+    errors: list[Any] = []
+    estimate: Any = None
+    for k in range(len(truth.t)):
+        seen = truth.image[k] if not 100 <= k < 150 else np.full(2, NAN)
+        x, y = truth.image[k] if not 100 <= k < 150 else (float(one) for one in estimate.x[:2])
+        m = dict(zip(("a_z", "w_x", "w_y"), (truth.a[k, 2], *truth.w[k, :2]), strict=True))
+        m |= {"dw_x": slopes[k, 0], "dw_y": slopes[k, 1]}
+
+        def schedule(e: Any, m: Any = m) -> dict[str, float]:
+            here = {"x": float(e[0]), "y": float(e[1]), "eta": float(e[3])}
+            return {"zero": here["y"] * m["w_x"] - here["x"] * m["w_y"] + here["eta"], **here, **m}
+
+        known = np.concatenate([model.interaction(x, y) @ truth.w[k], np.zeros(2)])
+        estimate = observer.update(UnknownInputSample(truth.t[k], seen, known, schedule))
+        errors.append(estimate.d - truth.v[k, :2] / z[k])
+    assert np.abs(errors[20:100]).max() < 2e-3
+    assert np.abs(errors[250:]).max() < 4e-3
+
+
+def test_what_the_model_needs_is_named(camera: Any) -> None:
+    observer, _ = camera
+    observer.start(np.array([0.0, 0.0, 1.0, -0.5]))
+    point = {"zero": -0.5, "eta": -0.5, "a_z": 0.0, "w_x": 0.0, "w_y": 0.0, "dw_x": 0.0, "dw_y": 0.0}
+    observer.update(UnknownInputSample(0.0, np.zeros(2), np.zeros(4), lambda _: point))
+    assert np.isnan(
+        observer.update(UnknownInputSample(0.1, np.zeros(2), np.zeros(4), lambda _: point)).d
+    ).all()
+    with pytest.raises(EventError, match="the schedule needs the variable 'x' of A"):
+        observer.update(UnknownInputSample(0.2, np.full(2, NAN), np.zeros(4), lambda _: point))
+
+
+def test_parameters_of_the_reconstruction_are_named() -> None:
+    observer = observed(PART)
+    cases: list[tuple[dict[str, Any], str]] = [
+        ({"noise": 1.0}, "noise and density come together"),
+        ({"noise": 0.0, "density": 1.0}, "noise must lie above 0"),
+        ({"noise": [1.0, 1.0, 1.0], "density": 1.0}, "noise needs 1 or 2 numbers"),
+        ({"noise": 1.0, "density": -1.0}, "density must lie above 0"),
+    ]
+    for more, told in cases:
+        with pytest.raises(ParameterError, match=told):
+            observer.start(np.zeros(3), **more)
+    with pytest.raises(InfeasibleError, match="largest feasible sigma"):
+        observed([[1.0, 0.0, 0.0]], sigma=50.0)
