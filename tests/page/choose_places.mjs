@@ -1,6 +1,6 @@
 // A chooser of places: steps are calls by name, with what they take.
 
-import { PlaceChooser } from "../../server/web/prediction/place-chooser.js";
+import { PlaceChooser } from "../../server/web/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 const { settings, steps } = await given();

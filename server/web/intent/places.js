@@ -2,8 +2,8 @@
 
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
+import { attempt } from "../prediction/ledger.js";
 import { REMAINING_S, claimed } from "../prediction/row.js";
-import { attempt } from "./attempt.js";
 
 const DEFAULTS = { precision: 0.5, page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
@@ -80,7 +80,7 @@ class Places {
   }
 
   async #load() {
-    const { PlaceChooser, build } = await import("./place-source.js");
+    const [{ PlaceChooser }, { build }] = await Promise.all([import("../prediction/chooser.js"), import("../prediction/build.js")]);
     this.#chooser = new PlaceChooser({ precision: this.#options.precision });
     this.#pipeline = await this.#known(build);
     this.#enter();
