@@ -24,9 +24,10 @@ from pointpred.client.session import (
 )
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.events import PointerEvent
-from pointpred.protocol.client_messages import Goal, Hello, Target
+from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import KnownPerson, PredictionMessage, Score, TargetsTaken, Welcome
+from pointpred.targets import Target
 
 Answer = TypeVar("Answer", bound=Struct)
 

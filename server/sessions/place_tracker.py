@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pointpred.columns import FloatArray
 from pointpred.events import Place
-from pointpred.protocol.server_messages import Choice, PlaceSquare
+from pointpred.protocol.server_messages import ChoiceMessage, PlaceSquare
 from pointpred.rows import event_of, prediction_of
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.target_tracker import within_bounds
@@ -73,5 +73,5 @@ class PlaceTracker:
         square = choice.place
         place = PlaceSquare(square.x + square.width / 2.0, square.y + square.height / 2.0, square.width)
         self._outbox.add_choice(
-            Choice(f"place {choice.id}", choice.p, choice.action, t, choice.reason, place)
+            ChoiceMessage(f"place {choice.id}", choice.p, choice.action, t, choice.reason, place)
         )

@@ -13,7 +13,7 @@ from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.events import Place
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline, run
-from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target
+from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
@@ -263,7 +263,7 @@ class PredictionStream:
         if self.tracker:
             self.tracker.expect(())
 
-    def replace_targets(self, targets: list[Target], outbox: Outbox) -> None:
+    def replace_targets(self, targets: list[Rectangle], outbox: Outbox) -> None:
         """Replace the set of targets; raises ProtocolError, nothing changed."""
         tracker = self.tracker or TargetTracker(outbox, self.precision)
         tracker.replace(targets)
