@@ -22,14 +22,19 @@ STANDING, SINCE, ENDED, ENDED_AT, ENDED_SINCE, PROPOSED, RETRACTED, ENTERED, STA
 """Of a movement: the row of the target that is proposed and since when; of the one whose proposal ended with
 the release of a button, when it ended and since when it stood; proposals, retractions, targets proposed
 because the cursor had gone into them."""
-BEGINNING = (NOBODY, 0.0, NOBODY, 0.0, 0.0, 0.0, 0.0, 0.0)
-"""What is known of a movement when it begins."""
 
 MADE, ENTRY, ENTRY_SINCE, FIELDS = range(4)
 """Of a target in a movement, a row: how often it was proposed; when the cursor first went into it, and since
 when it had been proposed then, NaN where it did not and was not."""
-UNTOUCHED = (0.0, nan, nan)
-"""A row of which nothing is known."""
+
+
+@law
+def begin(movement: FloatArray, rows: FloatArray) -> None:
+    """Nothing is known of a movement yet, nor of the targets of these rows."""
+    movement[:] = 0.0
+    movement[STANDING] = movement[ENDED] = NOBODY
+    for i in range(len(rows)):
+        rows[i, MADE], rows[i, ENTRY], rows[i, ENTRY_SINCE] = 0.0, nan, nan
 
 
 @law
@@ -171,9 +176,9 @@ class Ledger:
 
     def drop(self) -> None:
         """Forget the movement that goes on: it ended without a click."""
-        self._movement[:] = BEGINNING
         self._places: dict[Hashable, int] = {}
-        self._rows = np.empty((0, FIELDS))
+        self._rows = np.empty((4, FIELDS))
+        begin(self._movement, self._rows)
 
     def _row_of(self, id: Hashable) -> int:
         """The row of a target, a new one where it has none; NOBODY beyond LATEST: ids are the caller's."""
@@ -181,8 +186,7 @@ class Ledger:
         if place == NOBODY and len(self._places) < LATEST:
             place = self._places[id] = len(self._places)
             if place == len(self._rows):
-                more = np.tile(UNTOUCHED, (place + 4, 1))
-                self._rows = np.concatenate((self._rows, more))
+                self._rows = np.concatenate((self._rows, np.tile((0.0, nan, nan), (place, 1))))
         return place
 
     @property

@@ -111,8 +111,8 @@ export class Ledger {
 
   /** Forgets the movement that goes on: it ended without a click. */
   drop() {
-    this.#movement.set(law.BEGINNING);
     [this.#rows, this.#places] = [[], new Map()];
+    law.begin(this.#movement, this.#rows);
   }
 
   /** The counts, with shares and the medians of the leads; null where there is nothing to count. */
@@ -129,7 +129,7 @@ export class Ledger {
     const place = this.#places.get(id) ?? NOBODY;
     if (place !== NOBODY || this.#rows.length === law.LATEST) return place;
     this.#places.set(id, this.#rows.length);
-    return this.#rows.push(Float64Array.from(law.UNTOUCHED)) - 1;
+    return this.#rows.push(Float64Array.of(0, NaN, NaN)) - 1;
   }
 }
 

@@ -10,11 +10,18 @@ export const PROPOSED = 5;
 export const RETRACTED = 6;
 export const ENTERED = 7;
 export const STATES = 8;
-export const BEGINNING = [-1, 0, -1, 0, 0, 0, 0, 0];
 export const MADE = 0;
 export const ENTRY = 1;
 export const ENTRY_SINCE = 2;
-export const UNTOUCHED = [0, NaN, NaN];
+export function begin(movement, rows) {
+  movement.fill(0);
+  movement[STANDING] = movement[ENDED] = $decision.NOBODY;
+  for (let i = 0, end_1 = rows.length; i < end_1; i++) {
+    rows[i][MADE] = 0;
+    rows[i][ENTRY] = NaN;
+    rows[i][ENTRY_SINCE] = NaN;
+  }
+}
 export function propose(movement, rows, t, place) {
   movement[PROPOSED] += 1;
   movement[STANDING] = place;
