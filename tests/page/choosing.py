@@ -34,8 +34,10 @@ def in_page(steps: Steps, settings: dict[str, float], targets: Listed = None) ->
 
 def in_python(steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
     """What ``choose.mjs`` does, in Python."""
-    chooser: Any = PlaceChooser(**settings)
-    if targets is not None:
+    chooser: Any
+    if targets is None:
+        chooser = PlaceChooser(**settings)
+    else:
         chooser = Chooser([Target(**one) for one in targets], **settings)
 
     def update(*given: Any) -> list[dict[str, Any]]:
