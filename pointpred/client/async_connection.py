@@ -24,10 +24,9 @@ from pointpred.client.session import (
 )
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.events import PointerEvent
-from pointpred.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Goal, Hello, Rectangle
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import KnownPerson, PredictionMessage, Score, TargetsTaken, Welcome
-from pointpred.targets import Target
 
 Answer = TypeVar("Answer", bound=Struct)
 
@@ -97,7 +96,7 @@ class AsyncConnection(ClientSession):
             except ConnectionClosed as closed:
                 raise connection_closed(closed) from closed
 
-    async def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
+    async def targets(self, targets: Iterable[dict[str, Any] | Rectangle]) -> int:
         """Replace the set of targets; returns how many the service has."""
         return (await self._ask(self.targets_frame(targets), TargetsTaken)).count
 

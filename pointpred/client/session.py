@@ -31,6 +31,7 @@ from pointpred.protocol.client_messages import (
     Goal,
     Hello,
     Person,
+    Rectangle,
     Reply,
     Reset,
     Targets,
@@ -50,7 +51,6 @@ from pointpred.protocol.server_messages import (
     encode,
 )
 from pointpred.registry import RECOMMENDED
-from pointpred.targets import Target
 
 Row = Sequence[float | None]
 """t, x, y and then, where they are known, dx, dy, buttons."""
@@ -158,7 +158,7 @@ class ClientSession:
             self._unanswered.add(part.table, each=self.hello.reply == "event")
             yield frame
 
-    def targets_frame(self, targets: Iterable[dict[str, Any] | Target]) -> Frame:
+    def targets_frame(self, targets: Iterable[dict[str, Any] | Rectangle]) -> Frame:
         """Replaces the set of targets."""
         plain = [msgspec.to_builtins(each) for each in targets]
         return self._text(_fit(Targets, {"type": "targets", "targets": plain}))
