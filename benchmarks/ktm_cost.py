@@ -6,6 +6,7 @@ import statistics
 import time
 
 import numpy as np
+from pointpred.records import EventColumns, FloatArray
 
 from benchmarks.machine import machine
 from benchmarks.per_event import reach
@@ -13,7 +14,6 @@ from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred import Pipeline, build
-from pointpred.columns import EventColumns, FloatArray
 
 ROUNDS = 7
 RATES_HZ = (1000, 125)

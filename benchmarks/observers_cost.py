@@ -5,9 +5,9 @@ from __future__ import annotations
 from time import process_time
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
-from pointpred.columns import FloatArray
 from pointpred.observers import (
     Generator,
     Persidskii,

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.sources import write_in_parts

@@ -11,12 +11,12 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 import pointpred.datasets
 from benchmarks.load.generator import Fragment, Message
 from benchmarks.load.movements import hello, resampled, tables
 from pointpred import build
-from pointpred.columns import FloatArray
 from pointpred.protocol.records import pack_events
 
 MESSAGES_PER_S, EVENTS_PER_S, FRAGMENTS_PER_S = 450.0, 19_000.0, 4500.0

@@ -11,11 +11,11 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from benchmarks.soak.frames import BINARY, CLOSE, PING, PONG, TEXT, frame, split
 from benchmarks.soak.movement import events
 from benchmarks.soak.offline import CPI, DPI, OfflineRun
-from pointpred.columns import FloatArray
 from pointpred.protocol.records import pack_events
 
 ERROR, PREDICTION = b'{"type":"error"', b'{"type":"prediction"'

@@ -9,13 +9,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.desktop.repeats import repeated
 from pages.desktop.tables import FLOOR, Measured, written
 from pages.simulation.frames import thinned
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.pipeline import run
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures import endpoint

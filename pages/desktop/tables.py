@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages import FIGURES
 from pages.data import Table, keep
 from pages.desktop import recovery
 from pages.desktop.recovery import BLOCK
 from pages.thinning import save
-from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 
 if TYPE_CHECKING:

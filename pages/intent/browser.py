@@ -22,6 +22,7 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep, stored
@@ -33,7 +34,6 @@ from pages.intent.sample import document, sampled
 from pages.intent.scores import score
 from pages.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
-from pointpred.columns import FloatArray
 from pointpred.replaying import Page, drive_mouse
 from pointpred.targets import Target
 from pointpred.targets.rectangles import table

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep
@@ -20,7 +21,6 @@ from pages.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement
 from pages.intent.scores import Score, by_policy, by_rule, shares_of
-from pointpred.columns import FloatArray
 from pointpred.targets import prefetch
 
 PREDICTORS = ("kinematic-adaptive", "kinematic", "minimum-jerk", "switched-direction")

@@ -11,13 +11,13 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table
 from pages.held_out import HeldOut, held_out
 from pages.places.people import pipelines
 from pointpred import Place
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, resolution
 from pointpred.scoring.target_choice import decisions as replaying

@@ -13,6 +13,7 @@ from math import hypot, nan
 from typing import NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep
@@ -20,7 +21,6 @@ from pages.held_out import HeldOut, held_out
 from pages.places import expected
 from pages.places.people import pipelines
 from pointpred import Pipeline, Place, PointerEvent
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target

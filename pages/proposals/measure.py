@@ -13,13 +13,13 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out
 from pages.proposals.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.sources import read

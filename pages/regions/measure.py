@@ -16,13 +16,13 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
 from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
 from pages.regions.tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
 from pointpred import Pipeline, PredictionColumns, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.moments import moments

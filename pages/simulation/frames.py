@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording
 
 

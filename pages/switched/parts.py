@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import SwitchedDirectionPredictor, submovement
 from pointpred.registry import parameters

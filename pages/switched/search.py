@@ -14,8 +14,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import BoolArray, EventColumns, FloatArray, MotionColumns
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray, MotionColumns
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.predictors import SwitchedDirectionPredictor
 from pointpred.scoring import Prepared, prepare

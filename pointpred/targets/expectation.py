@@ -7,10 +7,9 @@ from math import exp, inf, log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.events import LARGEST, Place
+from pointpred.records import LARGEST, FloatArray, Place
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
 # A row of a table of places: position in px, how likely it is now and before the movement, scatter of visits

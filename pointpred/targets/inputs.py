@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST, PointerEvent
+from pointpred.records import LARGEST, FloatArray, PointerEvent
 from pointpred.targets import cursor
 from pointpred.targets.choice_law import unusable
 from pointpred.targets.posterior import COEFFICIENTS

@@ -11,8 +11,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.targets.decision import NOBODY
 
 LATEST = 1000

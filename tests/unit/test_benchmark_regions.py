@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import RegionColumns
 
 from pages.held_out import HeldOut
 from pages.regions import measure as regions
@@ -13,7 +14,6 @@ from pages.regions import tables as regions_page
 from pages.regions.played import served
 from pages.regions.tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
-from pointpred.columns import RegionColumns
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare

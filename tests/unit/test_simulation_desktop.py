@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from pointpred.records import BoolArray, FloatArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, ParameterError
 from pointpred.scoring import score
 from pointpred.simulation import DesktopSession, people, simulate_desktop
