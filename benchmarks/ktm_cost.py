@@ -6,7 +6,6 @@ import statistics
 import time
 
 import numpy as np
-from pointpred.records import EventColumns, FloatArray
 
 from benchmarks.machine import machine
 from benchmarks.per_event import reach
@@ -14,6 +13,7 @@ from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred import Pipeline, build
+from pointpred.records import EventColumns, FloatArray
 
 ROUNDS = 7
 RATES_HZ = (1000, 125)

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from pointpred.records import EventColumns
 
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import write_in_parts
 
 PEOPLE_TRIALS = 1000

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pointpred.datasets import sample
+from pointpred.records import FloatArray
 
 APART = 9973
 """Events between the beginnings of two clients in the sample."""

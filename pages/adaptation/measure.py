@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.adaptation.tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Measured, written
 from pages.arguments import parse
@@ -20,6 +19,7 @@ from pages.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, build
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring.replay import replay

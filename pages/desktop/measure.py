@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.desktop.repeats import repeated
@@ -17,6 +16,7 @@ from pages.desktop.tables import FLOOR, Measured, written
 from pages.simulation.frames import thinned
 from pointpred import Pipeline, build
 from pointpred.pipeline import run
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.trial_measures import measure_trials

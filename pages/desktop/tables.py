@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages import FIGURES
 from pages.data import Table, keep
@@ -15,6 +14,7 @@ from pages.desktop import recovery
 from pages.desktop.recovery import BLOCK
 from pages.thinning import save
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.records import FloatArray
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

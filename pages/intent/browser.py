@@ -22,7 +22,6 @@ from typing import Any
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep, stored
@@ -34,6 +33,7 @@ from pages.intent.sample import document, sampled
 from pages.intent.scores import score
 from pages.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
+from pointpred.records import FloatArray
 from pointpred.replaying import Page, drive_mouse
 from pointpred.targets import Target
 from pointpred.targets.rectangles import table

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.intent.movements import PAGES, Movement
 from pages.targets import fit as targets_fit
 from pages.targets.fit import Cases
+from pointpred.records import FloatArray
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
 

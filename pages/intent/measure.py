@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep
@@ -21,6 +20,7 @@ from pages.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement
 from pages.intent.scores import Score, by_policy, by_rule, shares_of
+from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
 PREDICTORS = ("kinematic-adaptive", "kinematic", "minimum-jerk", "switched-direction")

@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table
@@ -19,6 +18,7 @@ from pages.held_out import HeldOut, held_out
 from pages.places.people import pipelines
 from pointpred import Place
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import prepare, resolution
 from pointpred.scoring.target_choice import decisions as replaying
 from pointpred.scoring.target_choice.layouts import layouts

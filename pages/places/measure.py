@@ -13,7 +13,6 @@ from math import hypot, nan
 from typing import NamedTuple
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.data import Table, keep
@@ -22,6 +21,7 @@ from pages.places import expected
 from pages.places.people import pipelines
 from pointpred import Pipeline, Place, PointerEvent
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.chooser import rectangle_of

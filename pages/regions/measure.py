@@ -16,7 +16,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from pointpred.records import FloatArray
 
 from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
@@ -24,6 +23,7 @@ from pages.regions.played import KnownService, hello_of, in_session, over_socket
 from pages.regions.tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
 from pointpred import Pipeline, PredictionColumns, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.moments import moments
 from pointpred.training import data

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from pointpred.records import EventColumns
 
 from pointpred.recording import Recording
+from pointpred.records import EventColumns
 
 
 def thinned(recording: Recording, period_s: float) -> Recording:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from pointpred.records import BoolArray, FloatArray
 
 from pointpred.compiled import law
 from pointpred.predictors import SwitchedDirectionPredictor, submovement
+from pointpred.records import BoolArray, FloatArray
 from pointpred.registry import parameters
 
 AXES = ((1, 3, 5), (2, 4, 6))

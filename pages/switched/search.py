@@ -14,10 +14,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
-from pointpred.records import BoolArray, EventColumns, FloatArray, MotionColumns
 
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.predictors import SwitchedDirectionPredictor
+from pointpred.records import BoolArray, EventColumns, FloatArray, MotionColumns
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures import endpoint
 from pointpred.sources import read

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.observers import Persidskii, design_reduced_order
-from pointpred.observers.rounding import NO_DIGIT, without_rounding
+from pointpred_observers import Persidskii, design_reduced_order
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 
 def tanks(coupling: float = 0.0) -> Persidskii:

@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 import pytest
-from pointpred.records import event_of, prediction_of
 
 from pointpred import Place
 from pointpred.errors import PointpredError
+from pointpred.records import event_of, prediction_of
 from pointpred.targets import Choice, Chooser, PlaceChoice, PlaceChooser, Target
 from tests.page import node
 

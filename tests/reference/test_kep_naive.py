@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from benchmarks.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
@@ -14,6 +13,7 @@ from pointpred.differentiators import BackwardDifferentiator, HomogeneousDiffere
 from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep
 from pointpred.predictors.kep import quartic
+from pointpred.records import FloatArray
 from pointpred.regression import least_squares
 
 

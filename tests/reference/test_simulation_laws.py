@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 from scipy.integrate import solve_ivp
 
+from pointpred.records import FloatArray
 from pointpred.simulation import hand, loop, slots
 from pointpred.simulation.validation import (
     ballistic_estimate,

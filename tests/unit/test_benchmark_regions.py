@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import RegionColumns
 
 from pages.held_out import HeldOut
 from pages.regions import measure as regions
@@ -16,6 +15,7 @@ from pages.regions.tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
+from pointpred.records import RegionColumns
 from pointpred.scoring import prepare
 
 EACH = 12

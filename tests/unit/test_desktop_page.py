@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec import structs
-from pointpred.records import EventColumns, FloatArray
 
 from pages.desktop import measure, recovery, tables
 from pages.desktop.repeats import SCREEN, WINDOW, repeated
 from pages.desktop.tables import FLOOR, Measured
 from pointpred import build
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import people, simulate_desktop
 

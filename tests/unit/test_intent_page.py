@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pages.data import Table
 from pages.intent import foresight
@@ -13,6 +12,7 @@ from pages.intent.movements import Movement
 from pages.intent.page import beside
 from pages.intent.scores import by_policy, by_rule, score
 from pages.intent.speculation import by_hover
+from pointpred.records import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
 
