@@ -26,7 +26,6 @@ ON_DEMAND = (
     "intent/keyboard.js",
     "intent/scroll.js",
     "intent/service-source.js",
-    "intent/place-source.js",
 )
 """What a page loads only when somebody asks for it."""
 ESBUILD = "esbuild@0.25.12"
@@ -57,7 +56,9 @@ def _imports(path: Path) -> Iterator[Path]:
 def _counts(path: Path, reader: Path, chosen: set[Path], kinematic: bool) -> bool:
     """Whether a module that another one imports is loaded; the registry names those of every predictor."""
     name = path.relative_to(WEB).as_posix()
-    if reader.name == "source.js" and path.name == ("small-source.js" if kinematic else "page-source.js"):
+    if reader.name == "places.js" and name in ("prediction/build.js", "prediction/chooser.js"):
+        return False  # for proposals of places
+    if reader.name == "source.js" and path.name == ("small-source.js" if kinematic else "build.js"):
         return False
     return not name.startswith(ON_DEMAND) and (reader.name != "registry.js" or path in chosen)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import ROUNDING, without_rounding
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 TOLERANCE = 1e-9
 """The largest residual of an equality of computed matrices, as a share of its own terms."""
@@ -57,7 +57,7 @@ def row_rounding(terms: FloatArray, units: FloatArray | None = None) -> FloatArr
     >>> bool(row_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17)
     True
     """
-    return ROUNDING * row_terms(terms, units)
+    return NO_DIGIT * row_terms(terms, units)
 
 
 def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
@@ -105,7 +105,7 @@ def nearest_solutions(
         left = -stacked(numbers / columns) / rows
         numbers = numbers + np.linalg.lstsq(scaled, left, rcond=None)[0]
     largest = np.full(numbers.shape, np.abs(numbers).max(initial=0.0))
-    return without_rounding(numbers, largest) / columns, numbers / columns
+    return without_rounding(numbers, largest, share=NO_DIGIT) / columns, numbers / columns
 
 
 def or_one(sizes: FloatArray) -> FloatArray:

@@ -13,8 +13,6 @@ from pointpred.records import FloatArray
 
 Kind = TypeVar("Kind")
 TIMES = ("continuous", "discrete")
-ROUNDING = 1e-14
-"""An entry below this share of its terms has no correct digit."""
 
 
 def matrix(name: str, value: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
@@ -161,14 +159,3 @@ def listed(name: str, value: Any) -> Sequence[Any]:
 
 def _wrong(name: str, must: str, value: Any) -> ParameterError:
     return ParameterError(f"{name} {must}, received {value!r}", field=name, value=value)
-
-
-def without_rounding(computed: FloatArray, sizes: FloatArray) -> FloatArray:
-    """A computed matrix whose entries of rounding size are 0; ``sizes`` are the sums of their terms' sizes.
-
-    Balancing takes every entry other than 0 for a coupling, and would scale it to 1.
-
-    >>> without_rounding(np.array([[5.6e-17, 0.3]]), np.array([[0.6, 0.6]])).tolist()
-    [[0.0, 0.3]]
-    """
-    return np.asarray(np.where(np.abs(computed) > ROUNDING * sizes, computed, 0.0), np.float64)

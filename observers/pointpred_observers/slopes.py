@@ -23,7 +23,7 @@ from pointpred_observers.nonlinearity import (
     Nonlinearity,
 )
 
-ROUNDING = 1e-12
+NARROWER = 1e-12
 """Slopes may be narrower than the true ones by this share, as when they were printed with all digits."""
 SAMPLED = 1e-9
 """Differences of a function may violate its slopes by this share of its values."""
@@ -65,7 +65,7 @@ def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -
         return
     for i, (code, (low, high)) in enumerate(zip(f.codes, f.slopes or (), strict=False)):
         least, most = true_slopes(code, domain)
-        room = ROUNDING * max(abs(least), abs(most)) if most < inf else 0.0
+        room = NARROWER * max(abs(least), abs(most)) if most < inf else 0.0
         if low > least + room or high < most - room:
             where = "everywhere" if domain == inf else f"within {domain:g}"
             raise ParameterError(
@@ -88,7 +88,7 @@ def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float)
     steps = np.diff(points)[:, None]
     lows, highs = np.array(f.slopes).reshape(-1, 2).T
     change = np.diff(values, axis=0)
-    room = SAMPLED * np.abs(change) + ROUNDING * (np.abs(values[1:]) + np.abs(values[:-1]))
+    room = SAMPLED * np.abs(change) + NARROWER * (np.abs(values[1:]) + np.abs(values[:-1]))
     wrong = (change < lows * steps - room) | (change > highs * steps + room)
     if wrong.any():
         i, one = map(int, np.argwhere(wrong)[0])
@@ -117,7 +117,7 @@ def _require_elementwise(f: Nonlinearity, count: int, reach: float) -> None:
             moved = here.copy()
             moved[i] = there[i]
             after = _values(f, moved, count)
-            wrong = np.abs(after - before) > ROUNDING * (np.abs(after) + np.abs(before))
+            wrong = np.abs(after - before) > NARROWER * (np.abs(after) + np.abs(before))
             wrong[i] = False
             if wrong.any():
                 one = int(np.flatnonzero(wrong)[0])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred_observers import Persidskii, design_reduced_order
-from pointpred_observers.matrices import without_rounding
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 
 def tanks(coupling: float = 0.0) -> Persidskii:
@@ -54,4 +54,4 @@ def test_the_output_is_used_where_a_mode_is_too_slow(time: str) -> None:
 
 def test_an_entry_that_has_digits_stays() -> None:
     computed, sizes = np.array([[1e-13, 1e-15, 0.0, -3e-14]]), np.ones((1, 4))
-    assert without_rounding(computed, sizes).tolist() == [[1e-13, 0.0, 0.0, -3e-14]]
+    assert without_rounding(computed, sizes, share=NO_DIGIT).tolist() == [[1e-13, 0.0, 0.0, -3e-14]]

@@ -25,7 +25,7 @@ from pointpred.scoring.target_choice.layouts import layouts
 from pointpred.scoring.target_choice.scores import ASKS, FRACTIONS
 from pointpred.sources import read
 from pointpred.targets import posterior
-from pointpred.targets.expectation import expect
+from pointpred.targets.expectation import expect, place_table
 from pointpred.targets.rectangles import LOG_WEIGHT
 from pointpred.training.data import folder
 
@@ -68,8 +68,7 @@ def replayed(recording: Recording, held: HeldOut) -> Iterator[tuple[str, str, Ju
 def expected(table: FloatArray, places: Sequence[Place]) -> FloatArray:
     """The targets with the weights that ``Chooser.expect`` gives them."""
     weighed = table.copy()
-    known = np.array([(one.x, one.y, one.before, one.spread) for one in places]).reshape(-1, 4)
-    expect(weighed, table[:, LOG_WEIGHT].copy(), known)
+    expect(weighed, table[:, LOG_WEIGHT].copy(), place_table(places))
     return weighed
 
 

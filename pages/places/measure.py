@@ -24,7 +24,7 @@ from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
-from pointpred.targets.place_chooser import rectangle_of
+from pointpred.targets.chooser import rectangle_of
 from pointpred.training.data import folder
 
 DIALS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 0.98)

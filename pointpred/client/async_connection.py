@@ -22,7 +22,7 @@ from pointpred.client.session import (
     no_connection,
     service_address,
 )
-from pointpred.protocol.client_messages import Goal, Hello, Target
+from pointpred.protocol.client_messages import Goal, Hello, Rectangle
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import KnownPerson, PredictionMessage, Score, TargetsTaken, Welcome
 from pointpred.records import EventColumns, PointerEvent, PredictionColumns
@@ -95,7 +95,7 @@ class AsyncConnection(ClientSession):
             except ConnectionClosed as closed:
                 raise connection_closed(closed) from closed
 
-    async def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
+    async def targets(self, targets: Iterable[dict[str, Any] | Rectangle]) -> int:
         """Replace the set of targets; returns how many the service has."""
         return (await self._ask(self.targets_frame(targets), TargetsTaken)).count
 

@@ -29,9 +29,9 @@ from pointpred.protocol.client_messages import (
     Goal,
     Hello,
     Person,
+    Rectangle,
     Reply,
     Reset,
-    Target,
     Targets,
     TrialMark,
 )
@@ -39,7 +39,7 @@ from pointpred.protocol.decoding import decode_server_message
 from pointpred.protocol.frames import Frame, event_frames, message_of, row_of_prediction
 from pointpred.protocol.packed import NONE, PREDICTION, unpack_predictions
 from pointpred.protocol.server_messages import (
-    Choice,
+    ChoiceMessage,
     Cursor,
     ErrorMessage,
     Likely,
@@ -95,7 +95,7 @@ class ClientSession:
         self.cursor: Cursor | None = None
         """Where the service has put the cursor, in a session opened with ``assist``; the newest received."""
         self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
-        self._choices: deque[Choice] = deque(maxlen=KEPT_CHOICES)
+        self._choices: deque[ChoiceMessage] = deque(maxlen=KEPT_CHOICES)
         self._proposed: list[str] = []
         self._unanswered = UnansweredFrames()
 
@@ -125,7 +125,7 @@ class ClientSession:
         """Whether every event has its prediction, or the error that refused it."""
         return not self._unanswered
 
-    def choices(self) -> list[Choice]:
+    def choices(self) -> list[ChoiceMessage]:
         """What was proposed and retracted since the last call, oldest first, without waiting.
 
         The choices of an event are received before its prediction: once a prediction is there, so are its
@@ -157,7 +157,7 @@ class ClientSession:
             self._unanswered.add(part.table, each=self.hello.reply == "event")
             yield frame
 
-    def targets_frame(self, targets: Iterable[dict[str, Any] | Target]) -> Frame:
+    def targets_frame(self, targets: Iterable[dict[str, Any] | Rectangle]) -> Frame:
         """Replaces the set of targets."""
         plain = [msgspec.to_builtins(each) for each in targets]
         return self._text(_fit(Targets, {"type": "targets", "targets": plain}))
@@ -223,7 +223,7 @@ class ClientSession:
                 raise SourceError(f"received a prediction without a phase; {OTHER_SERVICE}")
             self._add_prediction(row_of_prediction(message), message.targets)
             return None
-        if isinstance(message, Choice):
+        if isinstance(message, ChoiceMessage):
             self._choices.append(message)
             self._proposed = [id for id in self._proposed if id != message.id]
             if message.action == "propose":

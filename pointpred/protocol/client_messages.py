@@ -13,7 +13,7 @@ from msgspec import Meta, Struct
 from pointpred.person import LARGEST as LARGEST_PERSON
 from pointpred.records import CPI, DPI, EVENT_FIELDS, LARGEST
 from pointpred.registry import RECOMMENDED
-from pointpred.targets.rectangles import SMALLEST_PX
+from pointpred.targets.rectangles import SMALLEST_PX, Target
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
@@ -114,8 +114,8 @@ class Events(ClientMessage, tag="events"):
     events: list[EventRow]
 
 
-class Target(Struct, forbid_unknown_fields=True, omit_defaults=True):
-    """A rectangle that may be pointed at: its upper left corner and its size, px.
+class Rectangle(Target, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """A target as it is sent: its upper left corner and its size, px.
 
     ``weight`` is how likely it is before anything is seen, relative to the other targets.
     """
@@ -131,7 +131,7 @@ class Target(Struct, forbid_unknown_fields=True, omit_defaults=True):
 class Targets(ClientMessage, tag="targets"):
     """Replaces the set of targets."""
 
-    targets: list[Target]
+    targets: list[Rectangle]
 
 
 class Goal(Struct, forbid_unknown_fields=True):

@@ -18,7 +18,7 @@ from pointpred.protocol.packed import (
     pack_prediction,
     pack_predictions,
 )
-from pointpred.protocol.server_messages import Likely, Limits, PredictionMessage, Region, encode
+from pointpred.protocol.server_messages import EndpointLaw, Likely, Limits, PredictionMessage, encode
 from pointpred.records import PHASES, EventColumns, FloatArray
 
 Frame = str | bytes
@@ -101,7 +101,7 @@ def message_of(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -
         t,
         x,
         y,
-        Region(sxx, sxy, syy, tail if tail == tail else None) if sxx == sxx else None,
+        EndpointLaw(sxx, sxy, syy, tail if tail == tail else None) if sxx == sxx else None,
         PHASES[int(phase)],
         remaining_s if remaining_s == remaining_s else None,
         likely,

@@ -9,8 +9,7 @@ from msgspec import UNSET, Meta, Struct, UnsetType
 
 from pointpred.protocol.client_messages import Bye
 from pointpred.records import NORMAL
-from pointpred.regions import Region as Ellipse
-from pointpred.regions import probability, region_of
+from pointpred.regions import Region, probability, region_of
 
 Code = Literal[
     "bad_json",
@@ -60,7 +59,7 @@ class Welcome(ServerMessage, tag="welcome"):
     limits: Limits
 
 
-class Region(Struct, gc=False):
+class EndpointLaw(Struct, gc=False):
     """The law of the endpoint: scale matrix, px^2, and the degrees of freedom of a bivariate Student law.
 
     ``tail`` null: the law is normal and the matrix is its covariance.
@@ -88,12 +87,12 @@ class PredictionMessage(ServerMessage, tag="prediction", gc=False):
     t: float
     x: float | None = None
     y: float | None = None
-    scale: Region | None = msgspec.field(default=None, name="region")
+    scale: EndpointLaw | None = msgspec.field(default=None, name="region")
     phase: Literal["still", "ballistic", "corrective"] | None = None
     remaining_s: float | None = None
     targets: list[Likely] | UnsetType = UNSET
 
-    def region(self, level: float) -> Ellipse | None:
+    def region(self, level: float) -> Region | None:
         """The ellipse of this law that holds the endpoint with a probability, as ``Prediction.region``."""
         level = probability(level)
         if self.scale is None or self.x is None or self.y is None:
@@ -122,7 +121,7 @@ class PlaceSquare(Struct):
     size: float
 
 
-class Choice(ServerMessage, tag="choice"):
+class ChoiceMessage(ServerMessage, tag="choice"):
     """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided.
 
     ``reason``: why it is proposed. *predicted*: the movement heads for it; *entered*: the cursor has gone

@@ -1,8 +1,7 @@
 """A predicted law becomes probabilities over rectangles, proposals, and a ledger of them."""
 
-from pointpred.targets.chooser import Choice, Chooser
+from pointpred.targets.chooser import Choice, Chooser, PlaceChoice, PlaceChooser
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.place_chooser import PlaceChoice, PlaceChooser
 from pointpred.targets.prefetcher import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
 

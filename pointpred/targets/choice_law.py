@@ -41,6 +41,20 @@ def innermost(table: FloatArray, inside: FloatArray) -> int:
 
 
 @law
+def holder(table: FloatArray, x: float, y: float) -> int:
+    """The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none."""
+    best, smallest, least = decision.NOBODY, inf, inf
+    for i in range(len(table)):
+        row = table[i]
+        across, down = abs(row[CENTRE_X] - x), abs(row[CENTRE_Y] - y)
+        if across <= 0.5 * row[WIDTH] and down <= 0.5 * row[HEIGHT]:
+            area, away = row[WIDTH] * row[HEIGHT], across + down
+            if area < smallest or (area == smallest and away < least):
+                best, smallest, least = i, area, away
+    return best
+
+
+@law
 def enter(table: FloatArray, inside: FloatArray, x: float, y: float, released: bool) -> int:
     """Write where the cursor is for each target; returns how many it has just gone into."""
     count = 0
@@ -120,6 +134,27 @@ def step(
     posterior.scores(memory, table, answer, coefficients, settings[posterior.ELSEWHERE], shares)
     posterior.normalise(shares)
     return propose(memory, event, released, p.remaining_s, targets, settings, standing)
+
+
+@law
+def changes(before: tuple[int, int], now: tuple[int, int]) -> tuple[int, int, int, int]:
+    """What ends and what begins: a prediction and an entry that end, a prediction and an entry that begin.
+
+    ``before``, ``now``: the target that is predicted, and the one proposed because the cursor is in it.
+    NOBODY for what does not change. A target whose reason alone changes stays proposed, which is no change.
+    """
+    predicted, entered = before
+    chosen, over = now
+    ends, leaves, begins, enters = predicted, entered, chosen, over
+    if predicted == chosen:
+        ends = begins = decision.NOBODY
+    if entered == over:
+        leaves = enters = decision.NOBODY
+    if predicted == over:
+        ends = enters = decision.NOBODY
+    if entered == chosen:
+        leaves = begins = decision.NOBODY
+    return ends, leaves, begins, enters
 
 
 @law

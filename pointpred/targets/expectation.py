@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import exp, inf, log
 
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.records import LARGEST, FloatArray, Place
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
-# A row of a table of places: position in px, how likely it is before the movement, scatter of visits in px.
-X, Y, BEFORE, SPREAD, FIELDS = range(5)
+# A row of a table of places: position in px, how likely it is now and before the movement, scatter of visits
+# in px.
+X, Y, P, BEFORE, SPREAD, FIELDS = range(6)
 NONE = -1
+
+LEAST_PX = 16.0
+"""Size of the smallest place: what people point at is hardly smaller, and the scatter near a place is 0."""
+WHOLE = 1.0 + 1e-9
+"""The largest share of a place: sums of shares are rounded."""
+LOWEST = np.array([-LARGEST, -LARGEST, 0.0, 0.0, 0.0])
+HIGHEST = np.array([LARGEST, LARGEST, WHOLE, WHOLE, LARGEST])
+"""Bounds of the numbers of a place."""
 
 
 @law
@@ -57,3 +68,29 @@ def expect(table: FloatArray, own: FloatArray, known: FloatArray) -> None:
         return
     for i in range(count):
         table[i, LOG_WEIGHT] -= log(total)
+
+
+def place_table(places: Sequence[Place]) -> FloatArray:
+    """The places as a table, a row each, in their order.
+
+    Raises ParameterError for an ``id`` that occurs twice, and for a number that is out of bounds: positions
+    and spreads within those of positions, px, shares in [0, 1], up to rounding.
+    """
+    ids = [place.id for place in places]
+    if len(set(ids)) < len(ids):
+        twice = next(id for id in ids if ids.count(id) > 1)
+        raise ParameterError(
+            f"the id of a place must occur once, received {twice!r} twice", field="id", value=twice
+        )
+    rows = [(place.x, place.y, place.p, place.before, place.spread) for place in places]
+    table = np.array(rows, dtype=np.float64).reshape(-1, FIELDS)
+    wrong = np.argwhere(~((table >= LOWEST) & (table <= HIGHEST)))
+    for row, column in wrong[:1].tolist():
+        name, value = ("x", "y", "p", "before", "spread")[column], rows[row][column]
+        raise ParameterError(
+            f"{name} of place {ids[row]!r} must lie in [{LOWEST[column]:g}, {HIGHEST[column]:g}], "
+            f"received {value!r}",
+            field=name,
+            value=value,
+        )
+    return table

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.records import LARGEST, FloatArray, Place, PointerEvent
+from pointpred.records import LARGEST, FloatArray, PointerEvent
 from pointpred.targets import cursor
 from pointpred.targets.choice_law import unusable
 from pointpred.targets.posterior import COEFFICIENTS
-
-WHOLE = 1.0 + 1e-9
-"""The largest share of a place: sums of shares are rounded."""
 
 
 def accepted(memory: FloatArray, event: PointerEvent) -> tuple[float, float, float, float]:
@@ -36,39 +31,6 @@ def refuse(memory: FloatArray, events: FloatArray) -> None:
         raise EventError(f"an event needs finite numbers within bounds, received row {wrong}: {(t, x, y)}")
     before = float(events[wrong - 1, 0] if wrong else memory[cursor.T])
     raise EventOrderError(f"t must not run backwards: row {wrong}, {t!r} after {before!r}")
-
-
-def check_places(places: Sequence[Place]) -> None:
-    """Raise ParameterError for an ``id`` that occurs twice and for a number of a place that is out of bounds.
-
-    Shares lie in [0, 1], up to rounding; positions and spreads, px, within the bounds of positions.
-    """
-    ids = {place.id for place in places}
-    if len(ids) < len(places):
-        numbers = [place.id for place in places]
-        twice = next(id for id in numbers if numbers.count(id) > 1)
-        raise ParameterError(
-            f"the id of a place must occur once, received {twice!r} twice", field="id", value=twice
-        )
-    for x, y, p, before, _, id, spread in places:
-        shares = 0.0 <= p <= WHOLE and 0.0 <= before <= WHOLE
-        if shares and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= spread <= LARGEST:
-            continue
-        bounds = {
-            "x": (x, -LARGEST, LARGEST),
-            "y": (y, -LARGEST, LARGEST),
-            "p": (p, 0.0, WHOLE),
-            "before": (before, 0.0, WHOLE),
-            "spread": (spread, 0.0, LARGEST),
-        }
-        name, (value, low, high) = next(
-            (name, one) for name, one in bounds.items() if not one[1] <= one[0] <= one[2]
-        )
-        raise ParameterError(
-            f"{name} of place {id!r} must lie in [{low:g}, {high:g}], received {value!r}",
-            field=name,
-            value=value,
-        )
 
 
 def usable(coefficients: FloatArray) -> FloatArray:

@@ -4,15 +4,89 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Hashable
+from math import nan
 from statistics import median
-from typing import Any, TypeVar
+from typing import Any
 
 import msgspec
+import numpy as np
 
-Value = TypeVar("Value")
+from pointpred.compiled import law
+from pointpred.records import FloatArray
+from pointpred.targets.decision import NOBODY
 
 LATEST = 1000
 """Movements of which the lead is remembered, and targets of one movement."""
+
+STANDING, SINCE, ENDED, ENDED_AT, ENDED_SINCE, PROPOSED, RETRACTED, ENTERED, STATES = range(9)
+"""Of a movement: the row of the target that is proposed and since when; of the one whose proposal ended with
+the release of a button, when it ended and since when it stood; proposals, retractions, targets proposed
+because the cursor had gone into them."""
+
+MADE, ENTRY, ENTRY_SINCE, FIELDS = range(4)
+"""Of a target in a movement, a row: how often it was proposed; when the cursor first went into it, and since
+when it had been proposed then, NaN where it did not and was not."""
+
+
+@law
+def begin(movement: FloatArray, rows: FloatArray) -> None:
+    """Nothing is known of a movement yet, nor of the targets of these rows."""
+    movement[:] = 0.0
+    movement[STANDING] = movement[ENDED] = NOBODY
+    for i in range(len(rows)):
+        rows[i, MADE], rows[i, ENTRY], rows[i, ENTRY_SINCE] = 0.0, nan, nan
+
+
+@law
+def propose(movement: FloatArray, rows: FloatArray, t: float, place: int) -> None:
+    """A proposal is made; it takes the place of one that stands."""
+    movement[PROPOSED] += 1.0
+    movement[STANDING], movement[SINCE] = place, t
+    if place != NOBODY:
+        rows[place, MADE] += 1.0
+
+
+@law
+def withdraw(movement: FloatArray, t: float, place: int, released: bool) -> None:
+    """The proposal that stands ends; where this target's does not stand, nothing happens.
+
+    ``released``: it ended with its movement, when the button came up. That is no retraction, and if the
+    movement is closed at this moment, the proposal stood until then.
+    """
+    if place == NOBODY or movement[STANDING] != place:
+        return
+    movement[STANDING] = NOBODY
+    if released:
+        movement[ENDED], movement[ENDED_AT], movement[ENDED_SINCE] = place, t, movement[SINCE]
+    else:
+        movement[RETRACTED] += 1.0
+
+
+@law
+def enter(movement: FloatArray, rows: FloatArray, t: float, place: int) -> None:
+    """The cursor goes into a target; only the first time in a movement counts."""
+    if place != NOBODY and rows[place, ENTRY] != rows[place, ENTRY]:
+        rows[place, ENTRY] = t
+        rows[place, ENTRY_SINCE] = movement[SINCE] if movement[STANDING] == place else nan
+
+
+@law
+def close(movement: FloatArray, rows: FloatArray, t: float, place: int) -> tuple[float, float, float]:
+    """How often the target of the movement was proposed, and the leads before its entry and its click, s.
+
+    The leads are NaN where no proposal of it stood when the cursor first went into it; where the cursor never
+    did, it was clicked beside, and the proposal has to stand at the click, or end at this moment.
+    """
+    if place == NOBODY:
+        return 0.0, nan, nan
+    entry, since = rows[place, ENTRY], rows[place, ENTRY_SINCE]
+    if entry != entry:
+        entry = t
+        if movement[ENDED] == place and movement[ENDED_AT] == t:
+            since = movement[ENDED_SINCE]
+        elif movement[STANDING] == place:
+            since = movement[SINCE]
+    return rows[place, MADE], entry - since, t - since
 
 
 class Movement(msgspec.Struct, frozen=True):
@@ -36,8 +110,8 @@ class Ledger:
 
     Proposals are predictions; what is proposed because the cursor has entered it is counted apart. A
     proposal is *right* when it names the target of its movement. Movements without a known target count
-    their proposals as wasted. Memory: the counts, the movement that goes on, and the leads of the latest
-    1000 movements.
+    their proposals as wasted. Memory: the counts, the movement that goes on with its first 1000 targets, and
+    the leads of the latest 1000 movements.
 
     >>> ledger = Ledger()
     >>> ledger.propose(0.2, "a")
@@ -52,77 +126,68 @@ class Ledger:
         self.movements = self.proposed = self.right = self.hits = self.wasted = self.retracted = 0
         self.entered = 0
         self._leads: deque[tuple[float, float]] = deque(maxlen=LATEST)
-        self._forget()
-
-    def _forget(self) -> None:
-        self._made: dict[Hashable, int] = {}
-        self._standing: tuple[Hashable, float] | None = None
-        self._ended: tuple[float, Hashable, float] | None = None
-        self._entered: dict[Hashable, tuple[float, float | None]] = {}
-        self._retracted = self._at_entry = 0
+        self._movement = np.empty(STATES)
+        self.drop()
 
     def propose(self, t: float, id: Hashable) -> None:
         """Note a proposal; it takes the place of one that stands."""
-        _remember(self._made, id, self._made.get(id, 0) + 1)
-        self._standing = (id, t)
+        place = self._row_of(id)
+        propose(self._movement, self._rows, float(t), place)
 
     def propose_entered(self) -> None:
         """Note that a target was proposed because the cursor had gone into it."""
-        self._at_entry += 1
+        self._movement[ENTERED] += 1.0
 
     def retract(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
-        if self._since(id) is not None:
-            self._retracted += 1
-            self._standing = None
+        withdraw(self._movement, float(t), self._places.get(id, NOBODY), False)
 
     def end(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands ended with its movement, when the button came up.
 
         That is no retraction, and if the movement is closed at this moment, the proposal stood until then.
         """
-        since = self._since(id)
-        if since is not None:
-            self._standing, self._ended = None, (t, id, since)
+        withdraw(self._movement, float(t), self._places.get(id, NOBODY), True)
 
     def enter(self, t: float, id: Hashable) -> None:
         """Note that the cursor went into a target; only the first time in a movement counts."""
-        if id not in self._entered:
-            _remember(self._entered, id, (t, self._since(id)))
-
-    def _since(self, id: Hashable) -> float | None:
-        return self._standing[1] if self._standing is not None and self._standing[0] == id else None
-
-    def _until(self, t: float, id: Hashable) -> float | None:
-        """Since when a target has been proposed, where its proposal stands or ended just now."""
-        ended = self._ended
-        return ended[2] if ended is not None and ended[:2] == (t, id) else self._since(id)
+        place = self._row_of(id)
+        enter(self._movement, self._rows, float(t), place)
 
     def finish(self, t: float, id: Hashable | None) -> Movement:
         """Close the movement at its click, with the target it was for or ``None``."""
-        proposed = sum(self._made.values())
-        right = self._made.get(id, 0) if id is not None else 0
-        entered, since = (t, None) if id is None else self._entered.get(id, (t, self._until(t, id)))
-        leads = None if since is None else (entered - since, t - since)
-        if leads is not None:
-            self._leads.append(leads)
-        entry_s, click_s = leads or (None, None)
-        done = Movement(
-            proposed, leads is not None, proposed - right, self._retracted, entry_s, click_s, self._at_entry
-        )
+        place = NOBODY if id is None else self._places.get(id, NOBODY)
+        right, *leads = map(float, close(self._movement, self._rows, float(t), place))
+        proposed, retracted, entered = self._movement[[PROPOSED, RETRACTED, ENTERED]].astype(int).tolist()
+        hit = leads[0] == leads[0]
+        if hit:
+            self._leads.append((leads[0], leads[1]))
+        entry_s, click_s = leads if hit else (None, None)
+        done = Movement(proposed, hit, proposed - int(right), retracted, entry_s, click_s, entered)
         self.movements += 1
         self.proposed += proposed
-        self.right += right
+        self.right += int(right)
         self.hits += done.hit
         self.wasted += done.wasted
-        self.retracted += done.retracted
-        self.entered += done.entered
-        self._forget()
+        self.retracted += retracted
+        self.entered += entered
+        self.drop()
         return done
 
     def drop(self) -> None:
         """Forget the movement that goes on: it ended without a click."""
-        self._forget()
+        self._places: dict[Hashable, int] = {}
+        self._rows = np.empty((4, FIELDS))
+        begin(self._movement, self._rows)
+
+    def _row_of(self, id: Hashable) -> int:
+        """The row of a target, a new one where it has none; NOBODY beyond LATEST: ids are the caller's."""
+        place = self._places.get(id, NOBODY)
+        if place == NOBODY and len(self._places) < LATEST:
+            place = self._places[id] = len(self._places)
+            if place == len(self._rows):
+                self._rows = np.concatenate((self._rows, np.tile((0.0, nan, nan), (place, 1))))
+        return place
 
     @property
     def precision(self) -> float | None:
@@ -156,10 +221,3 @@ class Ledger:
             "median_lead_entry_s": median(entry) if entry else None,
             "median_lead_click_s": median(click) if click else None,
         }
-
-
-def _remember(noted: dict[Hashable, Value], id: Hashable, value: Value) -> None:
-    """Note a value, and forget the oldest target where there are too many: ids are the caller's."""
-    noted[id] = value
-    if len(noted) > LATEST:
-        del noted[next(iter(noted))]

@@ -41,6 +41,9 @@ for _first in (0, SET):
 
 PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = range(4)
 """Places of a chooser's settings."""
+LOWEST, HIGHEST = (0.01, 1e-6, 0.0, 0.0), (0.999, 0.999999, 10.0, 1000.0)
+USUAL = (0.5, 0.02, 0.0, 3.0)
+"""Their bounds and their defaults."""
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 """Values in the fit: the share of movements to none of the targets, and the number of targets."""

@@ -9,6 +9,7 @@ import numpy as np
 from pointpred.parameter import Parameter, check
 from pointpred.records import FloatArray, PointerEvent, Prediction, prediction_row
 from pointpred.targets import cursor, posterior, prefetch
+from pointpred.targets.chooser import Chooser
 from pointpred.targets.inputs import accepted
 from pointpred.targets.rectangles import Target, table
 
@@ -38,7 +39,7 @@ class Prefetcher:
 
     parameters = (
         Parameter("threshold", "", 0.0, 1.0, "how likely it must be that the cursor goes through the target"),
-        Parameter("elsewhere", "", 1e-6, 0.999999, "share of movements that go to none of the targets"),
+        Chooser.parameters[posterior.ELSEWHERE],
     )
 
     def __init__(

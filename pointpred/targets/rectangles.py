@@ -88,7 +88,7 @@ def table(targets: Sequence[Target]) -> FloatArray:
 
 def _plain_rows(targets: Sequence[Target]) -> FloatArray | None:
     """The rows as ``complete`` takes them, without a look at each; ``None`` where that is needed."""
-    values = [(one.x, one.y, one.width, one.height, one.weight) for one in targets if type(one) is Target]
+    values = [(one.x, one.y, one.width, one.height, one.weight) for one in targets if isinstance(one, Target)]
     if len(values) < len(targets) or not {type(value) for row in values for value in row} <= {int, float}:
         return None
     try:

@@ -11,7 +11,7 @@ from itertools import islice
 from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.live_messages import Attached, Curve, Status
-from pointpred.protocol.server_messages import PredictionMessage, Region, encode
+from pointpred.protocol.server_messages import EndpointLaw, PredictionMessage, encode
 from pointpred.records import Pair, PointerEvent, Prediction
 from pointpred_server.sessions.viewing import ViewingSession
 
@@ -126,7 +126,7 @@ def _event_row(event: PointerEvent) -> tuple[float, float, float, float | None, 
 def _prediction_message(t: float, prediction: Prediction | None) -> PredictionMessage:
     if prediction is None:
         return PredictionMessage(t)
-    region = Region(*prediction.scale, prediction.tail) if prediction.scale else None
+    region = EndpointLaw(*prediction.scale, prediction.tail) if prediction.scale else None
     return PredictionMessage(
         prediction.t, prediction.x, prediction.y, region, prediction.phase, prediction.remaining_s
     )

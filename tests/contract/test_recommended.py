@@ -80,7 +80,7 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "script", ["pointpred.js", "intent/options.js", "prediction/messages.js", "service/listing.js"]
+    "script", ["pointpred.js", "intent/register.js", "prediction/messages.js", "service/listing.js"]
 )
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
     text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")

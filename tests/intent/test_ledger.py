@@ -55,7 +55,7 @@ def test_a_key_that_acts_as_a_click_is_a_hit(page: IntentPage) -> None:
 
 def test_memory_is_bounded(page: IntentPage) -> None:
     page.make(
-        "window.done = import('/pointpred/intent/ledger.js').then(({ ledger: book }) => {"
+        "window.done = import('/pointpred/intent/registration.js').then(({ ledger: book }) => {"
         " for (let i = 0; i < 3000; i += 1) { const element = document.createElement('b');"
         "  const one = { element, name: `n${i}`, options: { policy: 'prefetch' } };"
         "  book.fire(one, { element, name: one.name, policy: 'prefetch', reason: 'predicted', p: 1, t: i });"

@@ -1,23 +1,19 @@
-// A chooser: steps are calls by name, with what they take.
+// A chooser, of places where no targets are given: steps are calls by name, with what they take.
 
-import { Chooser } from "../../server/pointpred_server/web/prediction/chooser.js";
+import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 const { targets, settings, steps } = await given();
-const chooser = new Chooser(targets, settings);
+const chooser = targets ? new Chooser(targets, settings) : new PlaceChooser(settings);
 const calls = {
-  update: (row, event) => chooser.update(row && numbers(row), numbers(event)),
-  expect: (places) => chooser.expect(places) ?? null,
-  replace: (list) => chooser.replace(list),
-  configure: (more) => chooser.configure(more) ?? null,
-  finish: (id) => chooser.finish(id),
-  reset: () => chooser.reset() ?? null,
+  update: (...taken) => {
+    const [row, event] = taken.splice(-2);
+    return chooser.update(...taken, row && numbers(row), numbers(event));
+  },
   shares: () => [...chooser.shares],
-  likeliest: (most) => chooser.likeliest(most),
-  headingTo: (target, elsewhere) => chooser.headingTo(target, elsewhere),
   proposed: () => [chooser.standing, chooser.entered],
   summary: () => chooser.ledger.summary,
 };
 const answers = [];
-for (const [name, ...args] of steps) answers.push(await attempt(() => calls[name](...args)));
+for (const [name, ...args] of steps) answers.push(await attempt(() => (calls[name] ?? ((...taken) => chooser[name](...taken)))(...args) ?? null));
 answer(answers);

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 
-from pointpred import Place, build
-from pointpred.errors import PointpredError
-from pointpred.records import event_of, prediction_of
-from pointpred.targets import Chooser, Target
+from pointpred import build
 from tests.page import node
+from tests.page.choosing import assert_alike, compare, in_page, in_python
 from tests.page.movements import movements
 
 pytestmark = node.needed
@@ -26,53 +23,6 @@ def targets(step: int, weight: float = 0.0) -> list[dict[str, Any]]:
         for i in range(-3, 9, step)
         for j in range(-3, 9, step)
     ]
-
-
-def in_python(listed: list[dict[str, Any]], settings: dict[str, float], steps: list[list[Any]]) -> list[Any]:
-    """What ``choose.mjs`` does, in Python."""
-    chooser = Chooser([Target(**one) for one in listed], **settings)
-
-    def update(row: Any, event: list[float]) -> list[dict[str, Any]]:
-        prediction = None if row is None else prediction_of(row)
-        return [one._asdict() for one in chooser.update(prediction, event_of(event))]
-
-    calls: dict[str, Any] = {
-        "update": update,
-        "replace": lambda given: [one._asdict() for one in chooser.replace([Target(**one) for one in given])],
-        "expect": lambda places: chooser.expect([Place(**one) for one in places]),
-        "configure": lambda more: chooser.configure(**more),
-        "finish": lambda id: msgspec.to_builtins(chooser.finish(id)),
-        "reset": chooser.reset,
-        "shares": lambda: chooser.shares.tolist(),
-        "likeliest": lambda most: [{"id": id, "p": p} for id, p in chooser.likeliest(most)],
-        "headingTo": lambda one, elsewhere: chooser.heading_to(Target(**one), elsewhere=elsewhere),
-        "proposed": lambda: [chooser.standing, chooser.entered],
-        "summary": lambda: chooser.ledger.summary(),
-    }
-    answers = []
-    for name, *given in steps:
-        try:
-            answers.append(calls[name](*given))
-        except PointpredError as error:
-            answers.append({"error": error.code, "field": error.field})
-    return answers
-
-
-def assert_alike(found: Any, expected: Any) -> None:
-    if isinstance(expected, dict) and "error" in expected:
-        assert {"error": found["code"], "field": found["field"]} == expected
-    elif isinstance(expected, dict):
-        assert found.keys() == expected.keys()
-        for name in expected:
-            assert_alike(found[name], expected[name])
-    elif isinstance(expected, list):
-        assert len(found) == len(expected)
-        for one, other in zip(found, expected, strict=True):
-            assert_alike(one, other)
-    elif isinstance(expected, float) and not isinstance(found, bool):
-        assert found == pytest.approx(expected, rel=1e-7, abs=1e-9)
-    else:
-        assert found == expected
 
 
 def scene(predictor: str, *, buttons: bool = True) -> tuple[list[dict[str, Any]], list[list[Any]], list[int]]:
@@ -98,14 +48,6 @@ def scene(predictor: str, *, buttons: bool = True) -> tuple[list[dict[str, Any]]
     return [*targets(2), *ends], updates, pressed.tolist()
 
 
-def compare(listed: list[dict[str, Any]], settings: dict[str, float], steps: list[list[Any]]) -> list[Any]:
-    """Compare both on these steps; the answers."""
-    found = node.run("choose.mjs", {"targets": listed, "settings": settings, "steps": steps})
-    expected = in_python(listed, settings, steps)
-    assert_alike(found, expected)
-    return expected
-
-
 @pytest.mark.parametrize("predictor", ["kinematic", "switched", "ktm"])
 @pytest.mark.parametrize("settings", [{}, {"precision": 0.2, "least_lead_s": 0.1, "elsewhere": 0.1}])
 def test_it_proposes_what_python_proposes(predictor: str, settings: dict[str, float]) -> None:
@@ -126,7 +68,7 @@ def test_it_proposes_what_python_proposes(predictor: str, settings: dict[str, fl
         at_release = i - 1 in pressed and pressed.index(i - 1) % 2 == 1
         if at_release or (i in pressed and pressed.index(i) % 2 == 0):
             steps.append(["finish", f"end {pressed.index(i - at_release)}"])
-    *_, summary = compare(listed, settings, [*steps, ["finish", None], ["summary"]])
+    *_, summary = compare([*steps, ["finish", None], ["summary"]], settings, listed)
     assert summary["hit"] > 2
 
 
@@ -139,7 +81,7 @@ def test_calls_between_events_change_what_python_changes(more: list[Any], button
     steps = [
         step for i, update in enumerate(updates) for step in ([update, call] if i in often else [update])
     ]
-    compare(listed, {"precision": 0.3}, [*steps, ["summary"], ["proposed"], ["shares"]])
+    compare([*steps, ["summary"], ["proposed"], ["shares"]], {"precision": 0.3}, listed)
 
 
 def test_what_it_refuses_changes_nothing() -> None:
@@ -160,20 +102,12 @@ def test_what_it_refuses_changes_nothing() -> None:
         ["shares"],
         ["proposed"],
     ]
-    found = node.run("choose.mjs", {"targets": targets(3), "settings": {}, "steps": steps})
-    expected = in_python(targets(3), {}, steps)
+    found, expected = in_page(steps, {}, targets(3)), in_python(steps, {}, targets(3))
     assert sum(isinstance(one, dict) and "error" in one for one in expected) == 12
     for one in (*found, *expected):
         if isinstance(one, dict) and one.get("field") == "t":
             one["field"] = ""  # Python's chooser names no field of an event
     assert_alike(found, expected)
-
-
-def test_settings_have_the_bounds_and_defaults_of_python() -> None:
-    for bound in Chooser.parameters:
-        for value, wrong in ((bound.low, False), (bound.high, False), (bound.high * 1.01 + 1e-9, True)):
-            given = {"targets": [], "settings": {}, "steps": [["configure", {bound.name: value}]]}
-            assert isinstance(node.run("choose.mjs", given)[0], dict) == wrong
 
 
 def test_targets_that_the_person_went_to_weigh_more() -> None:
@@ -194,8 +128,5 @@ def test_targets_that_the_person_went_to_weigh_more() -> None:
         *updates[60:80],
         ["shares"],
     ]
-    found = node.run("choose.mjs", {"targets": listed, "settings": {}, "steps": steps})
-    expected = in_python(listed, {}, steps)
-    plain = in_python(listed, {}, steps[1:])
+    expected, plain = compare(steps, {}, listed), in_python(steps[1:], {}, listed)
     assert expected[41] != pytest.approx(plain[40])
-    assert_alike(found, expected)

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
 import pytest
 
-from pointpred import Place, build
-from pointpred.errors import ParameterError, PointpredError
-from pointpred.records import event_of, prediction_of
-from pointpred.targets import PlaceChoice, PlaceChooser
+from pointpred import build
+from pointpred.errors import ParameterError
 from tests.page import node
-from tests.page.test_page_chooser import assert_alike as assert_close
+from tests.page.choosing import assert_alike as assert_close
+from tests.page.choosing import compare
 from tests.page.test_page_pipeline import answers, assert_equal
 from tests.page.test_page_session import SCREEN, both, frames_of
 from tests.page.test_page_session import assert_alike as assert_same_session
@@ -108,37 +106,6 @@ def test_a_wrong_window_is_refused_as_in_python(window: list[Any]) -> None:
     assert (found["error"], found["field"]) == ("ParameterError", refused.value.field)
 
 
-def in_python(settings: dict[str, float], steps: list[list[Any]]) -> list[Any]:
-    """What ``choose_places.mjs`` does, in Python."""
-    chooser = PlaceChooser(**settings)
-
-    def shown(one: PlaceChoice) -> dict[str, Any]:
-        size = one.place.width
-        square = {"x": one.place.x + size / 2.0, "y": one.place.y + size / 2.0, "size": size}
-        return {**one._asdict(), "place": square}
-
-    def update(places: list[dict[str, Any]], row: Any, event: list[float]) -> list[dict[str, Any]]:
-        prediction = None if row is None else prediction_of(row)
-        listed = [Place(**place) for place in places]
-        return [shown(one) for one in chooser.update(listed, prediction, event_of(event))]
-
-    calls: dict[str, Any] = {
-        "update": update,
-        "configure": lambda more: chooser.configure(**more),
-        "finish": lambda: msgspec.to_builtins(chooser.finish()),
-        "reset": chooser.reset,
-        "proposed": lambda: [chooser.standing, chooser.entered],
-        "summary": lambda: chooser.ledger.summary(),
-    }
-    made = []
-    for name, *given in steps:
-        try:
-            made.append(calls[name](*given))
-        except PointpredError as error:
-            made.append({"error": error.code, "field": error.field})
-    return made
-
-
 def test_the_chooser_proposes_the_places_of_python() -> None:
     pipeline, steps = build(NAME), list[list[Any]]()
     for number, rows in enumerate(rounds(4, 12)):
@@ -154,13 +121,11 @@ def test_the_chooser_proposes_the_places_of_python() -> None:
     listed, event = [one._asdict() for one in pipeline.places], [1.0, 1.0, 1.0, np.nan, np.nan, 0.0]
     wrong = [[listed[0], *listed], *([{**listed[0], **one}] for one in ({"p": 1.5}, {"before": -0.5}))]
     steps += [["update", one, None, event] for one in [*wrong, []]]
-    found = node.run("choose_places.mjs", {"settings": {"precision": 0.6}, "steps": steps})
-    expected = in_python({"precision": 0.6}, steps)
+    expected = compare(steps, {"precision": 0.6})
     reasons = {
         one["reason"] for made in expected if isinstance(made, list) for one in made if isinstance(one, dict)
     }
     assert reasons == {"predicted", "entered", None}
-    assert_close(found, expected)
 
 
 def test_targets_weigh_alike_however_events_are_framed() -> None:

@@ -14,8 +14,8 @@ from scipy import stats
 
 from pointpred import Prediction, PredictionColumns, Region
 from pointpred.errors import ParameterError
+from pointpred.protocol.server_messages import EndpointLaw as Sent
 from pointpred.protocol.server_messages import PredictionMessage as Told
-from pointpred.protocol.server_messages import Region as Sent
 from pointpred.regions import as_normal, reach
 from pointpred.scoring.measures import regions
 from pointpred.training import calibration

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.protocol.frames import Frame
-from pointpred.protocol.server_messages import Choice
+from pointpred.protocol.server_messages import ChoiceMessage
 from pointpred_server.sessions.outbox import MOST_CHOICES, Outbox
 
 
@@ -69,7 +69,7 @@ def test_full_by_notes_and_not_by_what_gave_way() -> None:
 
 def proposed(outbox: Outbox, *changes: str) -> None:
     for change in changes:
-        outbox.add_choice(Choice(change[1:], 0.5, "propose" if change[0] == "+" else "retract"))
+        outbox.add_choice(ChoiceMessage(change[1:], 0.5, "propose" if change[0] == "+" else "retract"))
 
 
 def told(frames: list[Frame]) -> list[str]:

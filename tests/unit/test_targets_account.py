@@ -1,4 +1,4 @@
-"""Movements in a row, with buttons and without: the ledger's account is that of the offline scorer."""
+"""The ledger: by hand, and over movements in a row, where its account is that of the offline scorer."""
 
 from __future__ import annotations
 
@@ -133,3 +133,53 @@ def test_what_is_entered_is_counted_apart_and_is_no_hit() -> None:
     assert account.entered == 2  # the one it set out from, and the one it went to
     told = chooser.ledger.summary()
     assert (told["entered"], told["proposed"], told["hit"], told["precision"]) == (2, 0, 0, None)
+
+
+def test_a_ledger_by_hand() -> None:
+    ledger = Ledger()
+    ledger.propose(0.1, "wrong")
+    ledger.retract(0.2, "wrong")
+    ledger.propose(0.2, "right")
+    ledger.enter(0.5, "right")
+    ledger.enter(0.7, "right")  # came back after an overshoot: the first time counts
+    first = ledger.finish(0.9, "right")
+    assert (first.proposed, first.hit, first.wasted, first.retracted) == (2, True, 1, 1)
+    assert first.lead_entry_s == pytest.approx(0.3)
+    assert first.lead_click_s == pytest.approx(0.7)
+    ledger.enter(0.3, "right")
+    ledger.propose(0.4, "right")  # too late to lead
+    late = ledger.finish(0.6, "right")
+    assert (late.proposed, late.hit, late.wasted) == (1, False, 0)
+    ledger.propose(0.1, "right")
+    assert ledger.finish(0.5, None).wasted == 1
+    assert ledger.finish(0.5, "right").proposed == 0
+    assert ledger.precision == pytest.approx(2 / 4)
+    assert ledger.coverage == pytest.approx(1 / 4)
+    assert ledger.proposals_a_movement == pytest.approx(1.0)
+    told = ledger.summary()
+    assert (told["movements"], told["hit"], told["wasted"], told["retracted"]) == (4, 1, 2, 1)
+    assert told["median_lead_entry_s"] == pytest.approx(0.3)
+
+
+def test_a_click_beside_the_target_ends_its_lead() -> None:
+    ledger = Ledger()
+    ledger.propose(0.2, "a")
+    done = ledger.finish(0.6, "a")
+    assert done.hit
+    assert (done.lead_entry_s, done.lead_click_s) == (pytest.approx(0.4), pytest.approx(0.4))
+
+
+def test_a_ledger_that_is_never_closed_stays_bounded() -> None:
+    ledger = Ledger()
+    for i in range(5000):
+        ledger.propose(i, i)
+        ledger.enter(i, i)
+    assert len(ledger._places) == 1000 <= len(ledger._rows) < 4000
+    ledger.drop()
+    assert ledger.finish(0.0, 1).proposed == 0
+
+
+def test_nothing_yet() -> None:
+    ledger = Ledger()
+    assert ledger.precision is ledger.coverage is ledger.proposals_a_movement is None
+    assert ledger.summary()["median_lead_click_s"] is None

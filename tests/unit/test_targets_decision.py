@@ -1,4 +1,4 @@
-"""When something is proposed: thresholds, hysteresis, what is too late; and the account of it."""
+"""When something is proposed: thresholds, hysteresis, what is too late."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.records import FloatArray
-from pointpred.targets import Ledger, around, cursor
+from pointpred.targets import around, cursor
 from pointpred.targets.decision import NOBODY, decide, rank
 from pointpred.targets.rectangles import table
 
@@ -106,53 +106,3 @@ def test_without_targets_nobody_is_proposed() -> None:
     assert (
         decide(at(0.0, 0.0), np.empty((0, 5)), np.ones(1), NOBODY, np.nan, (ASK, KEEP, 0.05, 0.0)) == NOBODY
     )
-
-
-def test_a_ledger_by_hand() -> None:
-    ledger = Ledger()
-    ledger.propose(0.1, "wrong")
-    ledger.retract(0.2, "wrong")
-    ledger.propose(0.2, "right")
-    ledger.enter(0.5, "right")
-    ledger.enter(0.7, "right")  # came back after an overshoot: the first time counts
-    first = ledger.finish(0.9, "right")
-    assert (first.proposed, first.hit, first.wasted, first.retracted) == (2, True, 1, 1)
-    assert first.lead_entry_s == pytest.approx(0.3)
-    assert first.lead_click_s == pytest.approx(0.7)
-    ledger.enter(0.3, "right")
-    ledger.propose(0.4, "right")  # too late to lead
-    late = ledger.finish(0.6, "right")
-    assert (late.proposed, late.hit, late.wasted) == (1, False, 0)
-    ledger.propose(0.1, "right")
-    assert ledger.finish(0.5, None).wasted == 1
-    assert ledger.finish(0.5, "right").proposed == 0
-    assert ledger.precision == pytest.approx(2 / 4)
-    assert ledger.coverage == pytest.approx(1 / 4)
-    assert ledger.proposals_a_movement == pytest.approx(1.0)
-    told = ledger.summary()
-    assert (told["movements"], told["hit"], told["wasted"], told["retracted"]) == (4, 1, 2, 1)
-    assert told["median_lead_entry_s"] == pytest.approx(0.3)
-
-
-def test_a_click_beside_the_target_ends_its_lead() -> None:
-    ledger = Ledger()
-    ledger.propose(0.2, "a")
-    done = ledger.finish(0.6, "a")
-    assert done.hit
-    assert (done.lead_entry_s, done.lead_click_s) == (pytest.approx(0.4), pytest.approx(0.4))
-
-
-def test_a_ledger_that_is_never_closed_stays_bounded() -> None:
-    ledger = Ledger()
-    for i in range(5000):
-        ledger.propose(i, i)
-        ledger.enter(i, i)
-    assert len(ledger._made) == len(ledger._entered) == 1000
-    ledger.drop()
-    assert ledger.finish(0.0, 1).proposed == 0
-
-
-def test_nothing_yet() -> None:
-    ledger = Ledger()
-    assert ledger.precision is ledger.coverage is ledger.proposals_a_movement is None
-    assert ledger.summary()["median_lead_click_s"] is None

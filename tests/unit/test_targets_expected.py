@@ -120,6 +120,7 @@ def test_shares_sum_to_one(rows: list[tuple[float, float, float, float]]) -> Non
         ({"id": 4}, "id"),
         ({"p": nan}, "p"),
         ({"p": 1.1}, "p"),
+        ({"p": -0.1}, "p"),
         ({"before": nan}, "before"),
         ({"before": -0.1}, "before"),
         ({"x": nan}, "x"),

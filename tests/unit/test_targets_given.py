@@ -86,11 +86,19 @@ def test_a_target_of_wrong_kind_is_refused(name: str, value: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    "wrong", [Target(cast(Any, []), 0.0, 0.0, 1.0, 1.0), Target(([],), 0.0, 0.0, 1.0, 1.0), None, "a"]
-)
-def test_what_is_no_target_is_refused(wrong: Any) -> None:
+    "wrong",
+    [
+        [Target(cast(Any, []), 0.0, 0.0, 1.0, 1.0)], [Target(([],), 0.0, 0.0, 1.0, 1.0)], [None], ["a"],
+        [Target("a", 0.0, 0.0, 0.0, 5.0)], [Target("a", nan, 0.0, 5.0, 5.0)],
+        [Target("a", 0.0, 0.0, 5.0, 5.0, -1.0)], [*PLACES, PLACES[0]],
+        [around(i, 10.0 * i, 0.0, 5.0) for i in range(1001)],
+    ],
+)  # fmt: skip
+def test_targets_that_are_not_usable_are_refused_and_the_old_ones_kept(wrong: list[Any]) -> None:
+    chooser = Chooser(PLACES)
     with pytest.raises(ParameterError, match="target"):
-        Chooser([wrong])
+        chooser.replace(wrong)
+    assert len(chooser.shares) == len(PLACES) + 1
 
 
 @pytest.mark.parametrize("number", [1, np.float32(1.0), np.int64(1)])
@@ -102,7 +110,7 @@ def test_numbers_of_any_kind_are_taken(number: Any) -> None:
     "wrong",
     [
         ["1.0"] * COEFFICIENTS, "abc", None, [[1.0], [1.0, 2.0]], [True] * COEFFICIENTS,
-        [1j] * COEFFICIENTS, [nan] * COEFFICIENTS, [1e300] * COEFFICIENTS,
+        [0.0] * 3, [1j] * COEFFICIENTS, [nan] * COEFFICIENTS, [1e300] * COEFFICIENTS,
     ],
 )  # fmt: skip
 def test_coefficients_that_are_no_numbers_are_refused(wrong: Any) -> None:

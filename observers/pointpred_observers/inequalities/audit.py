@@ -15,7 +15,7 @@ from pointpred.errors import CertificateError, ParameterError, UndecidedError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.equalities import allowed
-from pointpred_observers.inequalities.definite import ROUNDING, least
+from pointpred_observers.inequalities.definite import LEAST_POSITIVE, least
 from pointpred_observers.inequalities.unknowns import Block, Unknown, Unknowns
 
 KAPPA = 1e12
@@ -168,7 +168,7 @@ class Inequalities:
             return margin >= 0.0
         if edge is not None and name in self._weak and abs(relative) <= edge:
             return True
-        return relative > ROUNDING
+        return relative > LEAST_POSITIVE
 
     def _share(self, name: str, values: Mapping[str, Any]) -> float | None:
         """The least eigenvalue of an inequality of matrices in the units of its terms; ``None`` of others."""
@@ -186,7 +186,7 @@ class Inequalities:
             value = margin if name in self._above or name not in self.blocks else -margin
             return (
                 f"{name} has the eigenvalue {value:.6g}, which is {share:.1g} of its terms: that may be "
-                f"rounding, more than {ROUNDING:g} is needed"
+                f"rounding, more than {LEAST_POSITIVE:g} is needed"
             )
         if name in self._above:
             return f"{name} has the eigenvalue {margin:.6g}, must lie above 0"

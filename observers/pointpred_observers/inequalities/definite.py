@@ -7,7 +7,7 @@ import numpy as np
 from pointpred.errors import CertificateError
 from pointpred.records import FloatArray
 
-ROUNDING = 1e-13
+LEAST_POSITIVE = 1e-13
 """Rounding of an entry, relative to its terms: a least eigenvalue must exceed it to count as positive."""
 
 
@@ -39,7 +39,7 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
         return float(matrix[0, 0]), float(matrix[0, 0] * d[0] ** 2)
     values, vectors = np.linalg.eigh(matrix * d * d[:, None])
     relative = float(values[0])
-    if relative > ROUNDING:
+    if relative > LEAST_POSITIVE:
         inverse = (vectors / values) @ vectors.T * d * d[:, None]
         return 1.0 / float(np.linalg.eigvalsh(inverse)[-1]), relative
     along = d * vectors[:, 0]

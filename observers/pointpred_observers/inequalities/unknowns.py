@@ -21,7 +21,7 @@ from pointpred_observers import matrices
 Block = Callable[[Any], Any]
 """A function of the matrices (attributes of its argument) that returns a symmetric matrix or a number."""
 
-ROUNDING = 1e-9
+AFFINE = 1e-9
 """Relative error below which a block counts as symmetric and affine."""
 
 
@@ -141,10 +141,10 @@ class Unknowns:
         matrix, target = np.vstack(slopes), -np.concatenate(constants)
         x0: FloatArray = np.asarray(np.linalg.lstsq(matrix, target, rcond=None)[0], np.float64)
         residual = float(np.abs(matrix @ x0 - target).max())
-        if residual > ROUNDING * max(1.0, np.abs(target).max()):
+        if residual > AFFINE * max(1.0, np.abs(target).max()):
             raise InfeasibleError(f"{', '.join(blocks)} cannot hold: the least residual is {residual:.3g}")
         _, sizes, rows = np.linalg.svd(matrix)
-        rank = int((sizes > ROUNDING * sizes.max(initial=0.0)).sum())
+        rank = int((sizes > AFFINE * sizes.max(initial=0.0)).sum())
         basis: FloatArray = np.asarray(rows[rank:].T, np.float64)
         return x0, basis
 
@@ -169,7 +169,7 @@ class Unknowns:
                 f"{name} holds numbers that are too large to compute with: check the largest matrices",
                 field=name,
             )
-        if not error <= ROUNDING * max(1.0, np.abs(expected).max()):
+        if not error <= AFFINE * max(1.0, np.abs(expected).max()):
             raise ParameterError(
                 f"{name} must be affine in the unknown matrices; it is off by {error:.3g}", field=name
             )
@@ -222,7 +222,7 @@ def symmetric(name: str, given: Any) -> FloatArray:
     if value.ndim != 2 or value.shape[0] != value.shape[1]:
         raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}", field=name)
     skew = np.abs(value - value.T).max()
-    if skew > ROUNDING * max(1.0, np.abs(value).max()):
+    if skew > AFFINE * max(1.0, np.abs(value).max()):
         raise ParameterError(
             f"{name} must be symmetric; it differs from its transpose by {skew:.3g}", field=name
         )

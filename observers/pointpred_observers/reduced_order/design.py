@@ -18,12 +18,13 @@ from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced, form, inward, outward
 from pointpred_observers.detectability import require_detectable, vertices
 from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, positive, without_rounding
+from pointpred_observers.matrices import matrix, positive
 from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.reduced_order.convergence import Convergence
 from pointpred_observers.reduced_order.reversed_certificate import certify_convergence
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
-from pointpred_observers.reduced_order.upsilon import Choice, Split, allowed, split
+from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, allowed, split
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.stationary import filter_start
 
 GAMMAS = (1.0, 1e-2)
@@ -145,7 +146,7 @@ def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
     if start is None:
         return None
     turned = np.linalg.eigh(start[0])[1].T @ pi
-    return without_rounding(turned, np.ones_like(turned))
+    return without_rounding(turned, np.ones_like(turned), share=NO_DIGIT)
 
 
 def _bounded(plant: Persidskii) -> bool:
@@ -189,7 +190,7 @@ def _chosen(
     x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
     base, free = choices
     slopes = units.slopes(plant.slopes)
-    choice = Choice(
+    choice = InjectionSearch(
         Split(
             inward(parts.drift, x, x, t),
             inward(parts.seen, y, x),
@@ -216,4 +217,4 @@ def _chosen(
 def _unmeasured(plant: Persidskii) -> FloatArray:
     """An orthonormal basis of the null space of the output."""
     basis = np.linalg.svd(plant.C0)[2][plant.p :]
-    return without_rounding(basis, np.ones_like(basis))
+    return without_rounding(basis, np.ones_like(basis), share=NO_DIGIT)

@@ -23,7 +23,7 @@ from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.reduced_order.connections import Slopes, connections_of
 from pointpred_observers.reduced_order.convergence import Convergence, convergence
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred_observers.slopes import ROUNDING
+from pointpred_observers.slopes import NARROWER
 from pointpred_observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
@@ -198,7 +198,7 @@ def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connectio
     """Raise ParameterError for a gamma that f exceeds, by its slopes, at one of the observer's matrices."""
     for one in connections:
         least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if one.S1.any() else 0.0
-        if gamma < least * (1.0 - ROUNDING):
+        if gamma < least * (1.0 - NARROWER):
             raise ParameterError(
                 f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
                 "leave it out, or pass the slopes of f where they are narrower",

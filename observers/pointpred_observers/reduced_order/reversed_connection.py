@@ -13,13 +13,12 @@ from pointpred.records import FloatArray
 from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
 from pointpred_observers.linear_systems import Plant, as_plant
 from pointpred_observers.matrices import (
-    ROUNDING,
     dimensions,
     instance,
     matrix,
     share,
-    without_rounding,
 )
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""
@@ -176,7 +175,9 @@ class InvariantObserver:
         given = _at(self._given["Upsilon"], t)
         upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
-        z = without_rounding(pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]))
+        z = without_rounding(
+            pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]), share=NO_DIGIT
+        )
         return now, pi, upsilon, z
 
     def _connection(self, t: float) -> Connection:
@@ -198,7 +199,7 @@ class InvariantObserver:
             b = matrix("B", _at(given, t), self.q, self.plant.p)
             s0 = _right(z, change - b @ now["C0"])
         sizes = np.abs(onward) @ np.abs(now["A1"]) + np.abs(b) @ np.abs(now["C1"])
-        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes)
+        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes, share=NO_DIGIT)
         stacked = np.vstack([z, now["C0"]]) if self.injection else z
         jr = _right(stacked, now["H"])
         j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
@@ -323,7 +324,7 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     right = b / columns
     solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
     inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
-    answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse)) / rows
+    answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse), share=NO_DIGIT) / rows
     return answer
 
 
@@ -338,7 +339,7 @@ def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
         )
     )
     largest = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
-    rounding = ROUNDING * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
+    rounding = NO_DIGIT * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
     return share_of_terms(gain @ c1, np.abs(gain) @ np.abs(c1), rounding=rounding)
 
 

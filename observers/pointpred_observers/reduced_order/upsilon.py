@@ -12,9 +12,10 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError, 
 from pointpred.records import FloatArray
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.inequalities.unknowns import Block
-from pointpred_observers.matrices import matrix, without_rounding
+from pointpred_observers.matrices import matrix
 from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz, symmetric
+from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.stationary import cover, filter_start, middle
 
 SLACK = 1e3
@@ -61,7 +62,7 @@ def split(plant: Persidskii, Pi: Any) -> Split:
             f"the rows of Pi and C0 must be independent, their least singular value is {least:.3g}"
         )
     inverse = np.linalg.inv(both)
-    inverse = without_rounding(inverse, np.abs(inverse) @ np.abs(both) @ np.abs(inverse))
+    inverse = without_rounding(inverse, np.abs(inverse) @ np.abs(both) @ np.abs(inverse), share=NO_DIGIT)
     hidden, measured = inverse[:, :q], inverse[:, q:]
     return Split(
         _product(pi, plant.A0, hidden),
@@ -78,7 +79,7 @@ def _product(*factors: FloatArray) -> FloatArray:
     whole, sizes = factors[0], np.abs(factors[0])
     for one in factors[1:]:
         whole, sizes = whole @ one, sizes @ np.abs(one)
-    return without_rounding(whole, sizes)
+    return without_rounding(whole, sizes, share=NO_DIGIT)
 
 
 def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
@@ -98,7 +99,7 @@ def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
     return base, np.asarray(rows[rank:].T, np.float64)
 
 
-class Choice(msgspec.Struct, frozen=True):
+class InjectionSearch(msgspec.Struct, frozen=True):
     """The search for Upsilon = ``base`` + ``free`` K such that one P proves the decay within the slopes.
 
     V' <= -``rate`` V (V+ <= exp(-``rate``) V in discrete time). With V an orthonormal complement of N =

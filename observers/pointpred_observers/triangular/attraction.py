@@ -16,7 +16,7 @@ from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.triangular.interlaced_observer import output_matrix
 from pointpred_observers.triangular.polynomials import symbolic
 from pointpred_observers.triangular.ranges import enclosure
-from pointpred_observers.triangular.regions import Region, intervals_of
+from pointpred_observers.triangular.regions import StateRegion, intervals_of
 from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8
@@ -38,7 +38,7 @@ class AttractionCertificate(msgspec.Struct, frozen=True):
 
 def assumption_4_4_2(
     steady: SymbolicSteadyState,
-    region: Region = None,
+    region: StateRegion = None,
     *,
     decay: float | None = None,
 ) -> AttractionCertificate:

@@ -11,7 +11,7 @@ from typing import Any
 from pointpred.errors import ParameterError
 from pointpred_observers.matrices import instance
 from pointpred_observers.triangular.order import Solving
-from pointpred_observers.triangular.regions import Region
+from pointpred_observers.triangular.regions import StateRegion
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 
@@ -22,7 +22,7 @@ def feedback(
     *,
     zero: Sequence[Any] | None = None,
     degree: int | None = None,
-    region: Region = None,
+    region: StateRegion = None,
 ) -> SymbolicSteadyState:
     """The input that makes the first state follow a chosen function of the generator, and the other states.
 
@@ -90,7 +90,7 @@ def interlaced(
     degree: int | None = None,
     *,
     zero: Sequence[Any] | None = None,
-    region: Region = None,
+    region: StateRegion = None,
 ) -> SymbolicSteadyState:
     """The input and the steady state for which the first state of the lower part is a chosen function.
 

@@ -12,7 +12,7 @@ from typing import Any
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.triangular.polynomials import symbolic
 from pointpred_observers.triangular.ranges import interval_function
-from pointpred_observers.triangular.regions import Region, intervals_of
+from pointpred_observers.triangular.regions import StateRegion, intervals_of
 from pointpred_observers.triangular.system import vanishes
 
 BOXES_MOST = 4000
@@ -23,7 +23,7 @@ HALVINGS = 200
 SMALL = 1e-9
 
 
-def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Region) -> None:
+def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: StateRegion) -> None:
     """Return if the expression has no zero in the region.
 
     Raises InfeasibleError naming a place where it vanishes or has no value, UndecidedError if neither could
@@ -84,7 +84,7 @@ def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
     return low > SMALL or high < -SMALL
 
 
-def _box(over: Sequence[Any], region: Region) -> list[tuple[float, float]]:
+def _box(over: Sequence[Any], region: StateRegion) -> list[tuple[float, float]]:
     """The interval of each state in order; raises ParameterError where one is missing."""
     intervals = intervals_of(region, over)
     if missing := [str(w) for w in over if w not in intervals]:

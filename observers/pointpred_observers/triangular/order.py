@@ -14,7 +14,7 @@ from pointpred_observers.matrices import instance, listed
 from pointpred_observers.triangular.nonzero import prove_nonzero
 from pointpred_observers.triangular.polynomials import exact, symbolic
 from pointpred_observers.triangular.power_series import Free, power_series
-from pointpred_observers.triangular.regions import Region
+from pointpred_observers.triangular.regions import StateRegion
 from pointpred_observers.triangular.system import (
     HIGHEST_DEGREE,
     SymbolicGenerator,
@@ -36,7 +36,7 @@ class Solving:
         upper: int,
         zero: Sequence[Any] | None,
         degree: int | None,
-        region: Region,
+        region: StateRegion,
     ) -> None:
         instance("system", system, SymbolicSystem)
         instance("generator", generator, SymbolicGenerator)

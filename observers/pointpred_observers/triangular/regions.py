@@ -8,11 +8,11 @@ from typing import Any
 
 from pointpred.errors import ParameterError
 
-Region = Mapping[Any, tuple[float, float]] | Sequence[tuple[float, float]] | None
+StateRegion = Mapping[Any, tuple[float, float]] | Sequence[tuple[float, float]] | None
 """(low, high) of each state: a dictionary by symbol or name, or pairs in order; ``None``: no bounds."""
 
 
-def intervals_of(region: Region, over: Sequence[Any]) -> dict[Any, tuple[float, float]]:
+def intervals_of(region: StateRegion, over: Sequence[Any]) -> dict[Any, tuple[float, float]]:
     """The intervals by symbol; a dictionary may leave some out, pairs may not.
 
     Raises ParameterError for an unknown state, a wrong number of pairs, and what is no finite interval.

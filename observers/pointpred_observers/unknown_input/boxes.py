@@ -14,7 +14,7 @@ from pointpred.records import FloatArray
 
 AXES_MOST = 12
 """Most axes of nonzero width: each doubles the number of vertices."""
-ROUNDING = 1e-9
+BORDER = 1e-9
 """Fraction of the width by which a point may lie outside and still count as on the border."""
 
 
@@ -71,7 +71,7 @@ class Box:
         """The variables whose values lie outside their intervals, or are NaN."""
         names = []
         for name, (low, high) in self.bounds.items():
-            slack = ROUNDING * (high - low)
+            slack = BORDER * (high - low)
             if not low - slack <= self._value(point, name) <= high + slack:
                 names.append(name)
         return names

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.inequalities.definite import ROUNDING, least
+from pointpred_observers.inequalities.definite import LEAST_POSITIVE, least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):
@@ -212,7 +212,7 @@ def _largest(
         # may be small differences of larger terms: those of a lightly damped pair are.
         d = 1.0 / np.sqrt(sizes)
         spread = float(np.linalg.norm(terms * d * d[:, None], 2))
-        eigenvalue = -value if relative > ROUNDING * spread else max(-value, 0.0)
+        eigenvalue = -value if relative > LEAST_POSITIVE * spread else max(-value, 0.0)
         if not eigenvalue <= largest:
             largest, vertex = eigenvalue, i
     return largest, vertex

@@ -15,10 +15,10 @@ from pointpred_observers.unknown_input.boxes import Box
 
 Scheduled = Callable[[Mapping[str, float]], FloatArray]
 """A matrix as a function of the scheduling variables."""
-ROUNDING = 1e-9
+NO_DIFFERENCE = 1e-9
 """A difference below this share of the largest value of the same entry counts as none."""
-CANCELLED = 4.0 * rounding.ROUNDING
-"""The same beside the terms of a computed entry: one below ``rounding.ROUNDING`` of them may have been set
+CANCELLED = 4.0 * rounding.REMAINDER
+"""The same beside the terms of a computed entry: one below ``rounding.REMAINDER`` of them may have been set
 to zero at any of the points."""
 POINTS = 16
 SEED = 20211217
@@ -128,7 +128,7 @@ def difference(
     (0, 1, 1e-06)
     """
     sizes = np.abs(np.concatenate([left, right, more])).max(axis=0)
-    allowed = ROUNDING * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))
+    allowed = NO_DIFFERENCE * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))
     error = np.abs(left - right).max(axis=0)
     wrong = ~(error <= allowed)
     if not wrong.any():

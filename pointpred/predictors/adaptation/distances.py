@@ -45,8 +45,8 @@ NEGLIGIBLE = 1e-4
 # the weight of each distance under each width.
 COUNT, DISTANCES, BELIEF, WEIGHTS, LEARNED = offsets(1, CAPACITY, LAWS + 1, CAPACITY * len(WIDTHS))
 
-ROUNDING = 1e-6
-"""The sum of the belief is off by less."""
+OFF_ONE = 1e-6
+"""The sum of the belief is off 1 by less."""
 SHORTEST_PX = 1e-6
 """A shorter distance is none, whatever is set: its logarithm is taken."""
 SLOTS = (
@@ -77,7 +77,7 @@ def fault(learned: FloatArray) -> tuple[int, float]:
     total = 0.0
     for i in range(BELIEF, WEIGHTS):
         total += learned[i]
-    if not abs(total - 1.0) <= ROUNDING:
+    if not abs(total - 1.0) <= OFF_ONE:
         return NO_SHARES, total
     return FINE, 0.0
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray, row_at
-from pointpred.targets import cursor, decision, posterior
+from pointpred.targets import cursor, decision, ledger, posterior
 from pointpred.targets.choice_law import KEEP
 
 # At each time fraction: whether the likeliest target is the right one, minus the logarithm of the right
@@ -88,34 +88,28 @@ def account(
     least_px: float,
     out: FloatArray,
 ) -> None:
-    """Decide after each event at one precision and keep the account of the movement."""
-    memory = np.zeros(cursor.STATES)
-    standing, since, entry, entered_since = decision.NOBODY, 0.0, np.nan, np.nan
-    out[:] = 0.0
-    out[LEAD_ENTRY] = out[LEAD_CLICK] = np.nan
+    """Decide after each event at one precision, and the account of the movement by the laws of the ledger.
+
+    The ledger has one row for the right target and one for all others.
+    """
+    memory, movement, rows = np.zeros(cursor.STATES), np.zeros(ledger.STATES), np.zeros((2, ledger.FIELDS))
+    ledger.begin(movement, rows)
+    standing = decision.NOBODY
     for i in range(len(events)):
         t, x, y = events[i, 0], events[i, 1], events[i, 2]
         cursor.follow(memory, t, x, y, 0.0)
         inside = abs(x - table[right, 0]) <= 0.5 * table[right, 2]
-        inside = inside and abs(y - table[right, 1]) <= 0.5 * table[right, 3]
-        if entry != entry and inside:
-            entry = t
-            if standing == right:
-                entered_since = since
+        if inside and abs(y - table[right, 1]) <= 0.5 * table[right, 3]:
+            ledger.enter(movement, rows, t, 0)
         bounds = ask, KEEP * ask, least_s, least_px
         chosen = decision.decide(memory, table, shares[i], standing, answers[i, 6], bounds)
         if chosen != standing:
             if standing != decision.NOBODY:
-                out[RETRACTED] += 1.0
+                ledger.withdraw(movement, t, 0 if standing == right else 1, False)
             if chosen != decision.NOBODY:
-                out[PROPOSED] += 1.0
-                out[PROPOSED_RIGHT] += 1.0 if chosen == right else 0.0
-            standing, since = chosen, t
-    end = events[len(events) - 1, 0]
-    if entry != entry:
-        entry = end
-        if standing == right:
-            entered_since = since
-    if entered_since == entered_since:
-        out[HIT] = 1.0
-        out[LEAD_ENTRY], out[LEAD_CLICK] = entry - entered_since, end - entered_since
+                ledger.propose(movement, rows, t, 0 if chosen == right else 1)
+            standing = chosen
+    made, lead_entry_s, lead_click_s = ledger.close(movement, rows, events[len(events) - 1, 0], 0)
+    out[PROPOSED], out[PROPOSED_RIGHT] = movement[ledger.PROPOSED], made
+    out[RETRACTED], out[HIT] = movement[ledger.RETRACTED], 1.0 if lead_click_s == lead_click_s else 0.0
+    out[LEAD_ENTRY], out[LEAD_CLICK] = lead_entry_s, lead_click_s

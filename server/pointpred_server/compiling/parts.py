@@ -22,7 +22,7 @@ from pointpred.protocol.packed import EVENT, unpack_events
 from pointpred.records import EventColumns, Place, PointerEvent
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
-from pointpred.targets import Chooser, PlaceChooser, around, choice_law
+from pointpred.targets import Chooser, Ledger, PlaceChooser, around, choice_law
 from pointpred.transfer import assistance
 from pointpred_server.sessions.pointing import PointingSession
 from pointpred_server.settings import Settings
@@ -62,8 +62,13 @@ def parts() -> list[Part]:
     return [
         *_pieces(),
         _predictor(RECOMMENDED, PIECES),
-        Part(TARGETS, choose, (choice_law.step, choice_law.walk), FIRST),
-        Part(PLACES, propose_places, (choice_law.step_with_shares, adaptation.list_places), FIRST),
+        Part(TARGETS, choose, (choice_law.step, choice_law.walk, choice_law.changes), FIRST),
+        Part(
+            PLACES,
+            propose_places,
+            (choice_law.step_with_shares, choice_law.changes, adaptation.list_places),
+            FIRST,
+        ),
         Part(ASSISTANCE, assist, (assistance.guarded_step,), FIRST),
         Part(TRIALS, score_trial, (endpoint.measure,), FIRST),
         *(
@@ -145,6 +150,16 @@ def choose() -> None:
     columns = EventColumns.of_events(_events())
     chooser.reset()
     chooser.follow(columns.table, run(pipeline.fresh(), columns).table)
+    note(chooser.ledger)
+
+
+def note(ledger: Ledger) -> None:
+    """What follows from a change of mind, in each of its kinds."""
+    ledger.propose(0.0, "any")
+    ledger.enter(0.0, "any")
+    ledger.retract(0.0, "any")
+    ledger.finish(0.0, "any")
+    choice_law.changes((0, 1), (1, 0))
 
 
 def propose_places() -> None:
@@ -153,6 +168,7 @@ def propose_places() -> None:
     pipeline.enter("any")
     for event in _events():
         chooser.update(pipeline.places, pipeline.update(event), event)
+    note(chooser.ledger)
 
 
 def _events() -> list[PointerEvent]:

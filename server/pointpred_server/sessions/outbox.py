@@ -8,8 +8,9 @@ predictions. The connection therefore goes by the time since the client last rea
 from __future__ import annotations
 
 from pointpred.protocol.frames import Frame
-from pointpred.protocol.server_messages import Choice, ErrorMessage, encode
+from pointpred.protocol.server_messages import ChoiceMessage, ErrorMessage, encode
 
+Note = Frame | ChoiceMessage
 MOST_CHOICES = 64
 """At most so many choices wait to be read; of more, only those that still change what is proposed stay."""
 
@@ -24,7 +25,7 @@ class Outbox:
         self.dropped_total = 0
         self.predictions = 0
         """All predictions, dropped ones included."""
-        self._notes: list[Frame | Choice] = []
+        self._notes: list[Note] = []
         self._newest: list[Frame] = []
         self.waiting = 0
         """How many predictions wait to be sent."""
@@ -37,7 +38,7 @@ class Outbox:
         """Add a frame that must not be lost."""
         self._notes.append(frame)
 
-    def add_choice(self, choice: Choice) -> None:
+    def add_choice(self, choice: ChoiceMessage) -> None:
         """Add a proposal or its end; of many, those that still change what is proposed are not lost."""
         self._notes.append(choice)
         self._choices += 1
@@ -84,29 +85,24 @@ class Outbox:
     def _shorten(self) -> None:
         """Drop the choices but for those that lead from what the client knows to what is proposed."""
         proposed = proposed_after(self._proposed, self._notes)
-        ends: dict[str, Choice] = {}
-        begins: dict[str, Choice] = {}
-        for note in self._notes:
-            if isinstance(note, Choice) and note.action == "retract" and note.id in self._proposed - proposed:
-                ends[note.id] = note
-            elif (
-                isinstance(note, Choice) and note.action == "propose" and note.id in proposed - self._proposed
-            ):
-                begins[note.id] = note
-        others: list[Frame | Choice] = [note for note in self._notes if not isinstance(note, Choice)]
-        self._after -= sum(isinstance(note, Choice) for note in self._notes[: self._after])
+        choices = [note for note in self._notes if isinstance(note, ChoiceMessage)]
+        ended, begun = self._proposed - proposed, proposed - self._proposed
+        ends = {one.id: one for one in choices if one.action == "retract" and one.id in ended}
+        begins = {one.id: one for one in choices if one.action == "propose" and one.id in begun}
+        others: list[Note] = [note for note in self._notes if not isinstance(note, ChoiceMessage)]
+        self._after -= sum(isinstance(note, ChoiceMessage) for note in self._notes[: self._after])
         left = [*ends.values(), *begins.values()]
         self._dropped_choices += self._choices - len(left)
         self._notes, self._choices = [*others, *left], len(left)
 
 
-def proposed_after(before: frozenset[str], notes: list[Frame | Choice]) -> frozenset[str]:
+def proposed_after(before: frozenset[str], notes: list[Note]) -> frozenset[str]:
     """The targets that are proposed after these notes, where those ``before`` were proposed."""
     for note in notes:
-        if isinstance(note, Choice):
+        if isinstance(note, ChoiceMessage):
             before = before | {note.id} if note.action == "propose" else before - {note.id}
     return before
 
 
-def _frame(note: Frame | Choice) -> Frame:
-    return encode(note).decode() if isinstance(note, Choice) else note
+def _frame(note: Note) -> Frame:
+    return encode(note).decode() if isinstance(note, ChoiceMessage) else note

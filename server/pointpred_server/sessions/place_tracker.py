@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pointpred.protocol.server_messages import Choice, PlaceSquare
+from pointpred.protocol.server_messages import ChoiceMessage, PlaceSquare
 from pointpred.records import FloatArray, Place, event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
 from pointpred_server.sessions.outbox import Outbox
@@ -71,5 +71,5 @@ class PlaceTracker:
         square = choice.place
         place = PlaceSquare(square.x + square.width / 2.0, square.y + square.height / 2.0, square.width)
         self._outbox.add_choice(
-            Choice(f"place {choice.id}", choice.p, choice.action, t, choice.reason, place)
+            ChoiceMessage(f"place {choice.id}", choice.p, choice.action, t, choice.reason, place)
         )

@@ -12,7 +12,7 @@ from msgspec import structs
 from pointpred.errors import EventError
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target, cpi_of, dpi_of
+from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle, cpi_of, dpi_of
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
@@ -269,7 +269,7 @@ class PredictionStream:
         if self.tracker:
             self.tracker.expect(())
 
-    def replace_targets(self, targets: list[Target], outbox: Outbox) -> None:
+    def replace_targets(self, targets: list[Rectangle], outbox: Outbox) -> None:
         """Replace the set of targets; raises ProtocolError, nothing changed."""
         tracker = self.tracker or TargetTracker(outbox, self.precision)
         tracker.replace(targets)

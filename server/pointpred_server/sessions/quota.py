@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pointpred.protocol.client_messages import Target
+from pointpred.protocol.client_messages import Rectangle
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Limits
 from pointpred.protocol.token_bucket import TokenBucket
@@ -95,7 +95,7 @@ class Quota:
         """A text that is not a message."""
         self.take_message(now, 1 + len(frame) // BYTES_A_MESSAGE)
 
-    def check_targets(self, targets: list[Target]) -> None:
+    def check_targets(self, targets: list[Rectangle]) -> None:
         """The number of targets, and that no two have the same id."""
         count, most = len(targets), self.limits.max_targets
         if count > most:

@@ -7,13 +7,11 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from pointpred.errors import ParameterError
-from pointpred.protocol.client_messages import Goal, Target
+from pointpred.protocol.client_messages import Goal, Rectangle
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.server_messages import Choice, Likely
+from pointpred.protocol.server_messages import ChoiceMessage, Likely
 from pointpred.records import FloatArray, Place
-from pointpred.targets import Choice as Change
-from pointpred.targets import Chooser
-from pointpred.targets import Target as Rectangle
+from pointpred.targets import Choice, Chooser
 from pointpred_server.sessions.outbox import Outbox
 from pointpred_server.sessions.work import Slices
 
@@ -30,7 +28,7 @@ def within_bounds(precision: float) -> float:
 class Changes(NamedTuple):
     """What events lead to: choices with their times, and the likeliest targets for each prediction sent."""
 
-    choices: list[tuple[float, Change]]
+    choices: list[tuple[float, Choice]]
     likely: list[list[Likely]]
 
 
@@ -52,7 +50,7 @@ class TargetTracker:
     def __init__(self, outbox: Outbox, precision: float | None = None) -> None:
         self._outbox = outbox
         self._chooser = Chooser()
-        self._targets: Sequence[Target] = ()
+        self._targets: Sequence[Rectangle] = ()
         self._last_t: float | None = None
         if precision is not None:
             self.configure(precision)
@@ -61,11 +59,10 @@ class TargetTracker:
         """The share of proposals that shall be right, brought within the bounds of the chooser."""
         self._chooser.configure(precision=within_bounds(precision))
 
-    def replace(self, targets: Sequence[Target]) -> None:
+    def replace(self, targets: Sequence[Rectangle]) -> None:
         """Replace the targets; a proposal of one that is gone is retracted. Raises ProtocolError."""
-        rectangles = [Rectangle(one.id, one.x, one.y, one.width, one.height, one.weight) for one in targets]
         try:
-            changes = self._chooser.replace(rectangles)
+            changes = self._chooser.replace(targets)
         except ParameterError as error:
             raise ProtocolError(
                 "bad_field", str(error), "$.targets", field=error.field, value=error.value
@@ -80,7 +77,7 @@ class TargetTracker:
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""
         proposed = (self._chooser.standing, self._chooser.entered)
-        self.announce([(self._last_t, Change(id, 0.0, "retract")) for id in proposed if id is not None])
+        self.announce([(self._last_t, Choice(id, 0.0, "retract")) for id in proposed if id is not None])
         self._chooser.reset()
         self._last_t = None
 
@@ -98,7 +95,7 @@ class TargetTracker:
         ``seen``: the person's places after each event, where they count; at the event where they change, the
         weights change. ``each``: the likeliest targets after each event, otherwise after the last.
         """
-        changes: list[tuple[float, Change]] = []
+        changes: list[tuple[float, Choice]] = []
         likely: list[list[tuple[Hashable, float]]] = []
         for whole in parts:
             if whole.start:
@@ -113,10 +110,10 @@ class TargetTracker:
         self._last_t = float(table[-1, 0])
         return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
 
-    def announce(self, choices: Sequence[tuple[float | None, Change]]) -> None:
+    def announce(self, choices: Sequence[tuple[float | None, Choice]]) -> None:
         """Send choices to the client."""
         for t, (id, p, action, reason) in choices:
-            self._outbox.add_choice(Choice(str(id), p, action, t, reason))
+            self._outbox.add_choice(ChoiceMessage(str(id), p, action, t, reason))
 
     def finish_trial(self, goal: Goal | None) -> Outcome | None:
         """Finish the movement: how good its proposals were, ``None`` where the goal is unknown."""
@@ -128,7 +125,7 @@ class TargetTracker:
     def _target_at(self, goal: Goal) -> str | None:
         """The target that holds the goal's centre, the one with the nearest centre; ``None`` without any."""
 
-        def distance(one: Target) -> tuple[float, float]:
+        def distance(one: Rectangle) -> tuple[float, float]:
             return abs(one.x + one.width / 2 - goal.x), abs(one.y + one.height / 2 - goal.y)
 
         around = [

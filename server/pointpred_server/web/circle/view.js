@@ -2,9 +2,9 @@
 
 import { FrameLoop, onRepaint } from "../drawing/canvas.js";
 import { fillSelect, part, write } from "../page/elements.js";
-import { Ledger } from "../page/ledger.js";
-import { count } from "../page/numbers.js";
+import { accountOf, count } from "../page/numbers.js";
 import { listenToPointer } from "../page/pointer.js";
+import { Ledger } from "../prediction/ledger.js";
 import { predictors } from "../service/listing.js";
 import { PredictorConnection } from "../service/predictor-connection.js";
 import { inPage } from "../service/place.js";
@@ -96,8 +96,9 @@ function onState(state) {
 
 function onScore(score) {
   rows.addScore(score);
-  ledger.addScore(score);
-  write(ledgerLine, ledger.summary);
+  const { fired, hit, wasted, lead_s } = score;
+  if (fired != null) ledger.add({ proposed: fired, hit, wasted, lead_entry_s: lead_s });
+  write(ledgerLine, accountOf(ledger));
 }
 
 function connectWith(predictor) {

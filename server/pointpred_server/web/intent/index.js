@@ -10,7 +10,7 @@
 export { onIntent, register } from "./register.js";
 export { onPlace } from "./places.js";
 export { prefetchLink } from "./prefetch-link.js";
-import { ledger as theLedger } from "./ledger.js";
+import { ledger as theLedger } from "./registration.js";
 
 /** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
 export const ledger = () => theLedger.summary();

@@ -2,10 +2,11 @@
 
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
+import { HIGHEST, LOWEST, PRECISION, USUAL } from "../laws/targets/posterior.js";
+import { attempt } from "../prediction/ledger.js";
 import { REMAINING_S, claimed } from "../prediction/row.js";
-import { attempt } from "./attempt.js";
 
-const DEFAULTS = { precision: 0.5, page: undefined, person: "", store: undefined };
+const DEFAULTS = { precision: USUAL[PRECISION], page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
 
 /**
@@ -26,9 +27,9 @@ function optionsOf(given = {}) {
   const options = { ...DEFAULTS, page: location.pathname, ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)) };
   for (const name of TEXTS)
     if (options[name] !== undefined && typeof options[name] !== "string") throw new TypeError(`${name} must be a text, received ${options[name]}`);
-  const { precision } = options;
-  if (!(typeof precision === "number" && precision >= 0.01 && precision <= 0.999))
-    throw new RangeError(`precision must be a number in [0.01, 0.999], received ${precision}`);
+  const { precision } = options, [low, high] = [LOWEST[PRECISION], HIGHEST[PRECISION]];
+  if (!(typeof precision === "number" && precision >= low && precision <= high))
+    throw new RangeError(`precision must be a number in [${low}, ${high}], received ${precision}`);
   return options;
 }
 
@@ -80,7 +81,7 @@ class Places {
   }
 
   async #load() {
-    const { PlaceChooser, build } = await import("./place-source.js");
+    const [{ PlaceChooser }, { build }] = await Promise.all([import("../prediction/chooser.js"), import("../prediction/build.js")]);
     this.#chooser = new PlaceChooser({ precision: this.#options.precision });
     this.#pipeline = await this.#known(build);
     this.#enter();

@@ -1,9 +1,18 @@
-// Registers elements with the tracker of their predictor.
+// Registers elements with the tracker of their predictor; what may be said of an element: defaults, bounds, errors.
 
-import { optionsOf } from "./options.js";
+import { PREDICTORS, RECOMMENDED } from "../laws/registry.js";
+import { THRESHOLD } from "../laws/targets/prefetch.js";
 import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
+
+const CHOICES = { predictor: Object.keys(PREDICTORS), policy: ["prefetch", "highlight"], touch: ["start", "viewport", "none"],
+  scroll: ["pointer", "view", "none"],
+  saveData: ["respect", "ignore"] };
+const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
+const DEFAULTS = { policy: "prefetch", predictor: RECOMMENDED, service: undefined, name: "", hitSlop: 0, priority: 1, threshold: THRESHOLD,
+  once: undefined, again_s: Infinity, keyboard: 2, touch: "start", scroll: "pointer", saveData: "respect" };
+const SIDES = ["top", "right", "bottom", "left"];
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
 export const trackers = new Map();
@@ -48,4 +57,36 @@ function trackerOf({ predictor, service }) {
   const key = JSON.stringify([predictor, service]);
   if (!trackers.has(key)) trackers.set(key, new Tracker((onAnswer) => new Source(predictor, service, onAnswer), () => trackers.delete(key)));
   return trackers.get(key);
+}
+
+/**
+ * The options with their defaults. Throws a TypeError for one that is unknown or of another type, a RangeError for a number
+ * out of bounds.
+ * @param {import("../index.d.ts").IntentOptions} given
+ * @returns {Required<import("../index.d.ts").IntentOptions> & {hitSlop: {top: number, right: number, bottom: number, left: number}}}
+ */
+function optionsOf(given = {}) {
+  const options = { ...DEFAULTS };
+  for (const [name, value] of Object.entries(given)) {
+    if (!(name in DEFAULTS)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
+    if (value !== undefined) options[name] = value;
+  }
+  for (const [name, known] of Object.entries(CHOICES))
+    if (!known.includes(options[name])) throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
+  for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);
+  options.once ??= options.policy === "prefetch";
+  options.hitSlop = sidesOf(options.hitSlop);
+  return options;
+}
+
+function checkNumber(name, value, low, high) {
+  if (!(typeof value === "number" && value >= low && value <= high))
+    throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);
+}
+
+/** Of each side, how far the element counts beyond it, px. */
+function sidesOf(slop) {
+  const sides = Object.fromEntries(SIDES.map((side) => [side, typeof slop === "number" ? slop : (slop[side] ?? 0)]));
+  for (const side of SIDES) checkNumber(`hitSlop ${side}`, sides[side], 0, 10000);
+  return sides;
 }

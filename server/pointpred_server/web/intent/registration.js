@@ -1,8 +1,17 @@
 // One registration of an element: whether it may fire now, and what it has begun by firing.
 
-import { attempt } from "./attempt.js";
-import { ledger } from "./ledger.js";
-import { isReduced } from "./reduced-data.js";
+import { attempt, FiringLedger } from "../prediction/ledger.js";
+
+const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
+
+/** What has fired in this page. */
+export const ledger = new FiringLedger();
+
+/** Whether nothing shall be loaded ahead: `Save-Data`, a 2G connection, or the media feature `prefers-reduced-data`. */
+function isReduced() {
+  const { saveData = false, effectiveType = "" } = navigator.connection ?? {};
+  return saveData || SLOW.includes(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
+}
 
 /** An element, what is called for it, and the state of that. */
 export class Registration {

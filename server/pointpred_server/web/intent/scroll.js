@@ -12,9 +12,9 @@ export class ScrollAhead {
 
   /**
    * The elements that their present speed brings under the pointer. A container that scrolls inside the page counts as the page does.
-   * @param {import("./entries.js").Entry[]} entries measured in this frame @param {{x: number, y: number}} pointer px
+   * @param {import("./tracker.js").Entry[]} entries measured in this frame @param {{x: number, y: number}} pointer px
    * @param {number} t s
-   * @returns {import("./entries.js").Entry[]}
+   * @returns {import("./tracker.js").Entry[]}
    */
   comingUnder(entries, { x, y }, t) {
     const dt = t - this.#at, before = this.#places;

@@ -4,27 +4,27 @@ import { ENTERED, INSIDE, KEEP, OUTSIDE, enter, innermost } from "../laws/target
 import { KNOWN, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
 import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
 import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { FITTED_NONE, FITTED_PAGES, normalise, scores } from "../laws/targets/posterior.js";
-import { ELSEWHERE, STATES } from "../laws/targets/prefetch.js";
+import { FITTED_NONE, FITTED_PAGES, LEAST_LEAD_S, LEAST_WAY_PX, normalise, scores, USUAL } from "../laws/targets/posterior.js";
+import * as prefetch from "../laws/targets/prefetch.js";
 import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
-import { PrefetchPolicy } from "./prefetch.js";
 
 const logit = (p) => Math.log(p / (1 - p));
-const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
 /** Highlights use higher prior odds that the movement is for no registered element. This is the logarithm of that factor. */
-const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(ELSEWHERE);
+const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(prefetch.ELSEWHERE);
 const USUAL_ELEMENTS = 8; // of so many registered elements it is assumed that nearly every movement is for one of them
 const MOST_ELSEWHERE = 0.7; // and that this share is for something else where hardly any are registered
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
+const SETTINGS = Float64Array.from(prefetch.FITTED);
+const NEVER = 1; // the highest threshold of a prefetch: fires at entry only
 const LIKELY = 1e-3; // an element of this share is scored each time
 
 /** The cursor, the table of the elements in view, and their shares. */
 export class Shares {
-  /** In the order of the table. @type {import("./entries.js").Entry[]} */ entries = [];
+  /** In the order of the table. @type {import("./tracker.js").Entry[]} */ entries = [];
   /** The newest row of a prediction. */ answer = UNPREDICTED;
   /** Counts movements. */ movement = 0;
-  #memory = new Float64Array(STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
-  #prefetch = new PrefetchPolicy(); #looked = null; #scores = Float64Array.of(0); #lit = Float64Array.of(1); #scoredIn = -1; #turn = 0;
+  #memory = new Float64Array(prefetch.STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
+  #fired = new WeakMap(); #looked = null; #scores = Float64Array.of(0); #lit = Float64Array.of(1); #scoredIn = -1; #turn = 0;
   /** How much likelier than with many elements it is that a movement is for none of them: a logarithm. */ #unknown = 0;
 
   /** When the newest event was, s, and where, px. @returns {{t: number, x: number, y: number}} */
@@ -32,7 +32,7 @@ export class Shares {
     return { t: this.#memory[T], x: this.#memory[X], y: this.#memory[Y] };
   }
 
-  /** Takes other elements; what is known of those that stay is kept. @param {import("./entries.js").Entry[]} entries */
+  /** Takes other elements; what is known of those that stay is kept. @param {import("./tracker.js").Entry[]} entries */
   replace(entries) {
     const inside = new Map(this.entries.map((entry, i) => [entry, this.#inside[i] === ENTERED ? INSIDE : this.#inside[i]]));
     const standing = this.entries[this.#standing];
@@ -45,8 +45,8 @@ export class Shares {
     this.#lit = new Float64Array(entries.length + 1);
     this.#scoredIn = -1;
     this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
-    const elsewhere = Math.max(ELSEWHERE, MOST_ELSEWHERE * (1 - entries.filter(({ isHidden }) => !isHidden).length / USUAL_ELEMENTS));
-    this.#unknown = logit(elsewhere) - logit(ELSEWHERE);
+    const elsewhere = Math.max(prefetch.ELSEWHERE, MOST_ELSEWHERE * (1 - entries.filter(({ isHidden }) => !isHidden).length / USUAL_ELEMENTS));
+    this.#unknown = logit(elsewhere) - logit(prefetch.ELSEWHERE);
     const total = entries.reduce((sum, { isHidden, weight }) => sum + (isHidden ? 0 : weight), 0);
     for (const { row, isHidden, weight } of entries) row[LOG_WEIGHT] = isHidden ? -Infinity : Math.log(weight / total);
   }
@@ -56,7 +56,7 @@ export class Shares {
     return this.#shares[place] ?? 0;
   }
 
-  /** Uses the events of a dispatch. @param {number[][]} rows t, x, y, dx, dy, buttons @returns {import("./entries.js").Entry[]} the elements they have entered, in turn */
+  /** Uses the events of a dispatch. @param {number[][]} rows t, x, y, dx, dy, buttons @returns {import("./tracker.js").Entry[]} the elements they have entered, in turn */
   follow(rows) {
     const near = this.#near(rows), table = near.map((place) => this.#table[place]);
     const inside = Float64Array.from(near, (place) => this.#inside[place]), memory = this.#memory, entered = [];
@@ -103,7 +103,7 @@ export class Shares {
 
   /** Writes the logarithms of the shares of some rows, up to a constant, and behind them that of none of them. */
   #score(rows, out) {
-    scores(this.#memory, rows, this.answer, FITTED_PAGES, ELSEWHERE, out);
+    scores(this.#memory, rows, this.answer, FITTED_PAGES, prefetch.ELSEWHERE, out);
   }
 
   /** The places of the likely elements, and of some of the others in turn. */
@@ -123,23 +123,27 @@ export class Shares {
     this.#scores[this.#table.length] = some[places.length];
   }
 
-  /** The elements that a prefetch fires for now, of those that were scored. @returns {import("./entries.js").Entry[]} */
+  /** The elements that a prefetch fires for now, of those that were scored. @returns {import("./tracker.js").Entry[]} */
   worthPrefetching() {
-    const places = this.#looked, none = this.#table.length;
-    if (places === null) return this.#prefetch.fire(this.#memory, this.entries, this.#table, this.#shares);
+    const places = this.#looked ?? this.entries.map((_, i) => i), none = this.#table.length;
+    const entries = places.map((place) => this.entries[place]), table = places.map((place) => this.#table[place]);
     const shares = Float64Array.from([...places, none], (place) => this.#shares[place]);
-    return this.#prefetch.fire(this.#memory, places.map((place) => this.entries[place]), places.map((place) => this.#table[place]), shares);
+    const thresholds = Float64Array.from(entries, ({ prefetchFrom }) => Math.min(prefetchFrom, NEVER));
+    const fired = Float64Array.from(entries, (entry) => this.#fired.get(entry) ?? prefetch.ARMED);
+    const count = prefetch.step(this.#memory, [table, thresholds, new Float64Array(entries.length), fired], shares, SETTINGS);
+    entries.forEach((entry, i) => this.#fired.set(entry, fired[i]));
+    return count === 0 ? [] : entries.filter((_, i) => fired[i] === prefetch.PREDICTED || fired[i] === prefetch.ENTERED);
   }
 
-  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./entries.js").Entry|undefined} */
+  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./tracker.js").Entry|undefined} */
   headedFor() {
     const best = likeliest(this.#lit, this.#table.length);
     const ask = this.entries[best]?.highlightFrom ?? 1, keep = KEEP * (this.entries[this.#standing]?.highlightFrom ?? ask);
-    this.#standing = decide(this.#memory, this.#table, this.#lit, this.#standing, this.answer[REMAINING_S], [ask, keep, LEAST_LEAD_S, LEAST_WAY_PX]);
+    this.#standing = decide(this.#memory, this.#table, this.#lit, this.#standing, this.answer[REMAINING_S], [ask, keep, USUAL[LEAST_LEAD_S], USUAL[LEAST_WAY_PX]]);
     return this.entries[this.#standing];
   }
 
-  /** The innermost element that the cursor is in, if there is one. @returns {import("./entries.js").Entry|undefined} */
+  /** The innermost element that the cursor is in, if there is one. @returns {import("./tracker.js").Entry|undefined} */
   enclosing() {
     return this.entries[innermost(this.#table, this.#inside)];
   }

@@ -2,6 +2,14 @@
 
 const SMALL = ["minimum-jerk", "switched-direction", "switched", "linear", "hold"]; // need little code and no coefficients
 
+/** What opens any predictor of the registry; it rejects for any other. */
+const inPage = ({ build }) => ({
+  async open(predictor) {
+    const pipeline = await build(predictor);
+    return { add: (row) => pipeline.advance(row), flush: () => false, close() {} };
+  },
+});
+
 /** A predictor, which is loaded when it is first needed. Until then it predicts nothing. */
 export class Source {
   /** Settles when predictions can come: the predictor is loaded, or the service has answered. @type {Promise<void>} */ ready;
@@ -18,7 +26,7 @@ export class Source {
 
   async #load(predictor, service, onAnswer) {
     const { open } = await (service !== undefined ? import("./service-source.js")
-      : SMALL.includes(predictor) ? import("./small-source.js") : import("./page-source.js"));
+      : SMALL.includes(predictor) ? import("./small-source.js") : import("../prediction/build.js").then(inPage));
     const loaded = await open(predictor, service, onAnswer);
     if (this.#closed) return loaded.close();
     this.#loaded = loaded;

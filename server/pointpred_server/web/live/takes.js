@@ -1,10 +1,10 @@
 // Simulated movements of the embedded sample, turned so that they end on a tile, with the prediction after each event.
 
-import { Ledger } from "../page/ledger.js";
 import { token } from "../service/http.js";
 import { inPage } from "../service/place.js";
 import { sample, samples } from "../service/samples.js";
 import { speed } from "./movement.js";
+import { proposedAfter } from "./tiles.js";
 import { connect } from "../pointpred.js";
 
 const PLANS = [{ tile: 3, start: [0.16, 0.24] }, { tile: 1, start: [0.84, 0.3] }, { tile: 4, start: [0.4, 0.18] }];
@@ -87,10 +87,9 @@ function answersTo(connection, rows, offset) {
 
 /** The tile that is predicted after each event. @param {number[]} times s @param {import("../pointpred.js").Choice[]} choices */
 export function proposedAt(times, choices) {
-  const ledger = new Ledger();
-  let next = 0;
+  let next = 0, proposed = null;
   return times.map((time) => {
-    for (; next < choices.length && choices[next].t <= time; next += 1) ledger.addChoice(choices[next]);
-    return ledger.proposed;
+    for (; next < choices.length && choices[next].t <= time; next += 1) proposed = proposedAfter(proposed, choices[next]);
+    return proposed;
   });
 }

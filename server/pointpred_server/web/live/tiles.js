@@ -1,6 +1,6 @@
 // The row of tiles in the live picture: targets that light up by how likely the pointer is heading for them.
 
-import { Ledger } from "../page/ledger.js";
+import { Ledger } from "../prediction/ledger.js";
 
 const COUNT = 5;
 const HEIGHT_PX = 44;
@@ -22,6 +22,13 @@ export const contains = (tile, x, y) => x >= tile.x && x <= tile.x + tile.width 
  * @param {Object<string, number>} probabilities by id @param {import("./picture.js").Mark|null} mark
  */
 export const opacitiesOf = (probabilities, mark) => Object.fromEntries(Object.entries(probabilities).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
+
+/** The id of what is predicted after a choice, given what was before; null: none. */
+export function proposedAfter(before, { id, action, reason }) {
+  if (reason === "entered") return before; // not a prediction
+  if (action === "propose") return id;
+  return before === id ? null : before;
+}
 
 /** Knows where the tiles are, how likely each is, and what became of the proposals. */
 export class Tiles {
@@ -48,10 +55,10 @@ export class Tiles {
   /** @param {import("../pointpred.js").Choice} choice */
   addChoice(choice) {
     if (choice.reason === "entered") return; // only predictions are highlighted
-    if (choice.action === "propose") this.proposed = choice.id;
-    else if (this.proposed === choice.id) this.proposed = null;
+    this.proposed = proposedAfter(this.proposed, choice);
     if (this.#pressed === null) this.probabilities[choice.id] = choice.p;
-    this.ledger.addChoice(choice);
+    if (choice.action === "propose") this.ledger.propose(choice.t, choice.id);
+    else this.ledger.withdraw(choice.t, choice.id);
   }
 
   /** The tile at a point. @returns {string|null} */
@@ -63,18 +70,19 @@ export class Tiles {
   move(rows) {
     for (const [t, x, y] of rows) {
       const under = this.at(x, y);
-      if (under !== null && under !== this.#under) this.ledger.enter(under, t);
+      if (under !== null && under !== this.#under) this.ledger.enter(t, under);
       this.#under = under;
       if (this.#pressed !== null && (x !== this.#pressed[0] || y !== this.#pressed[1])) this.#pressed = null;
     }
   }
 
   /** A press ends the movement. @param {number[]} row @returns {{lead_s: number|null}|null} of the tile under it, if there is one */
-  press([, x, y]) {
+  press([t, x, y]) {
     const id = this.at(x, y);
-    const lead = this.ledger.endMovement(id);
     [this.probabilities, this.#pressed] = [{}, [x, y]];
-    return id === null ? null : { lead_s: lead };
+    if (id !== null) return { lead_s: this.ledger.finish(t, id).lead_entry_s };
+    this.ledger.drop();
+    return null;
   }
 
   /** Forgets probabilities and proposals. */

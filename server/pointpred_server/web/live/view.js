@@ -5,7 +5,7 @@ import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { part, write } from "../page/elements.js";
 import { explainPredictors } from "../page/glossary.js";
-import { median, number } from "../page/numbers.js";
+import { accountOf, median, number } from "../page/numbers.js";
 import { listenToPointer } from "../page/pointer.js";
 import { predictors } from "../service/listing.js";
 import { LiveCard } from "./card.js";
@@ -70,7 +70,7 @@ function move(rows) {
 function press(row) {
   movement.press(row[0]);
   clickedTile = tiles.press(row);
-  write(ledger, tiles.ledger.summary || ledger.textContent);
+  write(ledger, accountOf(tiles.ledger) || ledger.textContent);
 }
 
 function frame(now) {

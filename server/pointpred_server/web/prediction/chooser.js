@@ -1,16 +1,18 @@
-// Predictions and events in, proposals out; as `pointpred/targets/chooser.py`.
+// Predictions and events in, proposals out: of targets, and of places that nobody registered. What decides are the laws.
 
+import { LARGEST } from "../laws/events.js";
 import * as law from "../laws/targets/choice_law.js";
 import * as cursor from "../laws/targets/cursor.js";
 import { NOBODY, rank } from "../laws/targets/decision.js";
+import * as expectation from "../laws/targets/expectation.js";
 import * as posterior from "../laws/targets/posterior.js";
-import { expect } from "../laws/targets/expectation.js";
-import { LOG_WEIGHT } from "../laws/targets/rectangles.js";
-import { EventError } from "./errors.js";
+import { EFFECTIVE } from "../laws/targets/rectangle_mass.js";
+import { complete, LEAST, LOG_WEIGHT, MOST_TARGETS } from "../laws/targets/rectangles.js";
+import { EventError, ParameterError } from "./errors.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
-import { UNPREDICTED } from "./row.js";
-import { checkPlaces, tableOf } from "./targets.js";
+import { REMAINING_S, UNPREDICTED } from "./row.js";
+import { general, quoted } from "./words.js";
 
 /**
  * @typedef {import("./stage.js").Row} Row
@@ -20,17 +22,55 @@ import { checkPlaces, tableOf } from "./targets.js";
  * @typedef {{precision?: number, elsewhere?: number, least_lead_s?: number, least_way_px?: number}} Settings precision: share
  *   of proposals that shall be right; elsewhere: share of movements to none of the targets; least_lead_s: a target that the
  *   cursor enters sooner is not predicted; least_way_px: nothing is predicted nearer to the start of the movement
+ * @typedef {import("./pipeline.js").Place} Place
+ * @typedef {{x: number, y: number, size: number}} Square its centre and side, px
+ * @typedef {{id: number, p: number, action: "propose"|"retract", reason: "predicted"|"entered"|null, place: Square}} PlaceChoice
  */
 
-const PARAMETERS = [
-  { name: "precision", unit: "", low: 0.01, high: 0.999, default: 0.5 },
-  { name: "elsewhere", unit: "", low: 1e-6, high: 0.999999, default: 0.02 },
-  { name: "least_lead_s", unit: "s", low: 0, high: 10, default: 0 },
-  { name: "least_way_px", unit: "px", low: 0, high: 1000, default: 3 },
-];
+const PARAMETERS = [["precision", ""], ["elsewhere", ""], ["least_lead_s", "s"], ["least_way_px", "px"]].map(
+  ([name, unit], place) => ({ name, unit, low: posterior.LOWEST[place], high: posterior.HIGHEST[place] }));
 /** Bounds of the share of proposals that shall be right. */
-export const PRECISION = PARAMETERS[0];
+export const PRECISION = PARAMETERS[posterior.PRECISION];
+const CHANGES = [["retract", null], ["retract", null], ["propose", "predicted"], ["propose", "entered"]]; // as the law returns them
 const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
+const TARGET = ["x", "y", "width", "height", "weight"], MOST = TARGET.map(() => LARGEST);
+const PLACE = ["x", "y", "p", "before", "spread"];
+
+/** The table of targets: a row each. Throws a ParameterError for too many, and for what is not usable. @param {Target[]} targets */
+function targetTable(targets) {
+  if (targets.length > MOST_TARGETS) throw new ParameterError(`at most ${MOST_TARGETS} targets, received ${targets.length}`);
+  checkIds("target", targets);
+  const table = targets.map(({ weight = 1, ...one }) => rowOf("target", { ...one, weight }, TARGET, LEAST, MOST));
+  complete(table);
+  return table;
+}
+
+/** The table of places: a row each. Throws a ParameterError for what is not usable. @param {Place[]} places */
+function placeTable(places) {
+  checkIds("place", places);
+  return places.map((one) => rowOf("place", one, PLACE, expectation.LOWEST, expectation.HIGHEST));
+}
+
+function checkIds(kind, things) {
+  const ids = new Set();
+  for (const { id } of things) {
+    if (ids.has(id)) throw refused(kind, `the id of a ${kind} must occur once, received ${quoted(id)} twice`, "id", id);
+    ids.add(id);
+  }
+}
+
+/** The named numbers of a target or a place, all within their bounds. */
+function rowOf(kind, thing, names, lowest, highest) {
+  const row = Float64Array.from(names, (name) => thing[name]);
+  const wrong = row.findIndex((value, k) => !(value >= lowest[k] && value <= highest[k]));
+  if (wrong < 0) return row;
+  const name = names[wrong], unit = kind === "target" && name !== "weight" ? " px" : "";
+  const bounds = `[${general(lowest[wrong])}, ${general(highest[wrong])}]${unit}`;
+  throw refused(kind, `${name} of ${kind} ${quoted(thing.id)} must lie in ${bounds}, received ${thing[name]}`, name, row[wrong]);
+}
+
+/** The error of a target names no field, as in Python: in a message the field is all targets. */
+const refused = (kind, message, field, value) => new ParameterError(message, kind === "target" ? { value } : { field, value });
 
 /**
  * Proposes the rectangle that the cursor is heading for, once that is likely enough, and the one that the cursor is in if
@@ -38,7 +78,7 @@ const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
  */
 export class Chooser {
   /** What became of the proposals. */ ledger = new Ledger();
-  #settings = Float64Array.from(PARAMETERS, (one) => one.default); #memory = new Float64Array(cursor.STATES);
+  #settings = Float64Array.from(posterior.USUAL); #memory = new Float64Array(cursor.STATES);
   #answer = UNPREDICTED; #standing = NOBODY; #over = NOBODY; #ids = []; #targets = [[], new Float64Array(0), Float64Array.of(1)];
   #model = [posterior.FITTED, this.#settings]; #event = [0, 0, 0, 0]; #own = new Float64Array(0); #known = [];
 
@@ -60,10 +100,10 @@ export class Chooser {
    * @param {Target[]} targets @returns {Choice[]}
    */
   replace(targets) {
-    const table = tableOf(targets), { standing, entered } = this, before = this.#targets[1];
+    const table = targetTable(targets), { standing, entered } = this, before = this.#targets[1];
     const where = new Map(this.#ids.map((id, i) => [id, before[i] === law.ENTERED ? law.INSIDE : before[i]]));
     this.#own = Float64Array.from(table, (row) => row[LOG_WEIGHT]);
-    if (this.#known.length) expect(table, this.#own, this.#known);
+    if (this.#known.length) expectation.expect(table, this.#own, this.#known);
     this.#ids = targets.map(({ id }) => id);
     const shares = new Float64Array(table.length + 1);
     shares[table.length] = 1;
@@ -76,7 +116,7 @@ export class Chooser {
     };
     const stood = this.#standing !== NOBODY;
     [this.#standing, this.#over] = [place(standing, this.#standing), place(entered, this.#over)];
-    if (stood && this.#standing === NOBODY) this.ledger.retract(standing);
+    if (stood && this.#standing === NOBODY) this.ledger.withdraw(this.#memory[cursor.T], standing);
     return gone;
   }
 
@@ -84,12 +124,11 @@ export class Chooser {
    * Takes the person's past into account, best at the first events of each movement: targets in which places lie, or so near
    * that visits of them end there, weigh more; also those that come later. An empty list leaves the weights as they are given.
    * Throws a ParameterError, nothing changed, for places that are not usable.
-   * @param {import("./pipeline.js").Place[]} places of `Pipeline.places`
+   * @param {Place[]} places of `Pipeline.places`
    */
   expect(places) {
-    checkPlaces(places);
-    this.#known = places.map(({ x, y, before, spread }) => Float64Array.of(x, y, before, spread));
-    expect(this.#targets[0], this.#own, this.#known);
+    this.#known = placeTable(places);
+    expectation.expect(this.#targets[0], this.#own, this.#known);
   }
 
   /** The target that is predicted now; null: none. @returns {unknown} */
@@ -122,7 +161,7 @@ export class Chooser {
   headingTo(target, elsewhere = 0.5) {
     check(PARAMETERS[posterior.ELSEWHERE], elsewhere);
     const shares = new Float64Array(2);
-    posterior.scores(this.#memory, tableOf([target]), this.#answer, posterior.FITTED, elsewhere, shares);
+    posterior.scores(this.#memory, targetTable([target]), this.#answer, posterior.FITTED, elsewhere, shares);
     posterior.normalise(shares);
     return shares[0];
   }
@@ -163,8 +202,19 @@ export class Chooser {
     [now[0], now[1], now[2], now[3]] = [t, x, y, buttons & 1];
     const released = this.#memory[cursor.PRESSED] > now[3];
     const [chosen, over, entered] = step(now);
-    if (chosen === this.#standing && over === this.#over && entered === 0) return NOTHING;
     return this.#note(t, chosen, over, entered, released);
+  }
+
+  /** The smallest target that holds a point, of equal ones the nearest; null: none. @param {number} x px @param {number} y px @returns {unknown} */
+  holder(x, y) {
+    const place = law.holder(this.#targets[0], x, y);
+    return place === NOBODY ? null : this.#ids[place];
+  }
+
+  /** Where the cursor is, px; null before the first event. @returns {[number, number]|null} */
+  get cursor() {
+    const memory = this.#memory;
+    return memory[cursor.KNOWN] === 1 ? [memory[cursor.X], memory[cursor.Y]] : null;
   }
 
   /**
@@ -193,26 +243,94 @@ export class Chooser {
 
   /** Updates the ledger and the current proposals; ends come first. */
   #note(t, chosen, over, entered, released) {
+    const before = [this.#standing, this.#over], now = [chosen, over];
+    if (before[0] === chosen && before[1] === over && entered === 0) return NOTHING;
+    [this.#standing, this.#over] = now;
     if (entered > 0) this.#targets[1].forEach((where, i) => where === law.ENTERED && this.ledger.enter(t, this.#ids[i]));
-    const [before, beforeOver] = [this.#standing, this.#over], changed = [];
-    [this.#standing, this.#over] = [chosen, over];
-    const change = (place, action, reason) => changed.push({ id: this.#ids[place], p: this.#targets[2][place], action, reason });
-    if (before !== chosen && before !== NOBODY) {
-      if (released) this.ledger.end(t, this.#ids[before]);
-      else this.ledger.retract(this.#ids[before]);
-      change(before, "retract", null);
-    }
-    if (beforeOver !== over && beforeOver !== NOBODY) change(beforeOver, "retract", null);
-    if (chosen !== before && chosen !== NOBODY) {
-      this.ledger.propose(t, this.#ids[chosen]);
-      change(chosen, "propose", "predicted");
-    }
-    if (over !== beforeOver && over !== NOBODY) {
-      this.ledger.proposeEntered();
-      change(over, "propose", "entered");
-    }
-    // A target whose reason alone has changed stays proposed, so no change is reported.
-    const actions = (id) => new Set(changed.filter((one) => one.id === id).map(({ action }) => action));
-    return changed.filter(({ id }) => actions(id).size < 2);
+    if (before[0] !== chosen && before[0] !== NOBODY) this.ledger.withdraw(t, this.#ids[before[0]], released);
+    if (before[0] !== chosen && chosen !== NOBODY) this.ledger.propose(t, this.#ids[chosen]);
+    if (before[1] !== over && over !== NOBODY) this.ledger.proposeEntered();
+    return law.changes(before, now).flatMap((place, k) => {
+      const [action, reason] = CHANGES[k];
+      return place === NOBODY ? [] : [{ id: this.#ids[place], p: this.#targets[2][place], action, reason }];
+    });
   }
 }
+
+/** The square around a place that its visits scatter in: as wide as a target of that scatter. @param {Place} place @returns {Square} */
+const squareOf = ({ x, y, spread }) => ({ x, y, size: Math.max(EFFECTIVE * spread, expectation.LEAST_PX) });
+
+/** Proposes the place that the cursor is heading for, of those where the person went before, by the rules for targets. */
+export class PlaceChooser {
+  #chooser; #squares = new Map();
+
+  /** @param {Settings} [settings] without `elsewhere`; throws a ParameterError */
+  constructor(settings = {}) {
+    this.#chooser = new Chooser([], settings);
+  }
+
+  /** What became of the proposals. */
+  get ledger() {
+    return this.#chooser.ledger;
+  }
+
+  /** The place that is predicted now; null: none. @returns {number|null} */
+  get standing() {
+    return /** @type {number|null} */ (this.#chooser.standing);
+  }
+
+  /** The place that is proposed because the cursor is in it, while it is not the predicted one. @returns {number|null} */
+  get entered() {
+    return /** @type {number|null} */ (this.#chooser.entered);
+  }
+
+  /** Changes settings from the next event on; throws a ParameterError. @param {Settings} settings */
+  configure(settings) {
+    this.#chooser.configure(settings);
+  }
+
+  /**
+   * Takes in an event, the prediction made at it and the places as they then are; returns what has changed. Where the places
+   * are others than before, a proposal of one that is gone is withdrawn first. Throws an EventError,
+   * or a ParameterError for places that are not usable, nothing changed.
+   * @param {Place[]} places @param {number[]|null} answer row of the prediction @param {number[]} event t, x, y, dx, dy, buttons
+   * @returns {PlaceChoice[]}
+   */
+  update(places, answer, event) {
+    const ordered = [...places].sort((one, other) => one.id - other.id), rows = placeTable(ordered);
+    this.#chooser.checkEvent(event);
+    const before = this.#squares, gone = this.#replace(ordered);
+    const shares = rows.map((row) => row[expectation.P]), known = shares.reduce((sum, p) => sum + p, 0);
+    const changed = this.#chooser.updateWithShares([...shares, Math.max(1 - known, 0)], answer?.[REMAINING_S] ?? NaN, event);
+    return [...withPlaces(gone, before), ...withPlaces(changed, this.#squares)];
+  }
+
+  /** Closes the movement at the last event: it went to the smallest place that the cursor is in, or to none. @returns {import("./ledger.js").Movement} */
+  finish() {
+    const { cursor: at } = this.#chooser;
+    return this.#chooser.finish(at && this.placeAt(...at));
+  }
+
+  /** The smallest place whose square holds this point, of equal ones the nearest; null: none. @returns {number|null} */
+  placeAt(x, y) {
+    return /** @type {number|null} */ (this.#chooser.holder(x, y));
+  }
+
+  /** Forgets every event and the proposals; settings and the counts of the ledger stay. */
+  reset() {
+    this.#chooser.reset();
+  }
+
+  /** Lays out the squares where they have changed. */
+  #replace(places) {
+    const squares = new Map(places.map((place) => [place.id, squareOf(place)]));
+    if (squares.size === this.#squares.size && places.every(({ id }) => isSame(squares.get(id), this.#squares.get(id)))) return [];
+    const rectangles = Array.from(squares, ([id, { x, y, size }]) => ({ id, x: x - size / 2, y: y - size / 2, width: size, height: size }));
+    const gone = this.#chooser.replace(rectangles);
+    this.#squares = squares;
+    return gone;
+  }
+}
+
+const isSame = (one, other) => other !== undefined && one.x === other.x && one.y === other.y && one.size === other.size;
+const withPlaces = (choices, squares) => choices.map((one) => ({ ...one, place: squares.get(one.id) }));

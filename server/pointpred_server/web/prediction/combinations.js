@@ -3,7 +3,7 @@
 import { ParameterError } from "./errors.js";
 import { general } from "./words.js";
 
-const ROUNDING = 1e-12;
+const OFF_BOUND = 1e-12; // so little below its bound, alpha was rounded
 
 /**
  * Throws a ParameterError for values that do not go together.
@@ -16,7 +16,7 @@ export async function checkTogether(name, values, stage) {
 }
 
 function checkHomogeneous(laws, { order, alpha, gap_s: gap, step_s: step, gain_lambda: slowest, gain_xi: ratio }, stage) {
-  if (alpha * order < -1 - ROUNDING) refuse("alpha", alpha, `must lie in [-1/order, 0] = [${general(-1 / order)}, 0], received ${alpha}`);
+  if (alpha * order < -1 - OFF_BOUND) refuse("alpha", alpha, `must lie in [-1/order, 0] = [${general(-1 / order)}, 0], received ${alpha}`);
   const longest = laws.SUBSTEPS_MOST * step;
   if (gap > longest) refuse("gap_s", gap, `must be at most ${laws.SUBSTEPS_MOST} sub-steps = ${general(longest)} s, received ${gap}`);
   const stable = 2 / (slowest * Math.max(1, ratio ** (order - 1)));

@@ -4,8 +4,7 @@ import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
 import { checkRows, ProtocolError } from "./messages.js";
 import { PHASES, claimed, regionIn } from "./row.js";
-import { PlaceTracker } from "./place-tracker.js";
-import { TargetTracker } from "./target-tracker.js";
+import { PlaceTracker, TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
 /** What `build` takes besides parameters, and where in a hello it belongs. */

@@ -1,8 +1,11 @@
-// The targets of a session: how likely each is, which is proposed, and how good the proposals were.
+// What a session proposes: among its targets, with how good that was; without targets, among the person's places.
 
-import { Chooser, PRECISION } from "./chooser.js";
+import { Chooser, PlaceChooser, PRECISION } from "./chooser.js";
 import { ParameterError } from "./errors.js";
 import { ProtocolError } from "./messages.js";
+
+/** A share brought within the bounds of choosers. @param {number} precision 0 to 1 */
+const withinBounds = (precision) => Math.min(Math.max(precision, PRECISION.low), PRECISION.high);
 
 /** Decides among the targets of a session; what it proposes and retracts is sent. */
 export class TargetTracker {
@@ -16,7 +19,7 @@ export class TargetTracker {
 
   /** The share of proposals that shall be right, brought within the bounds of the chooser. @param {number} precision 0 to 1 */
   configure(precision) {
-    this.#chooser.configure({ precision: Math.min(Math.max(precision, PRECISION.low), PRECISION.high) });
+    this.#chooser.configure({ precision: withinBounds(precision) });
   }
 
   /** Replaces the targets; a proposal of one that is gone is retracted. Throws a ProtocolError. @param {import("./chooser.js").Target[]} targets */
@@ -88,3 +91,39 @@ export class TargetTracker {
 
 /** Whether a place is as it was before the movement. */
 const isKnown = (one, other) => one.x === other.x && one.y === other.y && one.before === other.before && one.spread === other.spread;
+
+/** Decides among the places of a person; what it proposes and retracts is sent. */
+export class PlaceTracker {
+  #send; #chooser = new PlaceChooser(); #proposed = new Map(); #lastTime = null;
+
+  /** @param {(message: object) => void} send @param {number|null} precision share of proposals that shall be right, null: the chooser's own */
+  constructor(send, precision) {
+    this.#send = send;
+    if (precision !== null) this.configure(precision);
+  }
+
+  /** The share of proposals that shall be right, brought within the bounds of the chooser. @param {number} precision 0 to 1 */
+  configure(precision) {
+    this.#chooser.configure({ precision: withinBounds(precision) });
+  }
+
+  /** Decides after an event, its prediction, and the places as they then are. @param {number[]} event @param {number[]} answer @param {import("./pipeline.js").Place[]} places */
+  follow(event, answer, places) {
+    this.#lastTime = event[0];
+    for (const choice of this.#chooser.update(places, answer, event)) this.#announce(choice);
+  }
+
+  /** Forgets every event; what is proposed is retracted. */
+  reset() {
+    for (const choice of [...this.#proposed.values()]) this.#announce({ ...choice, p: 0, action: "retract", reason: null });
+    this.#chooser.reset();
+    this.#lastTime = null;
+  }
+
+  #announce(choice) {
+    const { id, p, action, reason, place } = choice;
+    if (action === "propose") this.#proposed.set(id, choice);
+    else this.#proposed.delete(id);
+    this.#send({ type: "choice", id: `place ${id}`, p, action, t: this.#lastTime, reason, place });
+  }
+}

@@ -21,6 +21,26 @@ export function innermost(table, inside) {
   }
   return best;
 }
+export function holder(table, x, y) {
+  let best = $decision.NOBODY;
+  let smallest = Infinity;
+  let least = Infinity;
+  for (let i = 0, end_1 = table.length; i < end_1; i++) {
+    const row = table[i];
+    const across = Math.abs(row[$rectangles.CENTRE_X] - x);
+    const down = Math.abs(row[$rectangles.CENTRE_Y] - y);
+    if (across <= 0.5 * row[$rectangles.WIDTH] && down <= 0.5 * row[$rectangles.HEIGHT]) {
+      const area = row[$rectangles.WIDTH] * row[$rectangles.HEIGHT];
+      const away = across + down;
+      if (area < smallest || area === smallest && away < least) {
+        best = i;
+        smallest = area;
+        least = away;
+      }
+    }
+  }
+  return best;
+}
 export function enter(table, inside, x, y, released) {
   let count = 0;
   for (let i = 0, end_1 = table.length; i < end_1; i++) {
@@ -77,4 +97,27 @@ export function step(memory, event, answer, targets, model, standing) {
   $posterior.scores(memory, table, answer, coefficients, settings[$posterior.ELSEWHERE], shares);
   $posterior.normalise(shares);
   return propose(memory, event, released, p[6], targets, settings, standing);
+}
+export function changes(before, now) {
+  const predicted = before[0];
+  const entered = before[1];
+  const chosen = now[0];
+  const over = now[1];
+  let ends = predicted;
+  let leaves = entered;
+  let begins = chosen;
+  let enters = over;
+  if (predicted === chosen) {
+    ends = begins = $decision.NOBODY;
+  }
+  if (entered === over) {
+    leaves = enters = $decision.NOBODY;
+  }
+  if (predicted === over) {
+    ends = enters = $decision.NOBODY;
+  }
+  if (entered === chosen) {
+    leaves = begins = $decision.NOBODY;
+  }
+  return [ends, leaves, begins, enters];
 }

@@ -3,9 +3,13 @@ import { larger } from "../arithmetic.js";
 import * as $rectangles from "./rectangles.js";
 export const X = 0;
 export const Y = 1;
-export const BEFORE = 2;
-export const SPREAD = 3;
+export const P = 2;
+export const BEFORE = 3;
+export const SPREAD = 4;
 export const NONE = -1;
+export const LEAST_PX = 16;
+export const LOWEST = /* @__PURE__ */ new Float64Array([-1000000000, -1000000000, 0, 0, 0]);
+export const HIGHEST = /* @__PURE__ */ new Float64Array([1000000000, 1000000000, 1.000000001, 1.000000001, 1000000000]);
 export function target_of(table, place) {
   let best = NONE;
   let least = Infinity;

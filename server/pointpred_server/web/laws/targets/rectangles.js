@@ -8,6 +8,7 @@ export const WIDTH = 2;
 export const HEIGHT = 3;
 export const LOG_WEIGHT = 4;
 export const FIELDS = 5;
+export const LEAST = /* @__PURE__ */ new Float64Array([-1000000000, -1000000000, 0.001, 0.001, 0]);
 export function complete(rows) {
   let most = -Infinity;
   for (let i = 0, end_1 = rows.length; i < end_1; i++) {

@@ -17,7 +17,7 @@ export const COUNT = 0;
 export const DISTANCES = 1;
 export const BELIEF = 13;
 export const WEIGHTS = 20;
-export const ROUNDING = 1e-06;
+export const OFF_ONE = 1e-06;
 export const SHORTEST_PX = 1e-06;
 export const LEAST_UNKNOWN = 0.049;
 export const FINE = 0;
@@ -41,7 +41,7 @@ export function fault(learned) {
   for (let i = BELIEF; i < WEIGHTS; i++) {
     total += learned[i];
   }
-  if (!(Math.abs(total - 1) <= ROUNDING)) {
+  if (!(Math.abs(total - 1) <= OFF_ONE)) {
     return [NO_SHARES, total];
   }
   return [FINE, 0];
