@@ -78,7 +78,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     **{
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
-            *("accelerometer", "adaptation", "assistance", "camera", "designs"),
+            *("accelerometer", "adaptation", "camera", "designs"),
             *("differentiators", "inputs"),
             *("load", "places", "regions", "scale", "simulation", "soak"),
             *("switched", "thesis", "transfer"),
