@@ -80,8 +80,8 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         for name in (
             *("accelerometer", "adaptation", "camera", "designs"),
             *("differentiators", "inputs"),
-            *("load", "places", "regions", "scale", "simulation", "soak"),
-            *("switched", "thesis", "transfer"),
+            *("load", "places", "regions", "scale", "soak"),
+            *("switched", "thesis"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from pointpred.columns import FloatArray
 from pointpred.simulation import hand, loop, slots
-from pointpred.simulation.validation import (
+from pointpred.reproduction.simulation_checks import (
     ballistic_estimate,
     bare_memory,
     corrective_signals,
