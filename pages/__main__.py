@@ -19,7 +19,6 @@ from pages.errors import page as errors
 from pages.intent import figure as intent_figure
 from pages.intent import page as intent
 from pages.kinematic import page as kinematic
-from pages.ktm import page as ktm
 from pages.load import figure as load_figure
 from pages.markdown import filled
 from pages.monitoring import page as monitoring
@@ -65,7 +64,6 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/attacks.md": ("attacks", attacks.context),
     "docs/evidence/intent.md": ("intent", intent.context),
     "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
-    "docs/evidence/ktm.md": ("ktm", ktm.context),
     "docs/evidence/costs.md": (
         "costs",
         several(**{part: f"costs/{part}" for part in COSTS}),

@@ -21,7 +21,6 @@ from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution
-from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring.replay import replay
 from pointpred.training import data
 
@@ -85,7 +84,7 @@ def without_set(coefficients: HeldOut) -> list[Measured]:
         order = numbered([scored.trial.user for scored in prepared.trials])
         patterns = pipelines(recording, coefficients.set_out[recording.name])
         errors = {one.name: [replay(prepared, one, threads=1)] for one in patterns}
-        results.append(Measured(recording.name, [order], [repeated(prepared)], errors, {}))
+        results.append(Measured(recording.name, [order], [repeated(prepared)], errors))
         print(
             f"{recording.name}: {len(prepared.trials)} trials, the set left out", file=sys.stderr, flush=True
         )
@@ -97,21 +96,13 @@ def measure(coefficients: HeldOut) -> list[Measured]:
     results: dict[str, Measured] = {}
     for recording in data.read_sets(data.folder()):
         for part, path in parts(recording, coefficients):
-            one = results.setdefault(part.name, Measured(part.name, [], [], {}, {True: {}, False: {}}))
+            one = results.setdefault(part.name, Measured(part.name, [], [], {}))
             settings = {k: v for k, v in resolution(part, None, None).items() if v is not None}
             prepared = prepare(part, **settings)
             one.order.append(numbered([scored.trial.user for scored in prepared.trials]))
             one.repeated.append(repeated(prepared))
             for pipeline in pipelines(part, path):
                 one.errors.setdefault(pipeline.name, []).append(replay(prepared, pipeline, threads=1))
-            for monotone, reads in one.template.items():
-                selection = protocol.select(prepared, only_monotone=monotone, share=1.0)
-                if selection.tested:
-                    matched = protocol.with_library(selection)
-                    reads.setdefault(matched.name, []).append(matched.errors)
-                    for pipeline in pipelines(part, path):
-                        errors = protocol.without_library(selection, pipeline).errors
-                        reads.setdefault(pipeline.name, []).append(errors)
             print(f"{part.name}: {len(prepared.trials)} trials with {path.name}", file=sys.stderr, flush=True)
     return list(results.values())
 

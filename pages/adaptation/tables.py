@@ -33,8 +33,6 @@ class Measured(msgspec.Struct):
     order: list[FloatArray]
     repeated: list[FloatArray]
     errors: dict[str, list[PredictorErrors]]
-    template: dict[bool, dict[str, list[FloatArray]]]
-    """In the protocol of template matching, clean or all: errors at each share of the way."""
 
 
 def column(one: Measured, name: str, field: str) -> FloatArray:
@@ -144,20 +142,6 @@ def arrivals(sets: Sequence[Measured]) -> Table:
     return Table.of(header, rows)
 
 
-def templates(sets: Sequence[Measured]) -> Table:
-    """The protocol of template matching."""
-    rows = []
-    for one in sets:
-        for monotone, reads in one.template.items():
-            for name, parts in reads.items():
-                errors = np.concatenate(parts)
-                means = [f"{mean:.0f}" for mean in errors.mean(axis=0)]
-                rule = "never nearer" if monotone else "all"
-                known = label(name) if name in (*ALL, FLOOR) else name
-                rows.append((one.name, rule, str(len(errors)), known, *means))
-    return Table.of(("set", "trials", "number", "predictor", "50 %", "75 %", "90 %"), rows)
-
-
 def figure(sets: Sequence[Measured]) -> None:
     """Error of the adapted over the unadapted, by how many movements came before."""
     with canvas(width=6.5, height=4.3) as (drawing, (axes,)):
@@ -190,7 +174,6 @@ def written(sets: Sequence[Measured], without_set: Sequence[Measured]) -> None:
             "sets left out": set_out(without_set),
             "claims": claims(sets),
             "arrivals": arrivals(sets),
-            "templates": templates(sets),
         },
     )
     figure(sets)

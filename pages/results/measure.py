@@ -16,7 +16,6 @@ from pathlib import Path
 from pages import held_out, sets
 from pages.arguments import parse
 from pages.held_out import HeldOut
-from pages.ktm.measure import measured
 from pages.results.records import FOLDER, SetResults, write
 from pages.results.scores import scored
 from pointpred import REGISTRY
@@ -27,14 +26,13 @@ SEED = 0
 
 
 def results_of(recording: Recording, predictors: Sequence[str], held: HeldOut) -> SetResults:
-    """Every predictor on one set, and the protocol of template matching."""
+    """Every predictor on one set."""
     began = time.monotonic()
     print(f"scoring {recording.name}: {len(recording.events)} events", flush=True)
     summary = summarise(scored(recording, predictors, held, SEED))
-    templates = measured(recording, predictors, held) if summary.trials else ()
     print(f"{recording.name}: {time.monotonic() - began:.0f} s", flush=True)
     versions = {name: version(name) for name in ("pointpred", "numpy", "numba")}
-    return SetResults(versions, summary, templates)
+    return SetResults(versions, summary)
 
 
 def measure(folder: Path | None, predictors: Sequence[str], out: Path = FOLDER) -> dict[str, str]:

@@ -10,7 +10,6 @@ from pages import data
 from pages.held_out import PEOPLE_OUT, SET_OUT
 from pointpred.errors import ParameterError
 from pointpred.scoring import SetSummary
-from pointpred.scoring.ktm_protocol import ProtocolSummary
 from pointpred.scoring.summary import PredictorSummary
 
 FOLDER = Path(__file__).parent / "data"
@@ -22,8 +21,6 @@ class SetResults(msgspec.Struct, frozen=True):
     versions: dict[str, str]
     """Of the libraries that the numbers depend on."""
     summary: SetSummary
-    templates: tuple[ProtocolSummary, ...] = ()
-    """The protocol of template matching, for each rule of drawing the trials."""
 
     @property
     def judged(self) -> dict[str, PredictorSummary]:
