@@ -77,7 +77,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
             *("accelerometer", "adaptation", "camera", "designs"),
-            *("differentiators", "inputs"),
+            "inputs",
             *("load", "places", "regions", "scale", "soak"),
             *("switched", "thesis"),
         )

@@ -56,4 +56,5 @@ def context() -> dict[str, Any]:
             for number, one in ((number, kept.tables[number]) for number in ENTRIES if number in kept.tables)
         },
         "data": kept.numbers["data"],
+        "differentiators": stored("reproduce", "differentiators").tables["differentiators"],
     }
