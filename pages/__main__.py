@@ -52,11 +52,7 @@ COSTS = (
     "events",
     "service",
     "longest_messages",
-    "proxies",
-    "spread",
     "devices",
-    "first_start",
-    "opening",
     "in_page",
 )
 PAGES_MADE: dict[str, tuple[str, Context]] = {

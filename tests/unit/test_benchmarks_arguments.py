@@ -13,7 +13,7 @@ from benchmarks import per_event
 from pages.arguments import parse
 
 ROOT = Path(__file__).parents[2]
-SERVANTS = {"benchmarks/devices_live", "benchmarks/worker_spread_process"}
+SERVANTS = {"benchmarks/devices_live"}
 """Started by other benchmarks, never by hand."""
 RUN = {
     path.relative_to(ROOT).with_suffix("").as_posix(): path.read_text(encoding="utf-8")

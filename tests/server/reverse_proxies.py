@@ -1,4 +1,4 @@
-"""nginx and HAProxy with the configurations of the guide, for measurements and tests."""
+"""nginx and HAProxy with the configurations of the guide, for tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-GUIDE = Path(__file__).parents[1] / "docs/guide/proxies.md"
+GUIDE = Path(__file__).parents[2] / "docs/guide/proxies.md"
 PATHS = f"{os.environ.get('PATH', '')}:/usr/sbin:/usr/local/sbin"  # where Debian installs both
 PROGRAMS = {name: shutil.which(name, path=PATHS) for name in ("nginx", "haproxy")}
 OPENSSL = shutil.which("openssl")
