@@ -1,4 +1,4 @@
-"""Writes the pages of docs/: a folder a page, with what measures it, its numbers as JSON and its template."""
+"""What is known of pointpred and how: a folder a question, with what measures, its numbers and its page."""
 
 from pathlib import Path
 
@@ -6,4 +6,4 @@ ROOT = Path(__file__).parents[1]
 """The project."""
 DOCS = ROOT / "docs"
 FIGURES = DOCS / "figures"
-PAGES = ROOT / "pages"
+EVIDENCE = ROOT / "evidence"

@@ -1,4 +1,4 @@
-"""Arguments of ``python -m pages.NAME`` and ``python -m benchmarks.NAME``, read before anything is done."""
+"""Arguments of what measures, read before anything is done."""
 
 from __future__ import annotations
 

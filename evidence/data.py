@@ -1,4 +1,4 @@
-"""The numbers of a page as JSON, beside its template: written by what measures, read by what shows."""
+"""Measured numbers as JSON, beside the page that shows them: written by what measures, read by what shows."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from pages import PAGES
+from evidence import EVIDENCE
 
 Record = TypeVar("Record")
 DIGITS = 5
@@ -94,22 +94,28 @@ def read(file: Path, kind: type[Record]) -> Record:
     return msgspec.json.decode(file.read_bytes(), type=kind, strict=False)
 
 
-def stored(page: str, part: str = "data") -> Tables:
-    """The tables of a page, or of one part of it."""
-    return read(PAGES / page / f"{part}.json", Tables)
+def file_of(page: str, part: str = "") -> Path:
+    """Where the numbers of a question stand: ``PAGE/data.json``, or ``PAGE/data/PART.json``."""
+    folder = EVIDENCE / page
+    return folder / "data" / f"{part}.json" if part else folder / "data.json"
+
+
+def stored(page: str, part: str = "") -> Tables:
+    """The tables of a question, or of one part of it."""
+    return read(file_of(page, part), Tables)
 
 
 def keep(
     page: str,
     tables: Mapping[str, Table],
     *,
-    part: str = "data",
+    part: str = "",
     file: Path | None = None,
     machine: str = "",
     numbers: Mapping[str, Any] | None = None,
 ) -> Path:
-    """Put tables and numbers into a page's JSON, or into ``file``; those of other names stay."""
-    file = file or PAGES / page / f"{part}.json"
+    """Put tables and numbers into the JSON of a question, or into ``file``; those of other names stay."""
+    file = file or file_of(page, part)
     old = read(file, Tables) if file.exists() else Tables({})
     whole = Tables({**old.tables, **tables}, machine or old.machine, {**old.numbers, **(numbers or {})})
     write(whole, file)

@@ -1,6 +1,6 @@
 """Coefficients of the learned predictor that have not seen a set, or not seen a person.
 
-``python -m pages.held_out`` fits them to the recordings in POINTPRED_RECORDINGS, a network for each set
+``python -m evidence.held_out`` fits them to the recordings in POINTPRED_RECORDINGS, a network for each set
 left out and one for each fold of people left out, and keeps them in the user's cache: the same code and the
 same recordings are not fitted twice.
 """
@@ -19,7 +19,7 @@ from pathlib import Path
 import msgspec
 
 import pointpred
-from pages.arguments import parse
+from evidence.arguments import parse
 from pointpred import REGISTRY, build
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
@@ -27,7 +27,6 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import data, train
-from pointpred.training.__main__ import in_one_thread
 from pointpred.training.data import TrainingData
 from pointpred.training.examples import Examples
 from pointpred.training.fitting import Settings
@@ -40,6 +39,7 @@ CODE = (
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
 """What is added to a name of the registry where its coefficients did not see what they are judged on."""
+THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class HeldOut(msgspec.Struct, frozen=True):
@@ -62,6 +62,13 @@ class HeldOut(msgspec.Struct, frozen=True):
         pipelines = [pipeline(name, path, PEOPLE_OUT, recording) for path in self.folds]
         start = f"{recording.name} "
         return {who[len(start) :]: pipelines[k] for who, k in self.fold_of.items() if who.startswith(start)}
+
+
+def in_one_thread() -> None:
+    """Start again where sums may run in several threads: in one thread their order, and they, repeat."""
+    if any(os.environ.get(name) != "1" for name in THREADS):
+        os.environ.update(dict.fromkeys(THREADS, "1"))
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
 
 
 def trained_predictors() -> list[str]:
@@ -106,7 +113,7 @@ def held_out(folder: Path | None) -> HeldOut:
     if not where.is_dir():
         print("fitting coefficients to everybody but one set, and to everybody but a fold of people")
         env = os.environ | {"POINTPRED_RECORDINGS": str(folder)}
-        subprocess.run([sys.executable, "-m", "pages.held_out"], env=env, check=True)
+        subprocess.run([sys.executable, "-m", "evidence.held_out"], env=env, check=True)
     return stored(where)
 
 
@@ -165,5 +172,5 @@ def main(arguments: list[str]) -> None:
 
 if __name__ == "__main__":
     names = parse(__doc__, metavar="folder", most=1)
-    in_one_thread("pages.held_out")
+    in_one_thread()
     main(names)

@@ -1,4 +1,8 @@
-"""Templates: the words of a page, with the numbers of its JSON put in."""
+"""Templates: the words of a page, with the numbers of its JSON put in.
+
+A made part of a page that is written by people stands between two comments, ``<!-- generated: NAME -->`` and
+``<!-- end -->``.
+"""
 
 from __future__ import annotations
 
@@ -10,16 +14,17 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from pages import PAGES
-from pages.data import Table
-from pages.markdown import table
+from evidence import EVIDENCE
+from evidence.data import Table
+
+PART = r"<!-- generated: {name} -->\n.*?<!-- end -->"
 
 
 @cache
 def environment() -> Environment:
     """The templates of all pages; a name that a page's data lack is an error."""
     templates = Environment(
-        loader=FileSystemLoader(PAGES),
+        loader=FileSystemLoader(EVIDENCE),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -42,7 +47,7 @@ def environment() -> Environment:
 
 
 def rendered(template: str, values: Mapping[str, Any]) -> str:
-    """A template of the folder ``pages`` with its values."""
+    """A template of the folder ``evidence`` with its values."""
     text = environment().get_template(template).render(values)
     text = re.sub(r"(?<=\|\n)\n+(?=\|)", "", text)  # a table has no empty lines
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
@@ -106,3 +111,18 @@ def times(count: int, noun: str) -> str:
 def names(listed: Sequence[str]) -> str:
     """Names of predictors, as code."""
     return ", ".join(f"`{name}`" for name in listed)
+
+
+def table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    """A Markdown table."""
+    lines = [header, tuple("---" for _ in header), *rows]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
+
+
+def filled(page: str, name: str, text: str) -> str:
+    """The page with one part replaced; raises ValueError where the page has no such part."""
+    part = f"<!-- generated: {name} -->\n\n{text}\n\n<!-- end -->"
+    result, count = re.subn(PART.format(name=re.escape(name)), lambda _: part, page, flags=re.DOTALL)
+    if count != 1:
+        raise ValueError(f"expected one part {name!r}, found {count}")
+    return result

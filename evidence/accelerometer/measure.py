@@ -1,6 +1,6 @@
-"""What an accelerometer on the mouse gains on simulated people: ``python -m pages.accelerometer.measure``.
+"""What an accelerometer on the mouse gains on simulated people: ``python -m evidence accelerometer``.
 
-``python -m pages.accelerometer.measure tune`` repeats the choice of the differentiator's averaging time, on
+``python -m evidence accelerometer tune`` repeats the choice of the differentiator's averaging time, on
 other people.
 """
 
@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 import msgspec
 import numpy as np
 
-from pages.accelerometer.smoother import Smoother
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence.accelerometer.smoother import Smoother
+from evidence.arguments import parse
+from evidence.data import Table, keep
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.differentiators.bounds import SENSED_BOUNDS, measure_sensed

@@ -1,9 +1,9 @@
-"""What a session notices while the service is attacked: ``python -m benchmarks.attacked``.
+"""What a session notices while the service is attacked: ``python -m evidence attacks attacked``.
 
 A client sends an event each 10 ms and takes the time from when it was due to its prediction. Meanwhile
 another process does one of ``ATTACKS``. The table has how often it did that (connections, or blocks of
 frames), the delay before, during and after it, the share of a processor that the service takes, and its
-memory. It ends where an attack fails or does nothing. Writes ``pages/attacks/attacked.json``. Linux only.
+memory. It ends where an attack fails or does nothing. Linux only.
 """
 
 from __future__ import annotations
@@ -26,11 +26,10 @@ import numpy as np
 from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection, connect
 
-from benchmarks.load.servers import wait_until_compiled
-from benchmarks.machine import machine
-from benchmarks.processes import processor_s
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence.arguments import parse
+from evidence.costs.load.servers import wait_until_compiled
+from evidence.data import Table, keep
+from evidence.machine import machine, processor_s
 
 SECONDS, EVERY_S = 8.0, 0.01
 FILES = 1024

@@ -6,8 +6,8 @@ from typing import Any
 
 import msgspec
 
-from pages import PAGES, ROOT
-from pages.data import Table, Tables, read, stored
+from evidence import ROOT
+from evidence.data import Table, Tables, file_of, read, stored
 from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
 
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
@@ -44,7 +44,7 @@ def context() -> dict[str, Any]:
 
 def fuzzed() -> Tables:
     """The runs of the fuzzer as a table, and their sums."""
-    runs = read(PAGES / "attacks" / "fuzz.json", dict[str, Run])
+    runs = read(file_of("attacks", "fuzz"), dict[str, Run])
     rows = [[name, *map(str, _numbers(name, run))] for name, run in runs.items()]
     sums = {
         "executions": sum(run.executions for run in runs.values()),

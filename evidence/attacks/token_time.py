@@ -1,9 +1,9 @@
-"""Whether the time of a refusal tells how much of a guess is right: ``python -m benchmarks.token_time``.
+"""Whether the time of a refusal tells how much of a guess is right: ``evidence attacks token_time``.
 
 Guesses that differ from the token in the first and in the last letter are checked in turns, in batches, by
 the function that the service uses. The difference of their medians stands beside its 95 % interval,
 resampled over the rounds. Beside it, one guess in both places shows what places in memory do, and a
-comparison letter by letter what the method would see. Writes ``pages/attacks/tokens.json``.
+comparison letter by letter what the method would see.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.machine import machine
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.machine import machine
 from pointpred.server.access import has_token
 
 TOKEN = "a-token-of-24-characters"

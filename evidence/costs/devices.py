@@ -1,4 +1,4 @@
-"""What live devices cost: ``python -m benchmarks.devices`` prints, and writes ``pages/costs/devices.json``.
+"""What live devices cost: ``python -m evidence costs devices``.
 
 ``realtime`` after it runs the mouse and its reader before everything else, on a machine that others use.
 """
@@ -10,16 +10,14 @@ import time
 import timeit
 from functools import partial
 
-from benchmarks.devices_live import Live, measure
-from benchmarks.machine import machine
-from pages import PAGES
-from pages.arguments import parse
-from pages.data import Table, Tables, write
+from evidence.arguments import parse
+from evidence.costs.devices_live import Live, measure
+from evidence.data import Table, keep
+from evidence.machine import machine
 from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 
-FILE = PAGES / "costs" / "devices.json"
 REALTIME = "realtime"
 ROUNDS, CALLS = 15, 20_000
 RUNS = ((1000.0, 20.0), (8000.0, 60.0))
@@ -89,7 +87,7 @@ def main(wanted: list[str]) -> None:
     if realtime:
         where += "; the mouse and its reader ran before everything else (SCHED_RR), the decoder did not"
     tables = {"decoding": Table.of(DECODING, decoding_rows()), "live": Table.of(LIVE, live_rows(realtime))}
-    write(Tables(tables, where), FILE)
+    keep("costs", tables, part="devices", machine=where)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""What prediction in a page costs: ``python -m benchmarks.in_page``.
+"""What prediction in a page costs: ``python -m evidence costs in_page``.
 
-The sizes of ``benchmarks.page_size``, the costs of ``benchmarks/page_cost.mjs`` in Node's V8 and the shares
-of a core of ``benchmarks.page_cost``, into ``pages/costs/in_page.json``. Needs node, npm and Chromium.
+The sizes of ``evidence.costs.page_size``, the costs of ``page_cost.mjs`` in Node's V8 and the shares
+of a core of ``evidence.costs.page_cost``. Needs node, npm and Chromium.
 """
 
 from __future__ import annotations
@@ -10,13 +10,11 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from benchmarks import page_cost, page_size
-from benchmarks.machine import machine
-from pages import PAGES
-from pages.arguments import parse
-from pages.data import Table, Tables, write
+from evidence.arguments import parse
+from evidence.costs import page_cost, page_size
+from evidence.data import Table, keep
+from evidence.machine import machine
 
-FILE = PAGES / "costs" / "in_page.json"
 SIZED = ("minimum-jerk", "switched-direction", "switched", "kinematic-adaptive")
 IN_VIEW = (1000, 100)
 
@@ -62,7 +60,7 @@ def main() -> None:
     for table in tables.values():
         for row in table.rows:
             print("  ".join(map(str, row)))
-    write(Tables(tables, where), FILE)
+    keep("costs", tables, part="in_page", machine=where)
 
 
 if __name__ == "__main__":

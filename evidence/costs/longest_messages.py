@@ -1,28 +1,33 @@
-"""What each message of a client costs at its limits: ``python -m benchmarks.longest_messages``.
+"""What each message of a client costs at its limits: ``python -m evidence costs longest_messages``.
 
-Writes ``pages/costs/longest_messages.json``: for each message the processor time on the event loop and, where
+For each message the processor time on the event loop and, where
 another thread does a part of it, there, in ms; the least of several tries. The bounds of
 ``server/sessions/costs.py`` come from it.
 """
 
 from __future__ import annotations
 
+import itertools
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks.load.costly import person, templates
-from benchmarks.machine import machine
-from pages.arguments import parse
-from pages.data import PAGES, Table, keep
-from pointpred.protocol.records import EVENT
+from evidence.arguments import parse
+from evidence.costs.load.movements import resampled, tables
+from evidence.data import Table, keep
+from evidence.machine import machine
+from pointpred import build
+from pointpred.protocol.records import EVENT, pack_events
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.pointing import PointingSession
 
 TRIES = 7
+MOVEMENTS = 150
+"""Movements that a person is learned from."""
 LIMITS = Limits()
 Frame = str | bytes
 
@@ -84,6 +89,29 @@ def listed(number: str) -> str:
     """As many numbers as fit in one parameter."""
     head = '{"type":"hello","version":1,"parameters":{"a":['
     return longest(lambda n: head + ",".join([number] * n) + "]}}")
+
+
+@cache
+def templates() -> tuple[bytes, ...]:
+    """1,000 movements of 15 events with pauses between, within one second's allowance of events."""
+    k = np.arange(15)
+    way = np.tile(np.polyval((6.0, -15.0, 10.0, 0.0, 0.0, 0.0), k / 14), 1000)
+    rows = np.full((len(way), 6), np.nan)
+    rows[:, 0] = (np.arange(1000)[:, None] * 0.6 + k * 0.01 + 1.0).ravel()
+    rows[:, 1] = way * np.repeat(100.0 + np.arange(1000), 15)
+    rows[:, 2] = rows[:, 5] = 0.0
+    return tuple(pack_events(rows[at : at + 1000]) for at in range(0, len(rows), 1000))
+
+
+@cache
+def person() -> str:
+    """What `kinematic-adaptive` knows after many movements: its places among it."""
+    pipeline = build("kinematic-adaptive")
+    for table in itertools.islice(tables(), MOVEMENTS):
+        for row in resampled(table, 125.0).tolist():
+            pipeline.advance(tuple(row))
+        pipeline.reset()
+    return pipeline.person
 
 
 def longest_messages() -> dict[str, Longest]:
@@ -206,6 +234,6 @@ if __name__ == "__main__":
     keep(
         "costs",
         {"longest_messages": Table.of(("message", "bytes", "on the loop, ms", "beside it, ms"), rows)},
-        file=PAGES / "costs" / "longest_messages.json",
+        part="longest_messages",
         machine=machine(load=True),
     )

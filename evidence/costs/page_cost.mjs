@@ -1,8 +1,8 @@
-// The cost of a pipeline in V8, one event at a time: `node benchmarks/page_cost.mjs`. The last column has 100 targets.
+// The cost of a pipeline in V8, one event at a time: `node evidence/costs/page_cost.mjs`. The last column has 100 targets.
 
-import { build } from "../server/web/prediction/build.js";
-import { Chooser } from "../server/web/prediction/chooser.js";
-import { PREDICTORS } from "../server/web/laws/registry.js";
+import { build } from "../../server/web/prediction/build.js";
+import { Chooser } from "../../server/web/prediction/chooser.js";
+import { PREDICTORS } from "../../server/web/laws/registry.js";
 
 const RATE_HZ = 1000, REPEATS = 7, EVENTS = 5000;
 

@@ -1,4 +1,4 @@
-"""What a page with many registered elements costs while the mouse moves: ``python -m benchmarks.page_cost``.
+"""What a page with many elements costs while the mouse moves: ``python -m evidence costs page_cost``.
 
 Two pages in one Chromium, the same elements: one registers them with ``onIntent``, the other does not.
 The mouse moves in both for some seconds at the given rate, in turn. The share of a core is the time that
@@ -27,7 +27,7 @@ from typing import NamedTuple
 from pointpred.replaying import Page
 from tests.server import browser
 
-WEB = Path(__file__).parents[1] / "server" / "web"
+WEB = Path(__file__).parents[2] / "server" / "web"
 SIZE = 1250, 700
 ELEMENTS = """{ document.body.innerHTML = ''; document.body.style = 'margin: 0; position: relative';
 for (let i = 0; i < COUNT; i += 1) {

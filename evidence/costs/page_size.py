@@ -1,4 +1,4 @@
-"""Size of what a page loads, by entry: ``python -m benchmarks.page_size``.
+"""Size of what a page loads, by entry: ``python -m evidence costs page_size``.
 
 An entry is an export of the npm package and a predictor. Its modules are those that its imports reach,
 without what is loaded later (the overlay, the keyboard's order, what a scroll needs, a service) and
@@ -17,7 +17,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-WEB = Path(__file__).resolve().parents[1] / "server" / "web"
+WEB = Path(__file__).resolve().parents[2] / "server" / "web"
 STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)

@@ -1,4 +1,4 @@
-"""What one event costs: ``make bench`` prints tables and writes ``pages/costs/events.json``.
+"""What one event costs: ``make bench`` prints tables and writes ``costs/data/events.json``.
 
 Every pipeline is measured in the same run, in turns, so that a slow moment of the machine hits all alike:
 streaming (``update`` an event), frames of 32 events, whole trials; beside them the plain-Python run of the
@@ -19,16 +19,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.machine import machine
-from benchmarks.naive_kep import NaiveKep
-from pages import PAGES
-from pages.arguments import parse
-from pages.data import Table, Tables, write
+from evidence.arguments import parse
+from evidence.costs.naive_kep import NaiveKep
+from evidence.data import Table, keep
+from evidence.machine import machine
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import thesis_setup
 
-FILE = PAGES / "costs" / "events.json"
 PLAIN = "plain"
 """What the process is told that measures the laws as plain Python."""
 ROUNDS = 5
@@ -114,7 +112,7 @@ def measure(plain: bool = False) -> dict[str, dict[str, float]]:
 def measure_plain() -> dict[str, dict[str, float]]:
     """The streaming column once more, with the same source as plain Python in a process of its own."""
     environment = {**os.environ, "POINTPRED_COMPILED": "0"}
-    command = [sys.executable, "-m", "benchmarks.per_event", PLAIN]
+    command = [sys.executable, "-m", "evidence.costs.per_event", PLAIN]
     process = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     table: dict[str, dict[str, float]] = json.loads(process.stdout)
     return table
@@ -192,7 +190,7 @@ def main(wanted: list[str]) -> None:
     }
     for one in tables.values():
         print("\n".join("  ".join(row) for row in one.texts()), end="\n\n")
-    write(Tables(tables, machine()), FILE)
+    keep("costs", tables, part="events", machine=machine())
 
 
 if __name__ == "__main__":

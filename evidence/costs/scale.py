@@ -1,4 +1,4 @@
-"""Scoring at scale: ``python -m benchmarks.scale`` writes ``pages/scale/data.json``.
+"""Scoring at scale: ``python -m evidence costs scale``.
 
 ``rates``: events scored a second on one and two threads, two processes and a Dask cluster of two workers, in
 turns within one run. ``million``: one million generated trials scored by the command line, killed on the way
@@ -22,10 +22,10 @@ from typing import Any
 
 import pyarrow.parquet as pq
 
-from benchmarks.machine import machine
-from benchmarks.scale_recordings import generate
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence.arguments import parse
+from evidence.costs.scale_recordings import generate
+from evidence.data import Table, keep
+from evidence.machine import machine
 from pointpred.batch import score_in_chunks
 from pointpred.executors import open_executor
 from pointpred.scoring.scorer import scoring_with
@@ -165,10 +165,10 @@ def main(wanted: list[str]) -> None:
         folder = Path(given or stack.enter_context(tempfile.TemporaryDirectory()))
         where = machine(load=True)
         if not wanted or "rates" in wanted:
-            keep("scale", {"rates": rates(folder)}, numbers={"rates_machine": where})
+            keep("costs", {"rates": rates(folder)}, part="scale", numbers={"rates_machine": where})
         if not wanted or "million" in wanted:
             table, numbers = million(folder)
-            keep("scale", {"million": table}, numbers={**numbers, "million_machine": where})
+            keep("costs", {"million": table}, part="scale", numbers={**numbers, "million_machine": where})
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What a message costs the service: ``python -m benchmarks.service`` writes ``pages/costs/service.json``.
+"""What a message costs the service: ``python -m evidence costs service``.
 
 Servers on one core, the compiled load generator on another, loopback between them. Eight clients have one
 frame each under way. All that is compared takes turns of a twentieth of a second within one run; the cost is
@@ -23,15 +23,12 @@ from urllib.request import urlopen
 
 import numpy as np
 
-from benchmarks.load.cores import LAST, on_cores
-from benchmarks.load.generator import Group, Plan, run
-from benchmarks.load.movements import hello, recording
-from benchmarks.load.servers import Server, checkout, echo, service
-from benchmarks.machine import machine
-from pages import PAGES
-from pages.data import Table, Tables, write
+from evidence.costs.load.generator import Group, Plan, run
+from evidence.costs.load.movements import hello, recording
+from evidence.costs.load.servers import Server, checkout, echo, service
+from evidence.data import Table, keep
+from evidence.machine import LAST, machine, on_cores
 
-FILE = PAGES / "costs" / "service.json"
 TURN_S, ROUNDS, QUIET = 0.05, 40, 10.0
 """The length of a turn, turns of each group, and the percentile of the turns that is used."""
 WARM = 4
@@ -180,8 +177,8 @@ def main(before: str | None) -> None:
         old = stack.enter_context(service(root=checkout(before), raised=True)) if before else None
         tables = {**cost_tables(one, old), "targets": target_table(one)}
     tables["start"] = Table.of(("start", "s until ready"), start_rows())
-    write(Tables(tables, where, {"before": before or "", "recording": recording().name}), FILE)
-    print(f"wrote {FILE}")
+    numbers = {"before": before or "", "recording": recording().name}
+    keep("costs", tables, part="service", machine=where, numbers=numbers)
 
 
 if __name__ == "__main__":

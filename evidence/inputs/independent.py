@@ -1,4 +1,4 @@
-"""Each layout of ``pages.inputs.measure`` read again, in a few lines that share nothing with the importers.
+"""Each layout of ``measure`` read again, in a few lines that share nothing with the importers.
 
 A function takes a file and what ``inputs.toml`` says of it, and returns a table with a row a sample in the
 file's order: ``user``, ``trial`` (empty: none), ``row`` (the number by which messages name it), ``t`` in

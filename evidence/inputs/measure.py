@@ -1,4 +1,4 @@
-"""Public recordings, each beside an independent reading: ``python -m pages.inputs.measure FOLDER``.
+"""Public recordings, each beside an independent reading: ``python -m evidence inputs FOLDER``.
 
 ``inputs.toml`` lists the files. They are fetched by hand into FOLDER, where each lies at
 ``OWNER+NAME/PATH``; the project ships none of them. Keeps the numbers; with ``--partial``
@@ -20,16 +20,15 @@ from typing import Any
 
 import msgspec
 
-from pages import PAGES
-from pages.data import Table, keep
-from pages.inputs.account import Account, account
-from pages.inputs.independent import LAYOUTS
+from evidence.data import Table, file_of, keep
+from evidence.inputs.account import Account, account
+from evidence.inputs.independent import LAYOUTS
 from pointpred.errors import PointpredError
 from pointpred.sources import read_any
 from pointpred.sources.reading import Reading
 
 LIST = Path(__file__).with_name("inputs.toml")
-OUT = PAGES / "inputs" / "data.json"
+OUT = file_of("inputs")
 HEADER = (
     "file",
     "what it is",
@@ -45,7 +44,7 @@ MOST_REASONS = 4
 class File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A public file: where it is from, the options a user passes, how it is read independently.
 
-    ``layout`` names a function of ``pages.inputs.independent``, ``arguments`` are its arguments;
+    ``layout`` names a function of ``evidence.inputs.independent``, ``arguments`` are its arguments;
     ``refused`` is the reason why a file is expected to be refused.
     """
 

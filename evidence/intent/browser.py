@@ -1,4 +1,4 @@
-"""``onIntent`` beside the real js.foresight in one Chromium: ``python -m pages.intent.browser [LAYOUT ...]``.
+"""``onIntent`` beside js.foresight in one Chromium: ``python -m evidence intent browser [LAYOUT ...]``.
 
 Fetches js.foresight from npm into a temporary folder, opens a page with the targets of each movement, and
 moves the mouse along it in real time through DevTools: real events, which both libraries hear at once.
@@ -23,15 +23,15 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep, stored
-from pages.held_out import HeldOut, held_out
-from pages.intent.fit import GROUPS, Fits, fits, recorded
-from pages.intent.measure import HEADS, RULE, cells
-from pages.intent.movements import Movement
-from pages.intent.sample import document, sampled
-from pages.intent.scores import score
-from pages.intent.site import NpmMissingError, Site, install, site
+from evidence.arguments import parse
+from evidence.data import Table, keep, stored
+from evidence.held_out import HeldOut, held_out
+from evidence.intent.fit import GROUPS, Fits, fits, recorded
+from evidence.intent.measure import HEADS, RULE, cells
+from evidence.intent.movements import Movement
+from evidence.intent.sample import document, sampled
+from evidence.intent.scores import score
+from evidence.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
 from pointpred.columns import FloatArray
 from pointpred.replaying import Page, drive_mouse
@@ -172,7 +172,7 @@ def resize(page: Page, chosen: Sequence[Movement]) -> None:
 
 def write(layout: str, done: Sequence[Played]) -> None:
     """Put the rows of a layout in the place of its old ones."""
-    old = stored("intent").tables.get("browser")
+    old = stored("intent", "policy").tables.get("browser")
     others = [tuple(row) for row in old.texts() if row[0] != layout] if old else []
     new = rows(layout, done)
     frames = sum(one.frames for one in done)
@@ -181,8 +181,8 @@ def write(layout: str, done: Sequence[Played]) -> None:
     for row in new:
         print(*row, sep=" | ", flush=True)
     whole = Table.of(("layout", "rule", "movements", *HEADS), sorted([*others, *new], key=lambda row: row[0]))
-    numbers = stored("intent").numbers.get("late frames", {}) | {layout: late}
-    keep("intent", {"browser": whole}, numbers={"late frames": numbers})
+    numbers = stored("intent", "policy").numbers.get("late frames", {}) | {layout: late}
+    keep("intent", {"browser": whole}, part="policy", numbers={"late frames": numbers})
 
 
 if __name__ == "__main__":

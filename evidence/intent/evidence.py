@@ -1,6 +1,6 @@
 """Fit the evidence to pages: cards, links and menus, at the moments before the cursor enters the target.
 
-The same features and the same conditional logit as ``pages.targets.fit``, whose situations are circles,
+The same features and the same conditional logit as ``targets_fit``, whose situations are circles,
 scattered squares and grids at fractions of the whole movement.
 """
 
@@ -10,9 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pages.intent.movements import PAGES, Movement
-from pages.targets import fit as targets_fit
-from pages.targets.fit import Cases
+from evidence.intent import targets_fit
+from evidence.intent.movements import PAGES, Movement
+from evidence.intent.targets_fit import Cases
 from pointpred.columns import FloatArray
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, Law, features, unclaimed

@@ -5,15 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pages import DOCS
-from pages.data import Table, stored
-from pages.intent.measure import RULE
-from pages.intent.page import LEADS
-from pages.rendering import only
-from pages.thinning import thin
+from evidence import FIGURES
+from evidence.data import Table, stored
+from evidence.intent.measure import RULE
+from evidence.intent.page import LEADS
+from evidence.rendering import only
+from evidence.thinning import thin
 from pointpred.targets import prefetch
 
-FILE = DOCS / "figures" / "intent.svg"
+FILE = FIGURES / "intent.svg"
 FIRINGS, LEAD = "firings", "median lead"
 OURS, THEIRS, ASKED = "#0072b2", "#d55e00", "#e5f2e5"
 
@@ -23,7 +23,7 @@ def save(file: Path = FILE) -> None:
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    kept = stored("intent").tables
+    kept = stored("intent", "policy").tables
     layouts = list(dict.fromkeys(str(row[0]) for row in kept["thresholds"].rows))
     with mpl.rc_context({"svg.hashsalt": "pointpred", "font.size": 9.0}):
         figure = Figure(figsize=(10.0, 6.0), layout="constrained")

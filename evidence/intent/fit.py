@@ -1,6 +1,6 @@
-"""Fit the prefetch policy to recordings: ``python -m pages.intent.fit``.
+"""Fit the prefetch policy to recordings: ``python -m evidence intent fit``.
 
-First the evidence (``pages.intent.evidence``), then the policy's settings: as few firings, as many
+First the evidence (``evidence.intent.evidence``), then the policy's settings: as few firings, as many
 movements that fire before the entry and twice the median lead of ForesightJS's rule, on every layout at
 once; the layout that is worst off counts. Fitted once without each group of sets, for the measurement, and
 once to all, which is what comes with pointpred: evidence is written to pointpred/targets/coefficients.py,
@@ -16,15 +16,15 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pages import PAGES, ROOT
-from pages.arguments import parse
-from pages.data import read as stored
-from pages.data import write
-from pages.held_out import held_out
-from pages.intent.evidence import CLAIMING, SILENT, coefficients
-from pages.intent.foresight import FRAME_S
-from pages.intent.movements import Movement, movements
-from pages.intent.scores import Score, by_policy, by_rule, score, shares_of
+from evidence import ROOT
+from evidence.arguments import parse
+from evidence.data import file_of, write
+from evidence.data import read as stored
+from evidence.held_out import held_out
+from evidence.intent.evidence import CLAIMING, SILENT, coefficients
+from evidence.intent.foresight import FRAME_S
+from evidence.intent.movements import Movement, movements
+from evidence.intent.scores import Score, by_policy, by_rule, score, shares_of
 from pointpred.columns import FloatArray
 from pointpred.sources import read
 from pointpred.targets import posterior, prefetch
@@ -63,7 +63,7 @@ class Fits(msgspec.Struct, frozen=True):
 
 def fits() -> Fits:
     """What was fitted last."""
-    return stored(PAGES / "intent" / "fits.json", Fits)
+    return stored(file_of("intent", "fits"), Fits)
 
 
 def recorded(predictors: Sequence[str]) -> list[Movement]:
@@ -160,7 +160,7 @@ def fit(everything: Sequence[Movement]) -> Fits:
 def main() -> None:
     """Fit without each group and to all."""
     done = fit(recorded((CLAIMING, SILENT)))
-    write(done, PAGES / "intent" / "fits.json")
+    write(done, file_of("intent", "fits"))
     write_evidence(done.whole.evidence, ROOT / "pointpred" / "targets" / "coefficients.py")
     print("settings:", ", ".join(f"{value:.4g}" for value in done.whole.settings))
 

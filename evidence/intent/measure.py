@@ -1,4 +1,4 @@
-"""Measure the prefetch policy beside ForesightJS's rule: ``python -m pages.intent.measure``.
+"""Measure the prefetch policy beside ForesightJS's rule: ``python -m evidence intent``.
 
 Recorded movements over every layout: firings a movement, the share of movements whose right target fired
 before the cursor entered it, the median lead, and the same by threshold. The learned predictors do not know
@@ -13,13 +13,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.intent import speculation
-from pages.intent.fit import GROUPS, Fits, by_layout, fits, recorded
-from pages.intent.foresight import FRAME_S
-from pages.intent.movements import Movement
-from pages.intent.scores import Score, by_policy, by_rule, shares_of
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.intent import speculation
+from evidence.intent.fit import GROUPS, Fits, by_layout, fits, recorded
+from evidence.intent.foresight import FRAME_S
+from evidence.intent.movements import Movement
+from evidence.intent.scores import Score, by_policy, by_rule, shares_of
 from pointpred.columns import FloatArray
 from pointpred.targets import prefetch
 
@@ -92,7 +92,8 @@ def main() -> None:
     """Measure every set at hand."""
     everything = recorded(PREDICTORS)
     table, curve = compared(everything, fits())
-    keep("intent", {"policy": table, "thresholds": curve, "speculation": speculated(everything)})
+    tables = {"policy": table, "thresholds": curve, "speculation": speculated(everything)}
+    keep("intent", tables, part="policy")
 
 
 if __name__ == "__main__":

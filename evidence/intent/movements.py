@@ -11,9 +11,9 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 
-from pages.held_out import HeldOut, trained_predictors
-from pages.proposals.layouts import LAYOUTS, placed
-from pages.proposals.measure import BETWEEN_S, LEAST_PX, with_click
+from evidence.held_out import HeldOut, trained_predictors
+from evidence.intent.layouts import LAYOUTS, placed
+from evidence.intent.proposals import BETWEEN_S, LEAST_PX, with_click
 from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from pages.data import Table, stored
-from pages.intent.measure import RULE
-from pages.rendering import only
+from evidence.data import Table, stored
+from evidence.intent.measure import RULE
+from evidence.rendering import only
 
 HEADS = (
     "layout",
@@ -52,11 +52,13 @@ def beside(whole: Table, ours: str, theirs: str = RULE) -> Table:
 
 def context() -> dict[str, Any]:
     """The tables, and the comparisons made from them."""
-    kept = stored("intent")
+    kept = stored("intent", "policy")
     frames = only(kept.tables["policy"], seen="frames")
     browser = kept.tables["browser"]
     return {
         "tables": kept.tables,
+        "targets": stored("intent", "targets"),
+        "proposals": stored("intent", "proposals"),
         "late": f"{np.mean(list(kept.numbers['late frames'].values())):.1f} %",
         "in_browser": beside(browser, "`kinematic-adaptive`"),
         "in_browser_emptied": beside(browser, "`kinematic-adaptive`", f"{RULE}, history emptied"),

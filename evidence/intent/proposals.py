@@ -1,4 +1,4 @@
-"""Measure a page's proposals with the defaults: ``python -m pages.proposals.measure``.
+"""Measure a page's proposals with the defaults: ``python -m evidence intent proposals``.
 
 Lays cards, links and a menu under recorded movements, so that each
 movement ends in one of them, and counts what a page would receive. The recommended predictor's coefficients
@@ -14,10 +14,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.held_out import HeldOut, held_out
-from pages.proposals.layouts import LAYOUTS, placed
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.held_out import HeldOut, held_out
+from evidence.intent.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
@@ -198,7 +198,7 @@ def main() -> None:
     """Measure every set at hand."""
     where = folder()
     sets = [read(path) for path in sorted(where.glob("*_samples.parquet"))]
-    keep("proposals", measured(sets, held_out(where)))
+    keep("intent", measured(sets, held_out(where)), part="proposals")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from pages.intent.foresight import frame_end
+from evidence.intent.foresight import frame_end
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.rows import row_at

@@ -1,4 +1,4 @@
-"""Movements for a browser: ``python -m pages.intent.sample FILE`` writes some of each layout as JSON.
+"""Movements for a browser: ``python -m evidence intent sample FILE`` writes some of each layout as JSON.
 
 A list of objects: ``layout``, ``set``, ``user``, ``events`` as [t s, x px, y px], ``targets`` as [left, top,
 width, height] px, ``right``, the place of the target that the movement is for, and ``entry``, the place of
@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from pages.arguments import parse
-from pages.intent.fit import recorded
-from pages.intent.movements import Movement
+from evidence.arguments import parse
+from evidence.intent.fit import recorded
+from evidence.intent.movements import Movement
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 
 EACH = 90

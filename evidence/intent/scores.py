@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from pages.intent import foresight, replay
-from pages.intent.movements import Movement
+from evidence.intent import foresight, replay
+from evidence.intent.movements import Movement
 from pointpred.columns import FloatArray
 from pointpred.targets import prefetch
 

@@ -1,4 +1,4 @@
-"""A static host with js.foresight of npm and pointpred's modules, for ``pages.intent.browser``."""
+"""A static host with js.foresight of npm and pointpred's modules, for ``evidence.intent.browser``."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from typing import Any
 
 import numpy as np
 
-from pages import PAGES, ROOT
-from pages.intent.fit import Fitted
+from evidence import ROOT
+from evidence.intent.fit import Fitted
 from pointpred.predictors.kinematic import coefficient_file
 from translation.modules import planes
 
 PACKAGE = "js.foresight@4.2.1"
-WEB, HERE = ROOT / "server" / "web", PAGES / "intent"
+WEB, HERE = ROOT / "server" / "web", Path(__file__).parent
 HTML = """<!doctype html><title>side by side</title>
 <style>body { margin: 0; overflow: hidden } .target { position: absolute; background: #ddd }
 .overlapping .target { pointer-events: none }</style>

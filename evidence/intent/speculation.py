@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pages.intent.movements import Movement, inside
+from evidence.intent.movements import Movement, inside
 from pointpred.columns import FloatArray
 
 HOVER_S = {"eager": 0.01, "moderate": 0.2}

@@ -1,4 +1,4 @@
-"""Measure choices among targets: ``python -m pages.targets.measure``.
+"""Measure choices among targets: ``python -m evidence intent targets``.
 
 Evidence and learned predictor are fitted anew for each set without that set; the last fit of the evidence,
 on all sets as predicted by networks that did not know them, is what comes with pointpred. Recordings come
@@ -11,12 +11,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from pages import FIGURES
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.held_out import HeldOut, held_out, trained_predictors, training_sets
-from pages.targets import fit as targets_fit
-from pages.thinning import save
+from evidence import FIGURES
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.held_out import HeldOut, held_out, trained_predictors, training_sets
+from evidence.intent import targets_fit
+from evidence.thinning import save
 from pointpred.drawing.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
@@ -143,12 +143,13 @@ def main() -> None:
     targets_fit.write(cases)
     draw(sets)
     keep(
-        "targets",
+        "intent",
         {
             "right": right(sets),
             "decisions": decisions(sets, "precision"),
             "dial": decisions(sets, "dial"),
         },
+        part="targets",
     )
 
 

@@ -1,4 +1,4 @@
-"""Fit the coefficients of the evidence for targets, for ``python -m pages.targets.measure``.
+"""Fit the coefficients of the evidence for targets, for ``python -m evidence intent targets``.
 
 A conditional logit (McFadden 1974): the share of a target is proportional to the exponential of a
 weighted sum of its features. Fitted on the recordings of POINTPRED_RECORDINGS and the embedded sample, each
@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize
 
-from pages import ROOT
+from evidence import ROOT
 from pointpred import build, run
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.datasets import sample

@@ -1,4 +1,4 @@
-"""Score `kinematic` on people and sets that it was not fitted to: ``python -m pages.kinematic.measure``."""
+"""Score `kinematic` on people and sets that it was not fitted to: ``python -m evidence kinematic``."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages import PAGES, data
-from pages.arguments import parse
-from pages.kinematic.records import Claims, Held, Ratio, SetRow, Validation
+from evidence import data
+from evidence.arguments import parse
+from evidence.held_out import in_one_thread
+from evidence.kinematic.records import Claims, Held, Ratio, SetRow, Validation
 from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
 from pointpred.scoring import SetScore, score, summarise
 from pointpred.scoring.summary import Measure
 from pointpred.training import calibration
 from pointpred.training import data as training_data
-from pointpred.training.__main__ import in_one_thread
 from pointpred.training.custom import claims_by_set, of_users, pipeline_of
 from pointpred.training.data import Log, TrainingData
 from pointpred.training.fitting import FittedNetwork, Settings
@@ -174,10 +174,10 @@ def main() -> None:
 
     settings = Settings()
     school = training_data.training_data(training_data.read_sets(training_data.folder()), settings.seed, say)
-    data.write(record(validate(school, settings, say)), PAGES / "kinematic" / "data.json")
+    data.write(record(validate(school, settings, say)), data.file_of("kinematic"))
 
 
 if __name__ == "__main__":
     parse(__doc__)
-    in_one_thread("pages.kinematic.measure")
+    in_one_thread()
     main()

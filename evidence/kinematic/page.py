@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pages import PAGES, data
-from pages.kinematic.records import Held, Levels, Validation
-from pages.results.records import SetResults, stored
+from evidence import data
+from evidence.kinematic.records import Held, Levels, Validation
+from evidence.results.records import SetResults, stored
 from pointpred.predictors.kinematic import coefficient_file
 
 LEVELS = (0.5, 0.8, 0.95)
@@ -45,7 +45,7 @@ def matched_better(sets: list[SetResults]) -> list[str]:
 
 def context() -> dict[str, Any]:
     """What the template needs."""
-    validation = data.read(PAGES / "kinematic" / "data.json", Validation)
+    validation = data.read(data.file_of("kinematic"), Validation)
     ways = {"people held out": validation.people_out, "sets left out": validation.sets_out}
     return {
         "card": coefficient_file.card(),

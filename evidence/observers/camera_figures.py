@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pages.thinning import save, thin
+from evidence.thinning import save, thin
 from pointpred.camera import (
     SCENARIOS,
     CameraPipeline,

@@ -1,4 +1,4 @@
-"""Measure the camera's observer beside its peer: ``python -m pages.camera.measure``."""
+"""Measure the camera's observer beside its peer: ``python -m evidence observers camera_measure``."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages import FIGURES
-from pages.arguments import parse
-from pages.camera.figures import draw
-from pages.camera.tables import designs, residuals
-from pages.data import Table, keep
+from evidence import FIGURES
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.observers.camera_figures import draw
+from evidence.observers.camera_tables import designs, residuals
 from pointpred.camera import (
     WAYS,
     DepthObserver,
@@ -191,7 +191,7 @@ def main() -> None:
         "table one": table_one(runs, truth),
         "sensors": sensors(truth),
     }
-    keep("camera", parts)
+    keep("observers", parts, part="camera")
     draw(FIGURES, FOCAL_PX)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pages.data import Table
+from evidence.data import Table
 from pointpred.camera import (
     SCENARIOS,
     camera_box,

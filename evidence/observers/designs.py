@@ -1,4 +1,4 @@
-"""Count what becomes of random problems: ``python -m pages.designs.measure [doors | facts | CALL ...]``.
+"""Count what becomes of random problems: ``python -m evidence observers designs [doors | facts | CALL ...]``.
 
 ``doors`` are all calls of the table; a call, such as "certify_tracking", measures its row only.
 """
@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.machine import machine
-from pages.arguments import parse
-from pages.data import Table, keep, stored
-from pages.designs.facts import facts
-from pages.designs.plants import DOORS, KINDS, Problem
+from evidence.arguments import parse
+from evidence.data import Table, keep, stored
+from evidence.machine import machine
+from evidence.observers.facts import facts
+from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import InfeasibleError, PointpredError
 
 COUNT = 20
@@ -57,7 +57,7 @@ def cell(door: str, kind: str) -> tuple[Counter[str], list[bool]]:
 
 def doors(measured: list[str]) -> dict[str, Table]:
     """A row a door: designed / refused / undecided of each kind, in problems; rows not measured stay."""
-    old = stored("designs").tables.get("doors")
+    old = stored("observers", "designs").tables.get("doors")
     rows = {str(row[0]): [str(one) for one in row] for row in (old.rows if old else [])}
     places = [(door, kind) for door in measured for kind in KINDS]
     with ProcessPoolExecutor() as pool:
@@ -70,7 +70,8 @@ def doors(measured: list[str]) -> dict[str, Table]:
     listed = [rows[door] for door in DOORS if door in rows]
     counts = np.array([[one.split(" / ") for one in row[1:-1]] for row in listed], int).sum(axis=(0, 1))
     shares = dict(zip(OUTCOMES, (counts / counts.sum()).tolist(), strict=True))
-    keep("designs", {}, numbers={"problems": int(counts.sum()), "count": COUNT, **shares}, machine=machine())
+    numbers = {"problems": int(counts.sum()), "count": COUNT, **shares}
+    keep("observers", {}, part="designs", numbers=numbers, machine=machine())
     return {"doors": Table.of(["call", *KINDS, "gap <= 1 %"], listed)}
 
 
@@ -80,11 +81,11 @@ CALLS = {door.replace("`", ""): door for door in DOORS}
 
 def main(parts: list[str]) -> None:
     if not parts or "doors" in parts:
-        keep("designs", doors(list(DOORS)))
+        keep("observers", doors(list(DOORS)), part="designs")
     elif calls := [CALLS[one] for one in parts if one in CALLS]:
-        keep("designs", doors(calls))
+        keep("observers", doors(calls), part="designs")
     if not parts or "facts" in parts:
-        keep("designs", facts())
+        keep("observers", facts(), part="designs")
 
 
 if __name__ == "__main__":

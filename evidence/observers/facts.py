@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from pages.data import Table
+from evidence.data import Table
 from pointpred.camera import camera_box, camera_system
 from pointpred.observers import (
     RecursiveLeastSquares,
@@ -213,7 +213,7 @@ def of_interlaced(name: str, row: list[float]) -> list[Fact]:
 
 def camera() -> list[Fact]:
     """The least gamma, minimised with 40 digits: see ``least.py``."""
-    from pages.designs.least import minimum
+    from evidence.observers.least import minimum
 
     facts: list[Fact] = []
     for sigma in (0.01, 0.05, 0.09, 0.092, 0.095):

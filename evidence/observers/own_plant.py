@@ -5,8 +5,8 @@ from __future__ import annotations
 import doctest
 from typing import Any
 
-from pages import DOCS
-from pages.arguments import parse
+from evidence import DOCS
+from evidence.arguments import parse
 
 PAGE = DOCS / "guide" / "observers" / "own-plant.md"
 FIGURE = DOCS / "figures" / "own-plant.svg"

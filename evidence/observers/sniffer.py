@@ -1,4 +1,4 @@
-"""The table of example 7 of the thesis on real data: ``python -m pages.observers.measure``.
+"""The table of example 7 of the thesis on real data: ``python -m evidence observers sniffer``.
 
 Needs sniffer.csv in the folder that POINTPRED_RECORDINGS names.
 """
@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.sets import folder_with
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.sets import folder_with
 from pointpred.columns import FloatArray
 from pointpred.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
 
@@ -42,7 +42,7 @@ def main() -> None:
     if data is None:
         print("without sniffer.csv the table of example 7 stays as it is")
     else:
-        keep("observers", {"sniffer": starts(*data)})
+        keep("observers", {"sniffer": starts(*data)}, part="sniffer")
 
 
 if __name__ == "__main__":

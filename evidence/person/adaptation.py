@@ -1,8 +1,8 @@
-"""What adaptation is worth: ``python -m pages.adaptation.measure [FOLDER]``.
+"""What adaptation is worth: ``python -m evidence person adaptation [FOLDER]``.
 
 Lets the learned predictor, fitted to other people, predict the movements in POINTPRED_RECORDINGS without
 adaptation and with parts of it, every person's movements in order of recording. Takes minutes.
-FOLDER: coefficients as ``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache.
+FOLDER: coefficients as ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pages.adaptation.tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Measured, written
-from pages.arguments import parse
-from pages.held_out import HeldOut, held_out, stored
+from evidence.arguments import parse
+from evidence.held_out import HeldOut, held_out, stored
+from evidence.person.adaptation_tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Measured, written
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor

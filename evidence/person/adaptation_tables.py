@@ -8,9 +8,9 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from pages import FIGURES
-from pages.data import Table, keep
-from pages.thinning import save
+from evidence import FIGURES
+from evidence.data import Table, keep
+from evidence.thinning import save
 from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.measures import regions, time_left
@@ -167,7 +167,7 @@ def figure(sets: Sequence[Measured]) -> None:
 def written(sets: Sequence[Measured], without_set: Sequence[Measured]) -> None:
     """Keep the tables and draw the figure."""
     keep(
-        "adaptation",
+        "person",
         {
             "by trial": by_trial(sets),
             "by time": by_time(sets),
@@ -175,5 +175,6 @@ def written(sets: Sequence[Measured], without_set: Sequence[Measured]) -> None:
             "claims": claims(sets),
             "arrivals": arrivals(sets),
         },
+        part="adaptation",
     )
     figure(sets)

@@ -1,4 +1,4 @@
-"""What registered targets gain from a person's past: ``python -m pages.places.expected``.
+"""What registered targets gain from a person's past: ``python -m evidence person expected``.
 
 The candidates are those of the page on targets: a circle, the targets of a block, or a grid laid so that
 the movement ends in one of its squares. Each movement is judged twice, with the weights as they are given and
@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table
-from pages.held_out import HeldOut, held_out
-from pages.places.people import pipelines
+from evidence.arguments import parse
+from evidence.data import Table
+from evidence.held_out import HeldOut, held_out
+from evidence.person.people import pipelines
 from pointpred import Place
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pages.held_out import HeldOut
+from evidence.held_out import HeldOut
 from pointpred import RECOMMENDED, Pipeline, build
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording

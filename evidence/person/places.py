@@ -1,4 +1,4 @@
-"""Measure proposals of places that nobody registered: ``python -m pages.places.measure``.
+"""Measure proposals of places that nobody registered: ``python -m evidence person places``.
 
 Replays every person's movements in the order of recording through the recommended predictor, with
 coefficients that do not know the person, and lets ``PlaceChooser``'s rules decide among the places that the
@@ -14,11 +14,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.held_out import HeldOut, held_out
-from pages.places import expected
-from pages.places.people import pipelines
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.held_out import HeldOut, held_out
+from evidence.person import expected
+from evidence.person.people import pipelines
 from pointpred import Pipeline, Place, PointerEvent
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
@@ -228,7 +228,8 @@ def main() -> None:
     where = folder()
     sets = [read(path) for path in sorted(where.glob("*_samples.parquet"))]
     held = held_out(where)
-    keep("places", {**measured(sets, held), "expected": expected.measured(sets, held)})
+    tables = {**measured(sets, held), "expected": expected.measured(sets, held)}
+    keep("person", tables, part="places")
 
 
 if __name__ == "__main__":

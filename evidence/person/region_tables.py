@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pages.data import Table, keep
+from evidence.data import Table, keep
 from pointpred.columns import BoolArray, FloatArray
 
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
@@ -123,4 +123,4 @@ def written(results: Sequence[Drawn]) -> None:
         tables[f"sizes {name}"] = sizes(mine)
     one, other = ([result for result in results if result.predictor == name] for name in (ADAPTIVE, MIXTURE))
     tables["areas"] = areas(one, other)
-    keep("regions", tables)
+    keep("person", tables, part="regions")

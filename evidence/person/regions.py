@@ -1,11 +1,9 @@
-"""How often the drawn regions hold the endpoint, on the wire: ``python -m pages.regions.measure [FOLDER]``.
+"""How often the drawn regions hold the endpoint: ``python -m evidence person regions [FOLDER]``.
 
-Plays the movements of every person in POINTPRED_RECORDINGS, in the order of recording, to a session of the
-service whose coefficients did not know the person. Decodes the frames as the Python client does, and looks
-whether the endpoint lies inside the ellipse of each level. One person of each set is played over a real
-socket as well: every number must be the same. FOLDER: coefficients as
-``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache, fitted where they are
-missing.
+The movements of every person in POINTPRED_RECORDINGS, in the order of recording, through a pipeline whose
+coefficients did not know the person; whether the endpoint lies inside the ellipse of each level. FOLDER:
+coefficients as ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache, fitted
+where they are missing.
 """
 
 from __future__ import annotations
@@ -17,40 +15,34 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pages.arguments import parse
-from pages.held_out import HeldOut, held_out, stored
-from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
-from pages.regions.tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
+from evidence.arguments import parse
+from evidence.held_out import HeldOut, held_out, stored
+from evidence.person.region_tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
 from pointpred import Pipeline, PredictionColumns, run
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
-from pointpred.scoring import Prepared, prepare, resolution
+from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures.moments import moments
 from pointpred.training import data
 
 NAMES = ("kinematic", ADAPTIVE)
 
 
-def drawn(name: str, coefficients: HeldOut, recording: Recording, service: KnownService, url: str) -> Drawn:
+def drawn(name: str, coefficients: HeldOut, recording: Recording) -> Drawn:
     """What is drawn along the movements of a set, by coefficients that did not know the person."""
     prepared, pipelines = prepare(recording), coefficients.of_people(name, recording)
-    hello = hello_of(name, prepared.events, resolution(recording, None, None))
-    who, order, columns, alike = [], [], [], False
+    who, order, columns = [], [], []
     for user, trials in turns(prepared):
-        movements = [prepared.rows(k) for k in trials]
-        answers = list(in_session(pipelines[user], hello, movements))
-        if not alike:
-            service.pipeline, alike = pipelines[user], True
-            same(answers, list(over_socket(url, hello, movements)))
+        pipeline = pipelines[user].fresh()
         who += [user] * len(trials)
         order += range(len(trials))
-        columns += [read(prepared, k, one) for k, one in zip(trials, answers, strict=True)]
+        columns += [read(prepared, k, run(pipeline, prepared.rows(k))) for k in trials]
     inside, size, way = (np.array(column) for column in zip(*columns, strict=True))
     return Drawn(recording.name, name, np.array(who), np.array(order), inside, size, way)
 
 
 def mixed(coefficients: HeldOut, recording: Recording) -> Drawn:
-    """The regions of the mixture along the movements of a set: not on the wire, so without a session."""
+    """The regions of the mixture along the movements of a set."""
     prepared, pipelines = prepare(recording), coefficients.of_people(ADAPTIVE, recording)
     who, order, columns = [], [], []
     for user, trials in turns(prepared):
@@ -92,13 +84,6 @@ def turns(prepared: Prepared) -> Iterator[tuple[str, list[int]]]:
         yield user, [k for k, own in enumerate(users) if own == user]
 
 
-def same(answers: list[PredictionColumns], others: list[PredictionColumns]) -> None:
-    """End the run where the socket gave another number than the session."""
-    for one, other in zip(answers, others, strict=True):
-        if not np.array_equal(one.table, other.table, equal_nan=True):
-            raise SystemExit("the socket gives other numbers than the session without one")
-
-
 def read(prepared: Prepared, k: int, answers: PredictionColumns) -> tuple[FloatArray, FloatArray, float]:
     """One movement: whether each ellipse holds the endpoint, their sizes half-way, and the way then left."""
     events, rows = prepared.rows(k), rows_of_shares(prepared, k)
@@ -128,14 +113,13 @@ def holds(regions: FloatArray, x: float, y: float) -> FloatArray:
 
 
 def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
-    """Play everything, and write the page."""
+    """Every set with every predictor."""
     results = []
-    with served() as (service, url):
-        for recording in recordings:
-            for name in NAMES:
-                results.append(drawn(name, coefficients, recording, service, url))
-                print(f"{recording.name} {name}: {len(results[-1].order)}", file=sys.stderr, flush=True)
-            results.append(mixed(coefficients, recording))
+    for recording in recordings:
+        for name in NAMES:
+            results.append(drawn(name, coefficients, recording))
+            print(f"{recording.name} {name}: {len(results[-1].order)}", file=sys.stderr, flush=True)
+        results.append(mixed(coefficients, recording))
     written(results)
 
 

@@ -1,11 +1,11 @@
-"""Fit everybody's weights of the time left: ``python -m pages.adaptation.fit [FOLDER]``.
+"""Fit everybody's weights of the time left: ``python -m evidence person time_left [FOLDER]``.
 
 Replays the movements of every person in POINTPRED_RECORDINGS, in the order of recording, with coefficients
 that did not know the person, and fits the weights of ``pointpred.predictors.adaptation.time_left`` to the
 time left at the moments by which a person is judged. Prints for each set the error over that of the clock,
 with weights fitted to all sets and to the others only. Writes
 pointpred/predictors/adaptation/time_left_prior.py.
-FOLDER: coefficients as ``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache.
+FOLDER: coefficients as ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pages import ROOT
-from pages.arguments import parse
-from pages.held_out import HeldOut, held_out, stored
+from evidence import ROOT
+from evidence.arguments import parse
+from evidence.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, run
 from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import (
@@ -52,7 +52,7 @@ ROUNDS = 30
 """Rounds of reweighting, for the least absolute error."""
 MOST_WEIGHT = 8.0
 """No moment weighs more than so many of its set's clock errors."""
-TEXT = '''"""Everybody's weights of the time left, fitted by ``python -m pages.adaptation.fit``."""
+TEXT = '''"""Everybody's weights of the time left, fitted by ``python -m evidence person time_left``."""
 
 from __future__ import annotations
 

@@ -9,8 +9,8 @@ import numpy as np
 import yaml
 
 import pointpred
-from pages.asyncapi import examples, words
-from pages.asyncapi.live import live_channel, live_messages, live_operations
+from evidence.reference import asyncapi_examples as examples
+from evidence.reference.asyncapi_live import live_channel, live_messages, live_operations
 from pointpred.events import PHASES
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
@@ -35,7 +35,7 @@ def document() -> dict[str, Any]:
         "info": {
             "title": "pointpred",
             "version": pointpred.__version__,
-            "description": words.ABOUT,
+            "description": examples.ABOUT,
             "license": {"name": "Apache-2.0"},
         },
         "defaultContentType": "application/json",
@@ -44,7 +44,7 @@ def document() -> dict[str, Any]:
                 "host": "127.0.0.1:8765",
                 "protocol": "ws",
                 "description": "What `pointpred serve` prints; a token is needed where one is set.",
-                "security": [{"$ref": f"#/components/securitySchemes/{name}"} for name in words.SECURITY],
+                "security": [{"$ref": f"#/components/securitySchemes/{name}"} for name in examples.SECURITY],
             }
         },
         "channels": {
@@ -54,8 +54,8 @@ def document() -> dict[str, Any]:
                 "messages": {name: {"$ref": f"#/components/messages/{name}"} for name in messages},
                 "bindings": {"ws": {"method": "GET", "bindingVersion": "0.1.0"}},
                 "x-subprotocol": SUBPROTOCOL,
-                "x-close-codes": words.CLOSES,
-                "x-error-codes": words.CODES,
+                "x-close-codes": examples.CLOSES,
+                "x-error-codes": examples.CODES,
             },
             "live": live_channel(),
         },
@@ -63,7 +63,7 @@ def document() -> dict[str, Any]:
         "components": {
             "messages": {**messages, **live_messages()},
             "schemas": {name: _draft7(schema) for name, schema in components.items()},
-            "securitySchemes": words.SECURITY,
+            "securitySchemes": examples.SECURITY,
         },
     }
 
@@ -131,12 +131,11 @@ def _messages() -> dict[str, Any]:
         }
     packed = np.array(examples.EVENT_ROWS, dtype=EVENT).tobytes()
     rows = np.array([examples.PREDICTION_ROW, examples.NO_PREDICTION_ROW])
-    messages["binaryEvents"] = _binary(
-        words.EVENTS.format(none=NO_COUNTS), [(name, EVENT[name].str) for name in EVENT.names or ()], packed
-    )
+    layout = [(name, EVENT[name].str) for name in EVENT.names or ()]
+    messages["binaryEvents"] = _binary(examples.EVENTS.format(none=NO_COUNTS), layout, packed)
     phases = ", ".join(f"{code} {name}" for code, name in enumerate(PHASES))
     messages["binaryPredictions"] = _binary(
-        words.PREDICTIONS.format(phases=phases),
+        examples.PREDICTIONS.format(phases=phases),
         [(name, "<f8") for name in ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s")]
         + [("phase", PREDICTION["phase"].str), ("tail", PREDICTION["tail"].str)],
         pack_predictions(rows),

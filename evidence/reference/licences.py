@@ -1,4 +1,4 @@
-"""Which licence each package has that pointpred installs: ``python -m pages.licences.measure``.
+"""Which licence each package has that pointpred installs: ``python -m evidence reference licences``.
 
 Takes the packages of ``constraints.txt`` as they are installed here, and what their metadata say.
 """
@@ -10,9 +10,9 @@ from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from pages import ROOT
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence import ROOT
+from evidence.arguments import parse
+from evidence.data import Table, keep
 
 COLUMNS = ("package", "licence", "needed for")
 OWN = "pointpred"
@@ -90,7 +90,7 @@ def provided(own: Distribution) -> tuple[str, ...]:
 def main() -> None:
     running, extras = needed_by(()), needed_by(provided(distribution(OWN)))
     rows = [(name, licence_of(name) or "unknown", purpose(name, running, extras)) for name in packages()]
-    keep("licences", {"licences": Table.of(COLUMNS, rows)})
+    keep("reference", {"licences": Table.of(COLUMNS, rows)}, part="licences")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Which systems get every library as a wheel: ``python -m pages.platforms.wheels`` queries the index.
+"""Which systems get every library as a wheel: ``python -m evidence reference wheels`` queries the index.
 
 What pointpred and its extras need there follows from the markers of the installed libraries, with versions of
 constraints.txt. Nothing is installed; pip reports what it would install for Python 3.11.
@@ -15,8 +15,8 @@ from importlib.metadata import PackageNotFoundError, requires
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from pages import ROOT
-from pages.arguments import parse
+from evidence import ROOT
+from evidence.arguments import parse
 
 WINDOWS = {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt"}
 MACOS = {"sys_platform": "darwin", "platform_system": "Darwin", "os_name": "posix"}

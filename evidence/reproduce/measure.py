@@ -1,4 +1,4 @@
-"""Make the figures and tables of both sources again: ``python -m pages.reproduce.measure [2.12 3.4 ...]``.
+"""Make the figures and tables of both sources again: ``python -m evidence reproduce [2.12 3.4 ...]``.
 
 All of them unless some are named. Draws them into docs/figures/reproduced. Figures of example 7 are those
 of sniffer.csv in the folder that POINTPRED_RECORDINGS names, and of a stand-in without it.
@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pages import FIGURES
-from pages.arguments import parse
-from pages.data import Table, keep, stored
-from pages.sets import folder_with
-from pages.thinning import save
+from evidence import FIGURES
+from evidence.arguments import parse
+from evidence.data import Table, keep, stored
+from evidence.sets import folder_with
+from evidence.thinning import save
 from pointpred.cli.reproduce import AGREES, shown
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import Entry, Reproduction
@@ -33,7 +33,7 @@ def rows_of(entry: Entry, made: Reproduction) -> list[tuple[str, ...]]:
 def main(numbers: list[str]) -> None:
     """Make, draw, keep the numbers."""
     recorded: Path | None = folder_with(SNIFFER)
-    made_from = dict(stored("reproduce").numbers.get("data", {}))
+    made_from = dict(stored("reproduce", "figures").numbers.get("data", {}))
     tables: dict[str, Table] = {}
     for number in numbers or ENTRIES:
         entry = ENTRIES[number]
@@ -45,7 +45,7 @@ def main(numbers: list[str]) -> None:
         made_from[number] = made.data
         if made.draw is not None:
             save(made.draw().svg, DRAWN / entry.file_name)
-    keep("reproduce", tables, numbers={"data": made_from})
+    keep("reproduce", tables, part="figures", numbers={"data": made_from})
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from pages.data import Table, stored
+from evidence.data import Table, stored
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import CAMERA, THESIS
 from pointpred.reproduction.reversed_connection import SNIFFER
@@ -44,7 +44,7 @@ def _row(number: str, tables: dict[str, Table]) -> Row:
 
 def context() -> dict[str, Any]:
     """What the template needs."""
-    kept = stored("reproduce")
+    kept = stored("reproduce", "figures")
     groups = {
         title: [_row(number, kept.tables) for number, entry in ENTRIES.items() if entry.source == source]
         for title, source in (("Thesis", THESIS), ("Camera paper", CAMERA))
@@ -56,5 +56,7 @@ def context() -> dict[str, Any]:
             for number, one in ((number, kept.tables[number]) for number in ENTRIES if number in kept.tables)
         },
         "data": kept.numbers["data"],
+        "thesis": stored("reproduce", "thesis"),
+        "switched": stored("reproduce", "switched"),
         "differentiators": stored("reproduce", "differentiators").tables["differentiators"],
     }

@@ -1,8 +1,8 @@
-"""What each part of ``switched-direction`` is worth: ``python -m pages.switched.measure``.
+"""What each part of ``switched-direction`` is worth: ``python -m evidence reproduce switched``.
 
 Scores the predictor and versions of it that lack one part each, on the embedded sample and on the
 recordings that POINTPRED_RECORDINGS names.
-``python -m pages.switched.measure search`` repeats the search for its constants instead.
+``python -m evidence reproduce switched search`` repeats the search for its constants instead.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from typing import Any, cast
 
 import numpy as np
 
-from pages import FIGURES
-from pages.data import Table, keep
-from pages.scored import find, named
-from pages.switched.parts import AxisWise, Held
-from pages.thinning import save
+from evidence import FIGURES
+from evidence.data import Table, keep
+from evidence.reproduce.switched_parts import AxisWise, Held
+from evidence.scored import find, named
+from evidence.thinning import save
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
 from pointpred.drawing.style import canvas, picture
@@ -123,7 +123,7 @@ def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
     parser.add_argument("what", nargs="?", choices=("page", "search"), default="page")
     if parser.parse_args(arguments).what == "search":
-        from pages.switched.search import search
+        from evidence.reproduce.switched_search import search
 
         search()
         return
@@ -134,12 +134,13 @@ def main(arguments: list[str]) -> None:
         names = [part.name for part in parts]
         scores += score([recording], [*parts, *OTHERS])
     keep(
-        "switched",
+        "reproduce",
         {
             "comparison": shares_table(scores, (NAME, *OTHERS)),
             "deciles": deciles_table(scores),
             "ablations": shares_table(scores, names),
         },
+        part="switched",
     )
     draw(scores, FIGURES / "switched-time.svg")
 

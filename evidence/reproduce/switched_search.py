@@ -1,4 +1,4 @@
-"""The search for the five constants of ``switched-direction``: ``python -m pages.switched.measure search``.
+"""The search for the constants of ``switched-direction``: ``python -m evidence reproduce switched search``.
 
 Seeded, on half the users of freihaut2021 alone. A set of one distance and one pace would teach that pace, so
 its movements are also played at 0.25 to 1.6 times their time, and as a mouse of 1 kHz would report them, in

@@ -1,4 +1,4 @@
-"""The thesis's comparison of section 2.6.3, on simulated people: ``python -m pages.thesis.measure``.
+"""The thesis's comparison of section 2.6.3, on simulated people: ``python -m evidence reproduce thesis``.
 
 Simulates its setup (10 people, 2 distances, 2 widths, 2 transfer functions, 12 movements each: 960 trials at
 1 kHz and 2000 CPI), scores the longer axis against the path.
@@ -15,9 +15,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.arguments import parse
-from pages.data import Table, keep
-from pages.scored import find, named
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.scored import find, named
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
@@ -182,7 +182,7 @@ def main() -> None:
         tables |= {"open": open_choices(Path(folder)), "peaks": peaks_table(recording, Path(folder))}
     else:
         print("POINTPRED_RECORDINGS is not set: the tables of recorded people stay as they were")
-    keep("thesis", tables, numbers={"losses": losses(scored), "anova": about})
+    keep("reproduce", tables, part="thesis", numbers={"losses": losses(scored), "anova": about})
 
 
 if __name__ == "__main__":

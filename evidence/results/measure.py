@@ -1,8 +1,8 @@
 """Score every predictor on every set at hand: ``make results``.
 
 Sets are the embedded sample and the recordings in the folder that POINTPRED_RECORDINGS names. Each is
-written to ``pages/results/data/SET.json``; ``make docs`` shows them. What has learned from recordings is
-judged by coefficients that did not see the set, or the person: ``pages.held_out`` fits them, which takes
+written to ``evidence/results/data/SET.json``; ``make docs`` shows them. What has learned from recordings is
+judged by coefficients that did not see the set, or the person: ``evidence.held_out`` fits them, which takes
 minutes once.
 """
 
@@ -13,11 +13,11 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-from pages import held_out, sets
-from pages.arguments import parse
-from pages.held_out import HeldOut
-from pages.results.records import FOLDER, SetResults, write
-from pages.results.scores import scored
+from evidence import held_out, sets
+from evidence.arguments import parse
+from evidence.held_out import HeldOut
+from evidence.results.records import FOLDER, SetResults, write
+from evidence.results.scores import scored
 from pointpred import REGISTRY
 from pointpred.recording import Recording
 from pointpred.scoring import summarise

@@ -9,10 +9,10 @@ from typing import Any
 
 import msgspec
 
-from pages import FIGURES
-from pages.held_out import PEOPLE_OUT, SET_OUT
-from pages.results.records import SetResults, stored
-from pages.thinning import save
+from evidence import FIGURES
+from evidence.held_out import PEOPLE_OUT, SET_OUT
+from evidence.results.records import SetResults, stored
+from evidence.thinning import save
 from pointpred.datasets import listing
 from pointpred.drawing.style import Picture
 from pointpred.errors import ParameterError

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import msgspec
 
-from pages import data
-from pages.held_out import PEOPLE_OUT, SET_OUT
+from evidence import data
+from evidence.held_out import PEOPLE_OUT, SET_OUT
 from pointpred.errors import ParameterError
 from pointpred.scoring import SetSummary
 from pointpred.scoring.summary import PredictorSummary

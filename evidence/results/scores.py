@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import msgspec
 import numpy as np
 
-from pages.held_out import PEOPLE_OUT, SET_OUT, HeldOut, trained_predictors, training_sets
+from evidence.held_out import PEOPLE_OUT, SET_OUT, HeldOut, trained_predictors, training_sets
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring import PredictorErrors, SetScore, prepare, replay, resolution, score

@@ -20,7 +20,8 @@ def simulate(
 ) -> None:
     """Write a recording of simulated people pointing at targets on a circle.
 
-    Each person does 2 distances x 2 widths x 2 transfer functions, at 1 kHz with 2000 counts per inch. The recording is marked as simulated, and so is every score of it.
+    Each person does 2 distances x 2 widths x 2 transfer functions, at 1 kHz with 2000 counts
+    per inch. The recording is marked as simulated, and so is every score of it.
 
     Try:
 

@@ -19,7 +19,7 @@ def package_files() -> list[Path]:
 
 def own_files() -> list[Path]:
     """Every Python file of the project."""
-    others = [path for room in ("tests", "benchmarks", "pages") for path in (ROOT / room).rglob("*.py")]
+    others = [path for room in ("tests", "evidence") for path in (ROOT / room).rglob("*.py")]
     return sorted([*package_files(), *others])
 
 

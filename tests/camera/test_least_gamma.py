@@ -5,7 +5,7 @@ from __future__ import annotations
 import mpmath
 import pytest
 
-from pages.designs.least import minimum
+from evidence.observers.least import minimum
 from pointpred.camera import camera_box, camera_system
 from pointpred.observers.unknown_input.gains import ROOMS
 from pointpred.observers.unknown_input.observer import UnknownInputObserver

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages import DOCS
+from evidence import DOCS
 from pointpred import observers as o
 from pointpred.cli.observer_examples import EXAMPLES
 from pointpred.observers.documents.files import decoded, encoded

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pages.designs.plants import DOORS, KINDS, Problem
+from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.cli.observer_tables import print_audit, print_design, summary
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers import (

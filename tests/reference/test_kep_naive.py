@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from benchmarks.naive_kep import NaiveKep
+from evidence.costs.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
 from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator

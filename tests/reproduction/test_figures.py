@@ -8,8 +8,8 @@ from math import isfinite
 import numpy as np
 import pytest
 
-from pages.data import stored
-from pages.reproduce.measure import DRAWN, rows_of
+from evidence.data import stored
+from evidence.reproduce.measure import DRAWN, rows_of
 from pointpred.differentiators.signals import exact, ramp
 from pointpred.observers import trajectory
 from pointpred.observers.examples import Bioreactor
@@ -88,7 +88,7 @@ def test_it_is_made_and_drawn_and_differs_where_it_says(entry: Entry) -> None:
 
 def compare_with_the_page(entry: Entry, one: Reproduction) -> None:
     """The page has these numbers; on another machine the last digits may differ."""
-    rows = stored("reproduce").tables[entry.number].rows
+    rows = stored("reproduce", "figures").tables[entry.number].rows
     fresh = rows_of(entry, one)
     assert [[*row[:3], *row[4:]] for row in rows] == [[*row[:3], *row[4:]] for row in fresh]
     kept = np.array([float(row[3]) for row in rows])

@@ -16,7 +16,7 @@ from typing import Self
 
 import pytest
 
-from benchmarks.longest_messages import targets
+from evidence.costs.longest_messages import targets
 from pointpred.protocol.frames import Frame
 from pointpred.server.connection import Violation
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol

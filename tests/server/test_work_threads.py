@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from benchmarks.longest_messages import packed, targets
+from evidence.costs.longest_messages import packed, targets
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.arrivals import Arrivals

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from benchmarks import per_event
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs import per_event
 
 ROOT = Path(__file__).parents[2]
 SERVANTS = {"benchmarks/devices_live"}
@@ -45,10 +45,10 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
     told: list[str] = []
 
     def run(command: list[str], **_: object) -> SimpleNamespace:
-        told.extend(command[command.index("benchmarks.per_event") :])
+        told.extend(command[command.index("evidence.costs.per_event") :])
         return SimpleNamespace(stdout='{"hold": {"streaming": 1.0}}')
 
-    monkeypatch.setattr("benchmarks.per_event.subprocess.run", run)
+    monkeypatch.setattr("evidence.costs.per_event.subprocess.run", run)
     assert per_event.measure_plain() == {"hold": {"streaming": 1.0}}
     monkeypatch.setattr(per_event, "measure", lambda plain: {"plain": plain})
     monkeypatch.setattr(sys, "argv", told)

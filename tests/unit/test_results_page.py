@@ -8,10 +8,10 @@ import msgspec
 import numpy as np
 import pytest
 
-from pages import data
-from pages.rendering import rendered
-from pages.results import measure, page
-from pages.results.records import SetResults, stored
+from evidence import data
+from evidence.rendering import rendered
+from evidence.results import measure, page
+from evidence.results.records import SetResults, stored
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Trial

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from benchmarks.longest_messages import longest_messages, packed, session_before, targets, text
-from pages.data import stored
+from evidence.costs.longest_messages import longest_messages, packed, session_before, targets, text
+from evidence.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.costs import TEXT_BYTE_S

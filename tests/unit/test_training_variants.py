@@ -6,10 +6,10 @@ import sys
 
 import numpy as np
 import pytest
+from pointpred.training.__main__ import parse_arguments
 
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.training.__main__ import parse_arguments
 from pointpred.training.variants import varied
 
 

@@ -1,4 +1,4 @@
-"""Delay against the number of clients: every series in turns with the others, until it breaks down."""
+"""Delay against the number of clients, every series in turns; and more clients than a core can serve."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from benchmarks.load.cores import ALL, LAST
-from benchmarks.load.generator import Counts, Group, Plan, run
-from benchmarks.load.movements import hello
-from benchmarks.load.servers import Server
+from evidence.costs.load.generator import Counts, Group, Plan, run
+from evidence.costs.load.movements import hello
+from evidence.costs.load.servers import Server
+from evidence.machine import ALL, LAST
 
 RATE_HZ = 1000.0
 LOADS = {1: "1 kHz", 8: "8 kHz in frames of 8"}
@@ -22,6 +22,9 @@ HOPELESS_MS = 200.0
 GROWTH, GROWN_MS = 2.0, 10.0
 """The delay grows where its median in the last quarter is twice that of the first or more, and above this."""
 PARTS = 4
+CROWDS = (("switched", 60, 1), ("kinematic-adaptive", 50, 8))
+"""Predictor, clients, events a frame: the wanted number, and one beyond what a core can serve."""
+WINDOWS = 6
 
 
 class Series(msgspec.Struct, frozen=True):
@@ -148,3 +151,44 @@ def knee(points: Iterable[Point]) -> tuple[int, int | None]:
             break
         within = point.clients
     return within, next((point.clients for point in ordered if point.grows), None)
+
+
+class Overload(msgspec.Struct, frozen=True):
+    """Some time of too many clients."""
+
+    clients: str
+    build: str
+    p99_ms: list[float]
+    """By part of the run."""
+    answered: float
+    """Share of the frames that an answer covered before the end of the drain."""
+    answers: float
+    """Answers for each frame answered."""
+    server_us: float
+    own_share: float
+    """The generator's share of its core."""
+    notices: dict[str, int]
+
+
+def overload(series: Sequence[Series], seconds: float) -> list[Overload]:
+    """Every crowd, on each build that is measured with its predictor."""
+    rows = []
+    for predictor, clients, size in CROWDS:
+        for one in (some for some in series if some.predictor == predictor):
+            plan = Plan((group(one, clients, size),), seconds, warm=0.5, drain=10.0, window=seconds / WINDOWS)
+            result = run(plan, LAST)
+            (counts,) = result.groups
+            rows.append(
+                Overload(
+                    f"{clients} of {one.name}, {LOADS[size]}",
+                    one.build,
+                    [window.p99_ms for window in counts.windows[:WINDOWS]],
+                    counts.answered / (counts.answered + counts.unanswered),
+                    counts.answers / max(counts.answered, 1),
+                    counts.server_us,
+                    result.own_share,
+                    counts.texts | counts.closes,
+                )
+            )
+            print(rows[-1], flush=True)
+    return rows

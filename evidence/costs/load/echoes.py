@@ -1,4 +1,4 @@
-"""Yardsticks: ``python -m benchmarks.load.echoes asgi|raw`` prints its port and sends everything back.
+"""Yardsticks: ``python -m evidence.costs.load.echoes asgi|raw`` prints its port and sends everything back.
 
 ``asgi`` is an ASGI application of six lines on the uvicorn that the service runs on, with uvicorn's own
 WebSocket protocol; ``raw`` has no WebSocket at all, only uvloop.
@@ -13,7 +13,7 @@ from typing import Any
 import uvicorn
 import uvloop
 
-from pages.arguments import parse
+from evidence.arguments import parse
 
 
 async def application(scope: Any, receive: Any, send: Any) -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pages import DOCS
-from pages.data import stored
-from pages.load.curves import BOUND_MS
-from pages.rendering import only
-from pages.thinning import thin
+from evidence import FIGURES
+from evidence.costs.load.curves import BOUND_MS
+from evidence.data import stored
+from evidence.rendering import only
+from evidence.thinning import thin
 
-FILE = DOCS / "figures" / "load.svg"
+FILE = FIGURES / "load.svg"
 COLOURS = {
     "ASGI echo": "0.5",
     "`switched`": "#0072b2",
@@ -27,7 +27,7 @@ def save(file: Path = FILE) -> None:
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    curves = stored("load").tables["curves"]
+    curves = stored("costs", "load").tables["curves"]
     loads = list(dict.fromkeys(str(row[0]) for row in curves.rows))
     with mpl.rc_context({"svg.hashsalt": "pointpred", "font.size": 9.0}):
         figure = Figure(figsize=(10.0, 6.4), layout="constrained")

@@ -11,32 +11,15 @@ from pathlib import Path
 
 import msgspec
 
-from benchmarks.load.cores import on_cores
-from benchmarks.load.movements import EVENTS, track
-from pages import ROOT
+from evidence import ROOT
+from evidence.costs.load.movements import EVENTS, track
+from evidence.machine import on_cores
 
 SOURCES = Path(__file__).parent / "generator"
 BUILD = ROOT / "build" / "load"
 FLAGS = ("-std=c11", "-O2", "-Wall", "-Wextra")
 TEXT = 1
-MORE = 0x80
-"""With the opcode of a frame: more fragments of its message follow."""
-
-
-class Fragment(msgspec.Struct, frozen=True):
-    """A fragment of a text: which of ``of``, from 0."""
-
-    payload: bytes
-    which: int
-    of: int
-
-    @property
-    def opcode(self) -> int:
-        """As the generator reads it."""
-        return (0 if self.which else TEXT) | (MORE if self.which < self.of - 1 else 0)
-
-
-Message = str | bytes | Fragment
+Message = str | bytes
 
 
 class Group(msgspec.Struct, frozen=True):
@@ -155,9 +138,7 @@ def packed(messages: Sequence[Message]) -> bytes:
     """Messages as the generator reads them: opcode, size, payload."""
     parts = []
     for message in messages:
-        if isinstance(message, Fragment):
-            opcode, payload = message.opcode, message.payload
-        elif isinstance(message, str):
+        if isinstance(message, str):
             opcode, payload = TEXT, message.encode()
         else:
             opcode, payload = TEXT + 1, message

@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from pages.sets import folder
+from evidence.sets import folder
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.records import NO_COUNTS

@@ -18,9 +18,8 @@ from urllib.request import urlopen
 
 import msgspec
 
-from benchmarks.load.cores import FIRST, on_cores
-from benchmarks.processes import family, processor_s
-from pages import ROOT
+from evidence import ROOT
+from evidence.machine import FIRST, family, on_cores, processor_s
 
 PATIENCE_S = 600.0
 IDLE_S = 0.5
@@ -62,8 +61,8 @@ def service(
 
 @contextmanager
 def echo(kind: str, *, cores: set[int] = FIRST) -> Iterator[Server]:
-    """``asgi`` or ``raw``: a server that sends everything back, from ``benchmarks.load.echoes``."""
-    words = ["-m", "benchmarks.load.echoes", kind]
+    """``asgi`` or ``raw``: a server that sends everything back, from ``evidence.costs.load.echoes``."""
+    words = ["-m", "evidence.costs.load.echoes", kind]
     with _process(words, cores, ROOT, {"PYTHONPATH": str(ROOT)}) as (process, lines):
         yield Server(int(next(lines)), (process.pid,))
 

@@ -1,4 +1,4 @@
-"""Soak the service for so many MINUTES, 60 unless given; writes ``pages/soak/data.json``.
+"""Soak the service for so many MINUTES, 60 unless given.
 
 A real service that records, and around it clients of every kind: steady, bursty, paused, coming and going,
 never reading, hostile, and people with a browser. It prints what it sees and the time left, stops cleanly
@@ -21,19 +21,16 @@ from urllib.request import Request, urlopen
 
 import msgspec
 
-from benchmarks.load.servers import wait_until_compiled
-from benchmarks.machine import machine
-from benchmarks.processes import family
-from benchmarks.soak.reports import Plan, Report
-from benchmarks.soak.usage import Usage, usage_of
-from benchmarks.soak.verdicts import Second, Verdict, judge, percentile_ms
-from benchmarks.soak.visitors import recording
-from pages import PAGES
-from pages.arguments import parse
-from pages.data import Table, Tables, write
+from evidence.arguments import parse
+from evidence.costs.load.servers import wait_until_compiled
+from evidence.costs.soak.reports import Plan, Report
+from evidence.costs.soak.verdicts import Second, Usage, Verdict, judge, percentile_ms, usage_of
+from evidence.costs.soak.visitors import recording
+from evidence.data import Table, Tables, file_of, write
+from evidence.machine import family, machine
 from pointpred.errors import ParameterError
 
-FILE = PAGES / "soak" / "data.json"
+FILE = file_of("costs", "soak")
 MINUTES = 60.0
 GROUPS = ("steady", "varied", "hostile", "visitors")
 PROGRESS_S = 15.0
@@ -86,7 +83,7 @@ class Soak:
         self._groups = [self._start(group, plan) for group in GROUPS]
 
     def _start(self, group: str, plan: Plan) -> subprocess.Popen[str]:
-        command = [sys.executable, "-m", f"benchmarks.soak.{group}", msgspec.json.encode(plan).decode()]
+        command = [sys.executable, "-m", f"evidence.costs.soak.{group}", msgspec.json.encode(plan).decode()]
         if group != "steady":  # whose delays are judged: the others give way to it
             command = ["nice", "-n", "5", *command]
         process = subprocess.Popen(

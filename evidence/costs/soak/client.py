@@ -1,4 +1,8 @@
-"""One client of the soak without its socket: bytes in, bytes out, and every answer compared."""
+"""One client of the soak without its socket: bytes in, bytes out, and every answer compared.
+
+Its frames are written and read unchecked, so that wrong ones can be sent. It sends the movements of the
+embedded sample, one after another, for ever.
+"""
 
 from __future__ import annotations
 
@@ -7,18 +11,65 @@ import os
 import tempfile
 from base64 import b64encode
 from collections import deque
+from functools import cache
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
-from benchmarks.soak.frames import BINARY, CLOSE, PING, PONG, TEXT, frame, split
-from benchmarks.soak.movement import events
-from benchmarks.soak.offline import CPI, DPI, OfflineRun
+from evidence.costs.soak.offline import CPI, DPI, OfflineRun
 from pointpred.columns import FloatArray
+from pointpred.datasets import sample
 from pointpred.protocol.records import pack_events
 
+TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
+APART = 9973
+"""Events between the beginnings of two clients in the sample."""
 ERROR, PREDICTION = b'{"type":"error"', b'{"type":"prediction"'
+
+
+def frame(opcode: int, payload: bytes) -> bytes:
+    """A client's frame; the masking key is zero, which spares the load generator, not the server."""
+    size = len(payload)
+    if size < 126:
+        head = bytes((0x80 | opcode, 0x80 | size))
+    elif size < 65536:
+        head = bytes((0x80 | opcode, 0x80 | 126)) + size.to_bytes(2, "big")
+    else:
+        head = bytes((0x80 | opcode, 0x80 | 127)) + size.to_bytes(8, "big")
+    return head + bytes(4) + payload
+
+
+def split(received: bytes) -> tuple[list[tuple[int, bytes]], bytes]:
+    """The server's whole frames, as opcode and payload, and what is left over."""
+    frames, at = [], 0
+    while len(received) - at >= 2:
+        head, size, start = received[at] & 15, received[at + 1], at + 2
+        if size == 126:
+            size, start = int.from_bytes(received[at + 2 : at + 4], "big"), at + 4
+        elif size == 127:
+            size, start = int.from_bytes(received[at + 2 : at + 10], "big"), at + 10
+        if start + size > len(received):
+            break
+        frames.append((head, received[start : start + size]))
+        at = start + size
+    return frames, received[at:]
+
+
+@cache
+def _recorded() -> FloatArray:
+    return sample().events.table
+
+
+def events(number: int, rate_hz: float, first: int, count: int) -> FloatArray:
+    """Events ``first`` to ``first + count`` of a client, as rows of t s, x px, y px, dx, dy, buttons."""
+    recorded = _recorded()
+    places = np.arange(first, first + count)
+    table = recorded[(places + number * APART) % len(recorded)]
+    table[:, 0] = places / rate_hz
+    return table
+
+
 BYE = frame(TEXT, b'{"type":"bye"}')
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pages import FIGURES
-from pages.data import stored
-from pages.thinning import thin
+from evidence import FIGURES
+from evidence.data import stored
+from evidence.thinning import thin
 
 FILE = FIGURES / "soak.svg"
 PANELS = (("memory MB",), ("p99 ms", "p50 ms"), ("descriptors",), ("threads",))
@@ -17,7 +17,7 @@ def save(file: Path = FILE) -> None:
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    course = stored("soak").tables["course"]
+    course = stored("costs", "soak").tables["course"]
     columns = dict(zip(course.columns, zip(*course.rows, strict=True), strict=True))
     with mpl.rc_context({"svg.hashsalt": "pointpred", "font.size": 9.0}):
         figure = Figure(figsize=(9.0, 5.0), layout="constrained")

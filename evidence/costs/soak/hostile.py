@@ -1,4 +1,4 @@
-"""Clients that attack: ``python -m benchmarks.soak.hostile PLAN``. What they are answered is not judged here.
+"""Clients that attack: ``evidence.costs.soak.hostile PLAN``. What they are answered is not judged here.
 
 Each draws one attack after another from the same list, for the whole soak: what the others bear is the same
 in its first minutes as in its last.
@@ -15,11 +15,9 @@ from contextlib import suppress
 import msgspec
 import uvloop
 
-from benchmarks.soak.client import upgrade
-from benchmarks.soak.frames import BINARY, PING, TEXT, frame
-from benchmarks.soak.movement import events
-from benchmarks.soak.reports import Plan, Reporter
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs.soak.client import BINARY, PING, TEXT, events, frame, upgrade
+from evidence.costs.soak.reports import Plan, Reporter
 from pointpred.protocol.records import pack_events
 
 HELLO = frame(TEXT, b'{"type":"hello","version":1,"predictor":"switched","encoding":"binary"}')
@@ -73,21 +71,6 @@ async def slow_header(attack: Attack) -> None:
         await attack.read(0.25)
 
 
-async def long_header(attack: Attack) -> None:
-    """A header line that is longer than the parsers take."""
-    await attack.open()
-    line = b"Cookie: " + b"a" * attack.chance.choice((8_300, 100_000)) + b"\r\n\r\n"
-    attack.writer.write(upgrade(attack.port)[:-2] + line)
-    await attack.read(5.0)
-
-
-async def no_http(attack: Attack) -> None:
-    """Bytes that are no request."""
-    await attack.open()
-    attack.writer.write(attack.chance.randbytes(4096))
-    await attack.read(2.0)
-
-
 async def broken_frames(attack: Attack) -> None:
     """Frames that break the rules of WebSocket."""
     await attack.begin()
@@ -129,14 +112,6 @@ async def wrong_messages(attack: Attack) -> None:
         await attack.read(0.01)
 
 
-async def many_parameters(attack: Attack) -> None:
-    """A message with thousands of parameters that nobody knows."""
-    await attack.begin()
-    unknown = {f"parameter_{number}": 1.0 for number in range(2_000)}
-    await attack.text({"type": "configure", "parameters": unknown})
-    await attack.read(2.0)
-
-
 async def too_long(attack: Attack) -> None:
     """A message above every bound."""
     await attack.begin()
@@ -171,34 +146,6 @@ async def too_many_events(attack: Attack) -> None:
     await attack.read(8.0)
 
 
-async def as_many_events_as_allowed(attack: Attack) -> None:
-    """8,000 events a second in frames of 80 for some seconds, which is within the limits."""
-    await attack.begin()
-    for turn in range(300):
-        attack.writer.write(frame(BINARY, pack_events(events(5, 8000.0, 80 * turn, 80))))
-        await attack.read(0.01)
-
-
-async def costly_targets(attack: Attack) -> None:
-    """Many targets, replaced as often as messages are allowed."""
-    await attack.begin()
-    size = {"width": 20.0, "height": 20.0}
-    some = [{"id": str(n), "x": 25.0 * (n % 40), "y": 25.0 * (n // 40), **size} for n in range(500)]
-    for _ in range(100):
-        await attack.text({"type": "targets", "targets": some})
-        await attack.read(0.02)
-
-
-async def no_upload(attack: Attack) -> None:
-    """A recording that is announced and does not come, or is none."""
-    await attack.open()
-    body = attack.chance.randbytes(attack.chance.choice((100, 20_000)))
-    length = len(body) + attack.chance.choice((0, 1000))
-    head = f"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1:{attack.port}\r\nContent-Length: {length}\r\n\r\n"
-    attack.writer.write(head.encode() + body)
-    await attack.read(5.0)
-
-
 async def many_connections(attack: Attack) -> None:
     """Connections that are opened and left."""
     opened = [await asyncio.open_connection("127.0.0.1", attack.port) for _ in range(50)]
@@ -211,19 +158,12 @@ async def many_connections(attack: Attack) -> None:
 ATTACKS: tuple[Callable[[Attack], Awaitable[None]], ...] = (
     half_a_handshake,
     slow_header,
-    long_header,
-    no_http,
-    broken_frames,
     broken_frames,
     wrong_messages,
-    many_parameters,
     too_long,
     fragments,
     pings,
     too_many_events,
-    as_many_events_as_allowed,
-    costly_targets,
-    no_upload,
     many_connections,
 )
 

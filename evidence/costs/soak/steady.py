@@ -1,4 +1,4 @@
-"""The steady clients, whose delays are judged: ``python -m benchmarks.soak.steady PLAN``.
+"""The steady clients, whose delays are judged: ``python -m evidence.costs.soak.steady PLAN``.
 
 They send an event a message, and keep to the clock whatever comes back. The loop waits by ``select``, whose
 timeouts are exact; an event loop's are whole milliseconds.
@@ -13,9 +13,9 @@ from pathlib import Path
 
 import msgspec
 
-from benchmarks.soak.client import BYE, StreamClient, upgrade
-from benchmarks.soak.reports import Plan, Reporter
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs.soak.client import BYE, StreamClient, upgrade
+from evidence.costs.soak.reports import Plan, Reporter
 
 KINDS = (
     ("kinematic-adaptive", 125.0, "json"),

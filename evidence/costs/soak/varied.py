@@ -1,4 +1,4 @@
-"""Clients that burst, pause, come and go, and that never read: ``python -m benchmarks.soak.varied PLAN``."""
+"""Clients that burst, pause, come and go, and that never read: ``evidence.costs.soak.varied PLAN``."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from typing import cast
 import msgspec
 import uvloop
 
-from benchmarks.soak.client import BYE, StreamClient, upgrade
-from benchmarks.soak.reports import Plan, Reporter
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs.soak.client import BYE, StreamClient, upgrade
+from evidence.costs.soak.reports import Plan, Reporter
 
 LASTS_S = 60.0
 """A session of a client that bursts or pauses; then another begins."""

@@ -1,4 +1,4 @@
-"""People with a browser, and what collects metrics: ``python -m benchmarks.soak.visitors PLAN``."""
+"""People with a browser, and what collects metrics: ``python -m evidence.costs.soak.visitors PLAN``."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import time
 
 import msgspec
 
-from benchmarks.soak.movement import events
-from benchmarks.soak.reports import Plan, Reporter
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs.soak.client import events
+from evidence.costs.soak.reports import Plan, Reporter
 
 PATHS = ("/", "/metrics", "/metrics", "/pointpred.js", "/v1/predictors", "/healthz", "/readyz", "/v1/samples")
 VISITORS = 2

@@ -1,4 +1,4 @@
-"""Measure the service under load: ``python -m pages.load.measure`` writes the page's numbers in 15 minutes.
+"""Measure the service under load: ``python -m evidence costs load``, in some ten minutes.
 
 It needs Linux, a C compiler and two cores: a server has the first, the load generator the last. With several
 workers all processes share both. ``--short`` takes about three minutes and prints its tables without writing
@@ -13,24 +13,19 @@ from contextlib import ExitStack
 from importlib.metadata import version
 from typing import Any
 
-from benchmarks.load.cores import ALL, LAST, on_cores
-from benchmarks.load.generator import built
-from benchmarks.load.movements import recording
-from benchmarks.load.servers import checkout, echo, service
-from benchmarks.machine import machine
-from pages import PAGES
-from pages.data import Table, Tables, write
-from pages.load.curves import LOADS, Point, Series, curves, knee
-from pages.load.fairness import Beside, fairness, innocents
-from pages.load.overload import WINDOWS, Overload, overload
-from pages.rendering import shown
+from evidence.costs.load.curves import LOADS, WINDOWS, Overload, Point, Series, curves, knee, overload
+from evidence.costs.load.generator import built
+from evidence.costs.load.movements import recording
+from evidence.costs.load.servers import checkout, echo, service
+from evidence.data import Table, keep
+from evidence.machine import ALL, LAST, machine, on_cores
+from evidence.rendering import shown
 
-FILE = PAGES / "load" / "data.json"
 PREDICTORS = ("switched", "kinematic", "kinematic-adaptive")
 PREDICTORS_BEFORE = ("switched", "kinematic")
 TODAY = "this build"
-FULL = {"rounds": 3, "seconds": 1.2, "overload": 30.0, "fairness": 20.0}
-SHORT = {"rounds": 1, "seconds": 0.6, "overload": 6.0, "fairness": 1.0}
+FULL = {"rounds": 3, "seconds": 1.2, "overload": 30.0}
+SHORT = {"rounds": 1, "seconds": 0.6, "overload": 6.0}
 SHOWN = "the round with the median p99 is shown"
 PACKAGES = ("uvicorn", "uvloop", "websockets", "numba", "msgspec")
 
@@ -136,22 +131,6 @@ def overload_table(rows: Sequence[Overload], seconds: float) -> Table:
     return Table.of(("clients", "build", *heads, *last), cells)
 
 
-def fairness_table(rows: Sequence[Beside]) -> Table:
-    """p50, p99 and the largest delay of the innocent, beside each kind of other client."""
-    cells = [
-        (
-            row.name,
-            f"{row.sent_per_s:.0f}" if row.sent_per_s else "-",
-            *(" / ".join(f"{value:.2f}" for value in row.delays[one.name]) for one in innocents()),
-            f"{100 * row.server_share:.0f} %",
-            notices(row.answers),
-        )
-        for row in rows
-    ]
-    clients = [f"client at {one.name}" if one.size == 1 else one.name for one in innocents()]
-    return Table.of(("beside", "messages/s", *clients, "server", "answers to the other"), cells)
-
-
 def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[str, Table]:
     """Everything."""
     with ExitStack() as stack:
@@ -159,13 +138,11 @@ def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[
         series = several(stack, workers, before)
         points = curves(series, lengths["rounds"], lengths["seconds"])
         one_core = [one for one in series if one.workers == 1]
-        switched = next(one for one in one_core if one.predictor == "switched")
         return {
             "curves": curve_table(points),
             "knees": knee_table(points),
             **delay_tables(points),
             "overload": overload_table(overload(one_core, lengths["overload"]), lengths["overload"]),
-            "fairness": fairness_table(fairness(switched.server, lengths["fairness"])),
         }
 
 
@@ -187,8 +164,7 @@ def main(words: argparse.Namespace) -> None:
         "shown": SHOWN,
         **FULL,
     }
-    write(Tables(tables, f"{where}; {versions}", numbers), FILE)
-    print(f"wrote {FILE}")
+    keep("costs", tables, part="load", machine=f"{where}; {versions}", numbers=numbers)
 
 
 if __name__ == "__main__":
