@@ -1,4 +1,4 @@
-"""What is written after ``python -m benchmarks.something`` is understood before a page is written over."""
+"""What is written after ``python -m evidence NAME PART`` is understood before numbers are written over."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from evidence.arguments import parse
 from evidence.costs import per_event
 
 ROOT = Path(__file__).parents[2]
-SERVANTS = {"benchmarks/devices_live"}
+SERVANTS = {"evidence/costs/devices_live"}
 """Started by other benchmarks, never by hand."""
 RUN = {
     path.relative_to(ROOT).with_suffix("").as_posix(): path.read_text(encoding="utf-8")
-    for path in [*(ROOT / "benchmarks").rglob("*.py"), *(ROOT / "pages").rglob("*.py")]
+    for path in (ROOT / "evidence").rglob("*.py")
     if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8")
 }
 
 
-@pytest.mark.parametrize("name", sorted(RUN.keys() - SERVANTS))
+@pytest.mark.parametrize("name", sorted(RUN.keys() - SERVANTS - {"evidence/__main__"}))
 def test_each_benchmark_reads_its_words_first(name: str) -> None:
     last = RUN[name].split('if __name__ == "__main__":')[1]
     assert "parse(__doc__" in last or "argparse.ArgumentParser(" in RUN[name]
@@ -54,7 +54,7 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
     monkeypatch.setattr(sys, "argv", told)
     said: list[str] = []
     monkeypatch.setattr("builtins.print", said.append)
-    exec(RUN["benchmarks/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
+    exec(RUN["evidence/costs/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
     assert said == ['{"plain": true}']
 
 
