@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers page docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -63,11 +63,7 @@ results: $(READY)  ## score every predictor on the recordings in POINTPRED_RECOR
 	$(BIN)/python -m evidence
 
 train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
-	$(BIN)/python -m evidence kinematic train
-
-crossvalidate: $(READY)  ## score kinematic on people and sets held out
-	$(BIN)/python -m evidence kinematic
-	$(BIN)/python -m evidence
+	$(BIN)/python -m evidence results train
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate

@@ -16,7 +16,6 @@ from evidence.costs.load import figure as load_figure
 from evidence.costs.soak import figure as soak_figure
 from evidence.intent import figure as intent_figure
 from evidence.intent import page as intent
-from evidence.kinematic import page as kinematic
 from evidence.reference import asyncapi
 from evidence.reference import pages as reference
 from evidence.rendering import filled, rendered
@@ -40,7 +39,6 @@ def several(page: str, *parts: str) -> dict[str, Any]:
 COSTS = ("events", "service", "longest_messages", "load", "soak", "scale", "devices", "in_page")
 EVIDENCE_PAGES: dict[str, Context] = {
     "results": results.context,
-    "kinematic": kinematic.context,
     "person": partial(several, "person", "adaptation", "places", "regions"),
     "intent": intent.context,
     "reproduce": reproduce.context,

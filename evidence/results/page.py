@@ -16,6 +16,7 @@ from evidence.thinning import save
 from pointpred.datasets import listing
 from pointpred.drawing.style import Picture
 from pointpred.errors import ParameterError
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.registry import RECOMMENDED, parameters
 from pointpred.report.choice import highlighted
 from pointpred.report.figures.claims import inside_curves, time_left_bars
@@ -124,6 +125,16 @@ def cautious(people: Sequence[SetResults]) -> Cautious | None:
     return Cautious(name, float(horizon[1]), (min(own), max(own)), spread(early))
 
 
+def matched_better(sets: Sequence[SetResults]) -> list[str]:
+    """Recorded sets on which template matching of the session has a lower error than `kinematic`."""
+    names, found = ("ktm", "kinematic"), []
+    for one in (one for one in sets if not one.summary.simulated and one.judged.keys() >= set(names)):
+        matched, learned = (one.scored(name).time_averaged.px or 0.0 for name in names)
+        if matched < learned:
+            found.append(one.summary.name)
+    return found
+
+
 class Overall(msgspec.Struct, frozen=True):
     """The results of all sets together."""
 
@@ -226,4 +237,12 @@ def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
         "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in results},
         "figures": stored_pictures() if sets is None else pictures(results),
         "versions": results[0].versions,
+        "card": coefficient_file.card(),
+        "coefficients": {
+            "file": coefficient_file.OWN.name,
+            "version": coefficient_file.VERSION,
+            "size": coefficient_file.OWN.stat().st_size,
+            "digest": coefficient_file.digest(),
+        },
+        "matched": matched_better(results),
     }

@@ -54,7 +54,9 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
     monkeypatch.setattr(sys, "argv", told)
     said: list[str] = []
     monkeypatch.setattr("builtins.print", said.append)
-    exec(RUN["evidence/costs/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
+    exec(
+        RUN["evidence/costs/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy()
+    )
     assert said == ['{"plain": true}']
 
 

@@ -1,4 +1,4 @@
-"""Make the coefficients of `kinematic` from POINTPRED_RECORDINGS: ``python -m evidence kinematic train``.
+"""Make the coefficients of `kinematic` from POINTPRED_RECORDINGS: ``python -m evidence results train``.
 
 The package's own file is written anew, which takes minutes. Coefficients of one's own: ``pointpred train``.
 """
@@ -34,4 +34,4 @@ if __name__ == "__main__":
     try:
         main()
     except PointpredError as error:
-        sys.exit(f"python -m evidence kinematic train: {error}")
+        sys.exit(f"python -m evidence results train: {error}")
