@@ -12,9 +12,6 @@ from typing import Any
 
 from evidence import ROOT, data
 from evidence.attacks import page as attacks
-from evidence.costs.load import figure as load_figure
-from evidence.costs.soak import figure as soak_figure
-from evidence.intent import figure as intent_figure
 from evidence.intent import page as intent
 from evidence.reference import asyncapi
 from evidence.reference import pages as reference
@@ -96,11 +93,9 @@ def everything() -> list[str]:
 
 
 def write() -> None:
-    """Write every page, and the figures that are drawn from stored numbers."""
+    """Write every page, and the figures of the results."""
     for path in everything():
         (ROOT / path).write_text(made(path), encoding="utf-8")
         print(f"wrote {path}")
     results.save_figures()
-    for figure in (intent_figure, load_figure, soak_figure):
-        figure.save()
-    print("drew the figures of the results, of intent, of the load and of the soak")
+    print("drew the figures of the results")

@@ -37,7 +37,7 @@ class Run(msgspec.Struct, frozen=True):
 
 def context() -> dict[str, Any]:
     """Every table of the page, and the limits that it names."""
-    parts = ("tokens", "conformance", "attacked")
+    parts = ("conformance", "attacked")
     requests = {"at_once": REQUESTS_AT_ONCE, "a_second": REQUESTS_PER_S}
     return {"fuzz": fuzzed(), "requests": requests, **{part: stored("attacks", part) for part in parts}}
 

@@ -11,10 +11,10 @@ import timeit
 from functools import partial
 
 from evidence.arguments import parse
-from evidence.costs.devices_live import Live, measure
 from evidence.data import Table, keep
 from evidence.machine import machine
 from pointpred.hid.report_descriptor import parse_descriptor
+from tests.devices.live_mouse import Live, measure
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 

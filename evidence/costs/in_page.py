@@ -44,10 +44,9 @@ def pages() -> Table:
     """The share of a core of a page while its mouse moves at 1 kHz."""
     rows = []
     for in_view in IN_VIEW:
-        options = page_cost.options_of(["--in-view", str(in_view)])
         rows += [
             (str(in_view), name, f"{100.0 * one.process:.1f}", f"{100.0 * one.more:.1f}")
-            for name, one in page_cost.costs(options).items()
+            for name, one in page_cost.costs(in_view).items()
         ]
     columns = ("in view", "registered with", "process, %", "more than without, %")
     return Table.of(columns, rows)

@@ -1,4 +1,4 @@
-"""What a page with many elements costs while the mouse moves: ``python -m evidence costs page_cost``.
+"""What a page with many elements costs while the mouse moves.
 
 Two pages in one Chromium, the same elements: one registers them with ``onIntent``, the other does not.
 The mouse moves in both for some seconds at the given rate, in turn. The share of a core is the time that
@@ -6,19 +6,16 @@ the page's own process worked (``ProcessTime`` of ``Performance.getMetrics``, al
 time that its main thread was in a task (``TaskDuration``, which also counts what other processes took
 from it meanwhile); ``more`` is the process's share beyond that of the page without registrations.
 A browser hands the moves of a real mouse to the page once a frame, coalesced into one event. So does a
-script in both pages, unless ``--devtools`` is given: through DevTools the browser hands over each move at
-once, in several dispatches a frame, and both pages cost more than with a mouse.
+script in both pages.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import statistics
 import tempfile
 import threading
 import time
-from collections.abc import Callable
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -29,6 +26,8 @@ from tests.server import browser
 
 WEB = Path(__file__).parents[2] / "server" / "web"
 SIZE = 1250, 700
+COUNT, PREDICTORS = 1000, ("minimum-jerk", "kinematic-adaptive")
+SECONDS, ROUNDS, RATE_HZ = 5.0, 5, 1000.0
 ELEMENTS = """{ document.body.innerHTML = ''; document.body.style = 'margin: 0; position: relative';
 for (let i = 0; i < COUNT; i += 1) {
   const one = document.createElement('a'), [column, row] = [i % COLUMNS, Math.floor(i / COLUMNS)];
@@ -40,7 +39,7 @@ for (let i = 0; i < COUNT; i += 1) {
 REGISTER = """import('/intent/index.js').then(({ onIntent }) => {
   window.fired = 0;
   for (const one of document.querySelectorAll('a'))
-    onIntent(one, () => { fired += 1; }, { predictor: 'PREDICTOR', policy: 'POLICY' });
+    onIntent(one, () => { fired += 1; }, { predictor: 'PREDICTOR' });
   return new Promise((done) => setTimeout(done, 1500));
 })"""
 
@@ -64,22 +63,6 @@ class Host(SimpleHTTPRequestHandler):
         """Print nothing."""
 
 
-def drive(page: Page, seconds: float, rate_hz: float) -> int:
-    """Move the mouse in loops over the page; returns how many moves were sent."""
-    began, sent = time.perf_counter(), 0
-    while (now := time.perf_counter() - began) < seconds:
-        due = int(now * rate_hz)
-        while sent < due:
-            angle = sent / rate_hz * 2.0
-            x = SIZE[0] * (0.5 + 0.45 * math.sin(3.0 * angle))
-            y = SIZE[1] * (0.5 + 0.45 * math.sin(2.0 * angle + 1.0))
-            page.send("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
-            sent += 1
-        time.sleep(0.0005)
-    page.wait_for_results()
-    return sent
-
-
 COALESCED = """new Promise((done) => {
   const [seconds, rate, width, height] = [SECONDS, RATE, WIDTH, HEIGHT], began = performance.now();
   const at = (k) => ({ pointerType: 'mouse', isPrimary: true, bubbles: true,
@@ -101,15 +84,12 @@ COALESCED = """new Promise((done) => {
 
 
 def drive_coalesced(page: Page, seconds: float, rate_hz: float) -> int:
-    """As ``drive``, by the page itself."""
+    """Moves of the mouse for some seconds, by the page itself; returns how many."""
     values = {"SECONDS": seconds, "RATE": rate_hz, "WIDTH": SIZE[0], "HEIGHT": SIZE[1]}
     script = COALESCED
     for word, value in values.items():
         script = script.replace(word, str(value))
     return int(page.evaluate(script))
-
-
-Drive = Callable[[Page, float, float], int]
 
 
 def busy(page: Page) -> tuple[float, float]:
@@ -118,10 +98,10 @@ def busy(page: Page) -> tuple[float, float]:
     return metrics["ProcessTime"], metrics["TaskDuration"]
 
 
-def share(page: Page, drive: Drive, seconds: float, rate_hz: float) -> tuple[float, float, float]:
+def share(page: Page, seconds: float, rate_hz: float) -> tuple[float, float, float]:
     """Share of a core of the process and of its main thread, and moves a second that were sent."""
     before, began = busy(page), time.perf_counter()
-    sent = drive(page, seconds, rate_hz)
+    sent = drive_coalesced(page, seconds, rate_hz)
     took = time.perf_counter() - began
     process, main = (after - first for after, first in zip(busy(page), before, strict=True))
     return process / took, main / took, sent / took
@@ -142,26 +122,11 @@ class Costs(NamedTuple):
     rate: float
 
 
-def options_of(arguments: list[str] | None = None) -> argparse.Namespace:
-    """The options of the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--elements", type=int, default=1000)
-    parser.add_argument("--in-view", type=int, default=1000, help="how many of them fit into the window")
-    parser.add_argument("--seconds", type=float, default=5.0)
-    parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--rate", type=float, default=1000.0, help="moves a second")
-    parser.add_argument("--predictor", action="append", help="may be repeated")
-    parser.add_argument("--policy", choices=("prefetch", "highlight"), default="prefetch")
-    parser.add_argument("--devtools", action="store_true", help="each move at once, through DevTools")
-    return parser.parse_args(arguments)
-
-
-def costs(options: argparse.Namespace) -> dict[str, Costs]:
-    """The medians of all rounds, by what is registered in the page."""
-    move: Drive = drive if options.devtools else drive_coalesced
-    step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / options.in_view))
+def costs(in_view: int) -> dict[str, Costs]:
+    """The medians of all rounds, by what is registered in the page; ``in_view``: elements in the window."""
+    step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / in_view))
     elements = (
-        ELEMENTS.replace("COUNT", str(options.elements))
+        ELEMENTS.replace("COUNT", str(COUNT))
         .replace("COLUMNS", str(SIZE[0] // step))
         .replace("STEP", str(step))
     )
@@ -175,18 +140,18 @@ def costs(options: argparse.Namespace) -> dict[str, Costs]:
         page.call("Performance.enable")
         size = {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False}
         page.call("Emulation.setDeviceMetricsOverride", **size)
-        names = (None, "listener alone", *(options.predictor or ("minimum-jerk", "kinematic-adaptive")))
+        names = (None, "listener alone", *PREDICTORS)
         measured: dict[str | None, list[tuple[float, ...]]] = {name: [] for name in names}
-        for _ in range(options.rounds):  # in turn, so that a busy machine is busy for each of them
+        for _ in range(ROUNDS):  # in turn, so that a busy machine is busy for each of them
             for name in names:
                 page.go(f"http://127.0.0.1:{server.server_port}/page")
                 page.evaluate(elements)
                 if name == "listener alone":
                     page.evaluate(LISTEN)
                 elif name is not None:
-                    page.evaluate(REGISTER.replace("PREDICTOR", name).replace("POLICY", options.policy))
-                move(page, 3.0, options.rate)  # what is compiled at first
-                measured[name].append(share(page, move, options.seconds, options.rate))
+                    page.evaluate(REGISTER.replace("PREDICTOR", name))
+                drive_coalesced(page, 3.0, RATE_HZ)  # what is compiled at first
+                measured[name].append(share(page, SECONDS, RATE_HZ))
     server.shutdown()
     server.server_close()
     base = statistics.median(one[0] for one in measured[None])
@@ -195,15 +160,3 @@ def costs(options: argparse.Namespace) -> dict[str, Costs]:
         process, thread, rate = (statistics.median(column) for column in zip(*shares, strict=True))
         medians[name or "nothing registered"] = Costs(process, thread, process - base, rate)
     return medians
-
-
-def main() -> None:
-    options = options_of()
-    print(f"{options.elements} elements, {options.in_view} in view; share of a core")
-    print(f"{'':24}{'process':>9}{'thread':>9}{'more':>9}{'moves/s':>9}")
-    for name, one in costs(options).items():
-        print(f"{name:24}{one.process:9.3f}{one.thread:9.3f}{one.more:9.3f}{one.rate:9.0f}")
-
-
-if __name__ == "__main__":
-    main()

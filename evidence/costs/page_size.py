@@ -1,4 +1,4 @@
-"""Size of what a page loads, by entry: ``python -m evidence costs page_size``.
+"""Size of what a page loads, by entry.
 
 An entry is an export of the npm package and a predictor. Its modules are those that its imports reach,
 without what is loaded later (the overlay, the keyboard's order, what a scroll needs, a service) and
@@ -8,12 +8,10 @@ the plain files; and, where npm can fetch esbuild, one minified file, as a bundl
 
 from __future__ import annotations
 
-import argparse
 import gzip
 import re
 import shutil
 import subprocess
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -104,21 +102,3 @@ def sizes(entry: str, predictor: str, folder: Path) -> tuple[int, int, int | Non
     one = bundled(entry, files, folder)
     plain = compressed([*files, *numbers])
     return len(files) + len(numbers), plain, None if one is None else one + compressed(numbers)
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--entry", default="intent/index.js")
-    parser.add_argument("--predictor", action="append", help="may be repeated")
-    options = parser.parse_args()
-    names = options.predictor or ("minimum-jerk", "switched-direction", "switched", "kinematic-adaptive")
-    print(f"{options.entry}, kB compressed\n{'':20}{'files':>7}{'plain':>9}{'bundled':>9}")
-    with tempfile.TemporaryDirectory() as folder:
-        for name in names:
-            count, plain, one = sizes(options.entry, name, Path(folder))
-            size = "-" if one is None else f"{one / 1000:.1f}"
-            print(f"{name:20}{count:7}{plain / 1000:9.1f}{size:>9}")
-
-
-if __name__ == "__main__":
-    main()

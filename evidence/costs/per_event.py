@@ -1,8 +1,8 @@
-"""What one event costs: ``make bench`` prints tables and writes ``costs/data/events.json``.
+"""What one event costs: ``make bench`` prints tables and keeps them.
 
 Every pipeline is measured in the same run, in turns, so that a slow moment of the machine hits all alike:
 streaming (``update`` an event), frames of 32 events, whole trials; beside them the plain-Python run of the
-same source and a naive KEP that refits with numpy.polyfit at every event. The nanoseconds belong to the
+same source. The nanoseconds belong to the
 machine, which the page names; the ratios carry over better, but not exactly.
 """
 
@@ -20,7 +20,6 @@ from collections.abc import Callable
 import numpy as np
 
 from evidence.arguments import parse
-from evidence.costs.naive_kep import NaiveKep
 from evidence.data import Table, keep
 from evidence.machine import machine
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
@@ -94,8 +93,6 @@ def measure(plain: bool = False) -> dict[str, dict[str, float]]:
         for name in REGISTRY
         for mode, make in modes.items()
     }
-    if not plain:
-        actions["naive KEP (numpy.polyfit)", "streaming"] = NaiveKep().walk(events)
     for action in actions.values():
         action()  # compiled code is loaded here, not in the measurement
     rounds = 1 if plain else ROUNDS
@@ -135,9 +132,6 @@ def cost_rows(
     """Nanoseconds an event, a row a pipeline."""
     rows = []
     for name, cost in compiled.items():
-        if name not in REGISTRY:
-            rows.append((name, f"{cost['streaming']:.0f}", "", "", "", "", "grows"))
-            continue
         slow = plain[name]["streaming"]
         times = (f"{cost[mode]:.0f}" for mode in ("streaming", "frame", "whole"))
         size = len(pickle.dumps(build(name, cpi=2000.0)))

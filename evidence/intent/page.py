@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from evidence.data import Table, stored
 from evidence.intent.measure import RULE
 from evidence.rendering import only
@@ -59,10 +57,7 @@ def context() -> dict[str, Any]:
         "tables": kept.tables,
         "targets": stored("intent", "targets"),
         "proposals": stored("intent", "proposals"),
-        "late": f"{np.mean(list(kept.numbers['late frames'].values())):.1f} %",
         "in_browser": beside(browser, "`kinematic-adaptive`"),
-        "in_browser_emptied": beside(browser, "`kinematic-adaptive`", f"{RULE}, history emptied"),
-        "in_browser_small": beside(browser, "`minimum-jerk`"),
         "replayed": beside(frames, "`kinematic-adaptive`"),
         "replayed_held_out": beside(frames, "`kinematic-adaptive`, settings held out"),
     }

@@ -17,11 +17,11 @@ import numpy as np
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out
-from evidence.person import expected
-from evidence.person.people import pipelines
-from pointpred import Pipeline, Place, PointerEvent
+from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
 from pointpred.columns import FloatArray
+from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
+from pointpred.scoring import resolution
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.place_chooser import rectangle_of
@@ -62,6 +62,17 @@ class Outcome(NamedTuple):
     """From a right proposal that stood at the first entry into its square to this entry; NaN for none."""
     lead_end_s: float
     repeats: bool
+
+
+def pipelines(recording: Recording, held: HeldOut, sequence: int) -> dict[str, Pipeline]:
+    """For each user a pipeline whose coefficients have not seen them; ``sequence`` as in the predictor."""
+    start, own = f"{recording.name} ", build(RECOMMENDED, **resolution(recording, None, None))
+
+    def unseen(fold: int) -> Pipeline:
+        predictor = AdaptiveKinematicPredictor(coefficients=held.folds[fold], sequence=sequence)
+        return Pipeline(own.name, own.differentiator.fresh(), predictor)
+
+    return {who[len(start) :]: unseen(fold) for who, fold in held.fold_of.items() if who.startswith(start)}
 
 
 def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[Movement]:
@@ -228,8 +239,7 @@ def main() -> None:
     where = folder()
     sets = [read(path) for path in sorted(where.glob("*_samples.parquet"))]
     held = held_out(where)
-    tables = {**measured(sets, held), "expected": expected.measured(sets, held)}
-    keep("person", tables, part="places")
+    keep("person", measured(sets, held), part="places")
 
 
 if __name__ == "__main__":

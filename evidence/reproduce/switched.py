@@ -2,14 +2,11 @@
 
 Scores the predictor and versions of it that lack one part each, on the embedded sample and on the
 recordings that POINTPRED_RECORDINGS names.
-``python -m evidence reproduce switched search`` repeats the search for its constants instead.
 """
 
 from __future__ import annotations
 
-import argparse
 import os
-import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, cast
@@ -17,6 +14,7 @@ from typing import Any, cast
 import numpy as np
 
 from evidence import FIGURES
+from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.reproduce.switched_parts import AxisWise, Held
 from evidence.scored import find, named
@@ -118,15 +116,8 @@ def recordings() -> list[Recording]:
     return [sample(), *(read(Path(folder) / f"{name}_samples.parquet") for name in SETS)]
 
 
-def main(arguments: list[str]) -> None:
+def main() -> None:
     """Score, write and draw."""
-    parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
-    parser.add_argument("what", nargs="?", choices=("page", "search"), default="page")
-    if parser.parse_args(arguments).what == "search":
-        from evidence.reproduce.switched_search import search
-
-        search()
-        return
     scores: list[SetScore] = []
     names: list[str] = []
     for recording in recordings():
@@ -146,4 +137,5 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    parse(__doc__)
+    main()

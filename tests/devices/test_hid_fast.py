@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from evidence.costs.devices_live import measure
+from tests.devices.live_mouse import measure
 from tests.devices.umockdev import missing
 
 

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from evidence.costs.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
 from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
@@ -15,6 +14,7 @@ from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep
 from pointpred.predictors.kep import quartic
 from pointpred.regression import least_squares
+from tests.reference.naive_kep import NaiveKep
 
 
 def curved_reach(seed: int, rate_hz: float, distance_px: float = 600.0) -> EventColumns:

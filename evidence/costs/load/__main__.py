@@ -49,24 +49,6 @@ def notices(counted: dict[str, int]) -> str:
     return ", ".join(f"{count} {name}" for name, count in sorted(counted.items())) or "-"
 
 
-CURVES = ("load", "build", "server", "what", "clients", "p50", "p99", "p99.9", "grows", "server, us a frame")
-CURVES += ("busiest process", "answers a frame", "generator", "generator late, p99", "other answers")
-
-
-def curve_table(points: Sequence[Point]) -> Table:
-    """Every point of every curve, delays in ms."""
-    rows = [
-        (
-            *(LOADS[p.size], p.build, p.where, p.name, f"{p.clients}"),
-            *(f"{value:.3f}" for value in (p.p50_ms, p.p99_ms, p.p999_ms)),
-            *("yes" if p.grows else "no", f"{p.server_us:.1f}", f"{100 * p.largest_share:.0f} %"),
-            *(f"{p.answers:.3f}", f"{100 * p.own_share:.0f} %", f"{p.late_ms:.3f}", notices(p.notices)),
-        )
-        for p in points
-    ]
-    return Table.of(CURVES, rows)
-
-
 def knee_table(points: Sequence[Point]) -> Table:
     """The knee of each curve."""
     rows = []
@@ -139,7 +121,6 @@ def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[
         points = curves(series, lengths["rounds"], lengths["seconds"])
         one_core = [one for one in series if one.workers == 1]
         return {
-            "curves": curve_table(points),
             "knees": knee_table(points),
             **delay_tables(points),
             "overload": overload_table(overload(one_core, lengths["overload"]), lengths["overload"]),
@@ -154,8 +135,7 @@ def main(words: argparse.Namespace) -> None:
     versions = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     if words.short:
         for name, table in tables.items():
-            if name != "curves":
-                print(f"\n{name}\n\n{shown(table)}")
+            print(f"\n{name}\n\n{shown(table)}")
         return
     numbers = {
         "workers": words.workers,

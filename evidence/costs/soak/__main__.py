@@ -39,8 +39,6 @@ SETTLE_S = 12.0
 END_S = 600.0
 """So long comparing an hour of recordings may take."""
 LOST = "pointpred_recorder_events_lost_total"
-POINTS = 120
-"""Points of the figure."""
 
 
 @contextmanager
@@ -160,33 +158,10 @@ def errors_in(log: Path) -> list[str]:
     return [line for line in log.read_text(encoding="utf-8").splitlines() if '"level": "error"' in line]
 
 
-def tables_of(soak: Soak, verdicts: list[Verdict]) -> dict[str, Table]:
+def table_of(verdicts: list[Verdict]) -> Table:
     """What the page shows."""
-    step = max(1, len(soak.seconds) // POINTS)
-    parts = [soak.seconds[at : at + step] for at in range(0, len(soak.seconds), step)]
-    rows = [
-        (
-            f"{part[-1].usage.at_s / 60:.2f}",
-            f"{max(one.usage.memory_mb for one in part):.1f}",
-            f"{max(one.usage.uploads_mb for one in part):.1f}",
-            f"{max(one.usage.threads for one in part)}",
-            f"{max(one.usage.descriptors for one in part)}",
-            f"{percentile_ms(part, 50):.3f}",
-            f"{percentile_ms(part, 99):.3f}",
-        )
-        for part in parts
-        if any(one.delays for one in part)
-    ]
-    return {
-        "verdicts": Table.of(
-            ("condition", "wanted", "measured", "holds"),
-            [(one.condition, one.wanted, one.result, "yes" if one.holds else "no") for one in verdicts],
-        ),
-        "counts": Table.of(("what", "how many"), [(name, str(n)) for name, n in sorted(soak.counts.items())]),
-        "course": Table.of(
-            ("minute", "memory MB", "uploads MB", "threads", "descriptors", "p50 ms", "p99 ms"), rows
-        ),
-    }
+    rows = [(one.condition, one.wanted, one.result, "yes" if one.holds else "no") for one in verdicts]
+    return Table.of(("condition", "wanted", "measured", "holds"), rows)
 
 
 def main(minutes: float, file: Path = FILE) -> int:
@@ -216,7 +191,7 @@ def main(minutes: float, file: Path = FILE) -> int:
         "minutes": soak.seconds[-1].usage.at_s / 60,
         "processor_share": soak.seconds[-1].usage.processor_s / soak.seconds[-1].usage.at_s,
     }
-    write(Tables(tables_of(soak, verdicts), where, numbers), file)
+    write(Tables({"verdicts": table_of(verdicts)}, where, numbers), file)
     for line in soak.wrong[:20]:
         print(line, file=sys.stderr)
     for one in verdicts:

@@ -61,7 +61,7 @@ def measure(rate_hz: float, seconds: float, predictor: str = "switched") -> Live
         node, notes = plug(testbed, TWO_WHEELS).node, Path(folder, "written")
         hand = testbed.packets(node)
         plan = json.dumps([rate_hz, number, str(notes), predictor])
-        command = [sys.executable, "-m", "evidence.costs.devices_live"]
+        command = [sys.executable, "-m", "tests.devices.live_mouse"]
         reader = subprocess.Popen(
             [*command, "read", plan], env=testbed.environment(), stdout=subprocess.PIPE, text=True
         )

@@ -1,4 +1,4 @@
-"""What each message of a client costs at its limits: ``python -m evidence costs longest_messages``.
+"""What each message of a client costs at its limits: ``python -m tests.server.longest_messages``.
 
 For each message the processor time on the event loop and, where
 another thread does a part of it, there, in ms; the least of several tries. The bounds of

@@ -1,7 +1,7 @@
 """KEP as one would write it first: keep every sample, refit with numpy.polyfit at every event.
 
-It grows with the movement in time and memory. The tests use it as the independent second implementation
-of the ungated KEP predictors, ``make bench`` to show what the recursive fit saves.
+It grows with the movement in time and memory. It is the independent second
+implementation of the ungated KEP predictors.
 """
 
 from __future__ import annotations
