@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
+from evidence.costs.written_in_parts import write_in_parts
 from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.sources import write_in_parts
 
 PEOPLE_TRIALS = 1000
 """Trials of one person."""

@@ -2,7 +2,6 @@
 
 from pointpred.sources.conversion import Summary, convert, write_recordings
 from pointpred.sources.known_formats import FORMATS, Format, format_of
-from pointpred.sources.own.growing import write_in_parts
 from pointpred.sources.own.recordings import read, write
 from pointpred.sources.own.stored import StoredRecording
 from pointpred.sources.read_files import open_any, read_any
@@ -24,6 +23,5 @@ __all__ = [
     "read",
     "read_any",
     "write",
-    "write_in_parts",
     "write_recordings",
 ]
