@@ -75,22 +75,6 @@ def repeated(prepared: Prepared) -> FloatArray:
     return np.array(result)
 
 
-def without_set(coefficients: HeldOut) -> list[Measured]:
-    """Every set as a whole, predicted by coefficients that were fitted to the other sets."""
-    results = []
-    for recording in data.read_sets(data.folder()):
-        settings = {k: v for k, v in resolution(recording, None, None).items() if v is not None}
-        prepared = prepare(recording, **settings)
-        order = numbered([scored.trial.user for scored in prepared.trials])
-        patterns = pipelines(recording, coefficients.set_out[recording.name])
-        errors = {one.name: [replay(prepared, one, threads=1)] for one in patterns}
-        results.append(Measured(recording.name, [order], [repeated(prepared)], errors))
-        print(
-            f"{recording.name}: {len(prepared.trials)} trials, the set left out", file=sys.stderr, flush=True
-        )
-    return results
-
-
 def measure(coefficients: HeldOut) -> list[Measured]:
     """Every set, its people predicted by coefficients that knew none of them."""
     results: dict[str, Measured] = {}
@@ -110,4 +94,4 @@ def measure(coefficients: HeldOut) -> list[Measured]:
 if __name__ == "__main__":
     named = parse(__doc__, metavar="FOLDER", most=1)
     known = stored(Path(named[0])) if named else held_out(data.folder())
-    written(measure(known), without_set(known))
+    written(measure(known))

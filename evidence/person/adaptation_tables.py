@@ -13,7 +13,7 @@ from evidence.data import Table, keep
 from evidence.thinning import save
 from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
-from pointpred.scoring.measures import regions, time_left
+from pointpred.scoring.measures import time_left
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 
 FIGURE = FIGURES / "adaptation.svg"
@@ -73,12 +73,6 @@ def label(name: str) -> str:
     return name if name in (UNPLACED, PLACED) else f"`{name}`"
 
 
-def set_out(sets: Sequence[Measured]) -> Table:
-    """Error over `hold` with coefficients fitted to the other sets."""
-    rows = [(one.name, *(number(ratio(one, name, FLOOR)) for name in ALL)) for one in sets]
-    return Table.of(("set", *(label(name) for name in ALL)), rows)
-
-
 def by_time(sets: Sequence[Measured]) -> Table:
     """Error over `hold` at shares of the time."""
     rows = []
@@ -88,34 +82,6 @@ def by_time(sets: Sequence[Measured]) -> Table:
             shares = column(one, name, "by_time").mean(axis=0) / floor
             rows.append((one.name, label(name), *(f"{share:.2f}" for share in shares)))
     return Table.of(("set", "predictor", *(f"{100 * share:.0f} %" for share in TIME_FRACTIONS)), rows)
-
-
-def claims(sets: Sequence[Measured]) -> Table:
-    """Regions and the time left, before and after."""
-    rows = []
-    for one in sets:
-        cells: list[str] = []
-        for name in (PLAIN, ORDERED):
-            inside = np.nanmean(column(one, name, "calibration"), axis=0)[regions.INSIDE :][:3]
-            cells.append(" / ".join(f"{100 * share:.0f}" for share in inside))
-        for name in (PLAIN, ORDERED):
-            left = np.nanmean(column(one, name, "time_left"), axis=0)
-            error, clock = left[time_left.ERROR], left[time_left.CLOCK]
-            cells.append(f"{1000 * error:.0f} ({error / clock:.2f})")
-        for name in (PLAIN, ORDERED):
-            left = np.nanmean(column(one, name, "time_left"), axis=0)[time_left.INSIDE :][:2]
-            cells.append(" / ".join(f"{100 * share:.0f}" for share in left))
-        rows.append((one.name, *cells))
-    header = (
-        "set",
-        "regions",
-        "adapted",
-        "time left, ms (over the clock)",
-        "adapted",
-        "intervals",
-        "adapted",
-    )
-    return Table.of(header, rows)
 
 
 def arrivals(sets: Sequence[Measured]) -> Table:
@@ -164,15 +130,13 @@ def figure(sets: Sequence[Measured]) -> None:
     save(image.svg, FIGURE)
 
 
-def written(sets: Sequence[Measured], without_set: Sequence[Measured]) -> None:
+def written(sets: Sequence[Measured]) -> None:
     """Keep the tables and draw the figure."""
     keep(
         "person",
         {
             "by trial": by_trial(sets),
             "by time": by_time(sets),
-            "sets left out": set_out(without_set),
-            "claims": claims(sets),
             "arrivals": arrivals(sets),
         },
         part="adaptation",

@@ -16,7 +16,6 @@ import numpy as np
 from evidence import FIGURES
 from evidence.arguments import parse
 from evidence.data import Table, keep
-from evidence.reproduce.switched_parts import AxisWise, Held
 from evidence.scored import find, named
 from evidence.thinning import save
 from pointpred import Pipeline, build
@@ -48,8 +47,6 @@ def variants(recording: Recording) -> list[Pipeline]:
     }
     return [
         whole,
-        Pipeline("each axis on its own", whole.differentiator.fresh(), AxisWise()),
-        Pipeline("held after the peak, as in the thesis", whole.differentiator.fresh(), Held()),
         *(named(label, build(NAME, **settings, **parameters)) for label, parameters in changed.items()),
     ]
 

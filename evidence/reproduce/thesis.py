@@ -24,7 +24,6 @@ from pointpred.recording import Recording
 from pointpred.scoring import Prepared, SetScore, prepare, score
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova, axis_profile
-from pointpred.scoring.summary.groups import groups_of
 from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
 from pointpred.sources import read
@@ -70,18 +69,6 @@ def errors_table(scored: SetScore, quantity: str) -> Table:
         profile = axis_profile(errors)
         values = profile.mae if quantity == "all" else profile.mae_replaced
         rows.append((f"`{errors.name}`", *cells(values[i] for i in DECILES)))
-    return Table.of(header, rows)
-
-
-def groups_table(scored: SetScore) -> Table:
-    """The thesis's two predictors in each group of trials."""
-    header = ("trials", "predictor", *(f"{AXIS_FRACTIONS[i]:.0%}" for i in DECILES))
-    rows = []
-    for group in groups_of(scored):
-        for name in (OURS, THEIRS):
-            profile = axis_profile(find(scored, name), group.mask)
-            label = f"{group.label} ({int(group.mask.sum())})"
-            rows.append((label, f"`{name}`", *cells(profile.mae[i] for i in DECILES)))
     return Table.of(header, rows)
 
 
@@ -174,7 +161,6 @@ def main() -> None:
     tables = {
         "errors": errors_table(scored, "all"),
         "replaced": errors_table(scored, "replaced"),
-        "groups": groups_table(scored),
         "anova": anova,
     }
     folder = os.environ.get("POINTPRED_RECORDINGS")
