@@ -54,13 +54,12 @@ static void mask(char *data, size_t size, uint32_t key) {
     for (; at < size; at++) data[at] ^= (char)(key >> 8 * (at & 3));
 }
 
-/* Append a frame as a client sends it; its payload is masked with a key of its own. 0x80 in the opcode: more
-   fragments of the message follow. */
+/* Append a frame as a client sends it; its payload is masked with a key of its own. */
 static void append_frame(struct client *client, uint8_t opcode, const char *payload, size_t size) {
     client->out = grown(client->out, &client->out_room, client->out_size + size + LONGEST_HEADER);
     uint8_t *head = (uint8_t *)client->out + client->out_size;
     size_t used = 2;
-    head[0] = 0x80 ^ opcode;
+    head[0] = 0x80 | opcode;
     if (size < 126) {
         head[1] = (uint8_t)(0x80 | size);
     } else if (size < 65536) {
