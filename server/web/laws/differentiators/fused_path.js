@@ -1,6 +1,6 @@
 // Written by `make page` from fused_path.py: change that and run it again.
 import { larger, smaller } from "../arithmetic.js";
-import * as $regression_delay from "../regression/delay.js";
+import * as $delay from "../regression/delay.js";
 export const POSITION = 0;
 export const VELOCITY = 1;
 export const OFFSET = 2;
@@ -21,7 +21,7 @@ export const TWICE = 188;
 export const PAST = 191;
 export const LENGTH = 669;
 export function remember(memory, at, t) {
-  const place = $regression_delay.push(memory, at + PAST, INTEGRALS, RING, SPACING_S, t);
+  const place = $delay.push(memory, at + PAST, INTEGRALS, RING, SPACING_S, t);
   for (let i = 0; i < INTEGRALS; i++) {
     memory[place + i] = memory[at + FIRST + i];
   }
@@ -107,7 +107,7 @@ export function measure(memory, at, axis, now, ahead, place, noise) {
   const x = at + STATE + axis;
   const d = memory[at + STATE + DELAY] + ahead;
   const h = new Float64Array(SIZE);
-  const values_1 = $regression_delay.find(memory, at + PAST, INTEGRALS, RING, now - larger(d, 0));
+  const values_1 = $delay.find(memory, at + PAST, INTEGRALS, RING, now - larger(d, 0));
   const known = values_1[0];
   const before = values_1[1];
   const after = values_1[2];
