@@ -8,7 +8,8 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from itertools import islice
 
-from pointpred.events import Pair, PointerEvent, Prediction
+from pointpred.records import Pair, PointerEvent, Prediction
+
 from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.live_messages import Attached, Curve, Status

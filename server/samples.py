@@ -6,8 +6,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.pipeline import run

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
+from pointpred.records import BoolArray, FloatArray, MotionColumns
+
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import Predictor
 from pointpred.registry import build

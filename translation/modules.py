@@ -8,9 +8,9 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import FloatArray
 
 import pointpred
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.stage import CompiledStage
 from translation import stages

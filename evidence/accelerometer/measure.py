@@ -10,12 +10,12 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.accelerometer.smoother import Smoother
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.differentiators.bounds import SENSED_BOUNDS, measure_sensed
 from pointpred.differentiators.signals import SENSED_SIGNALS
 from pointpred.recording import Recording

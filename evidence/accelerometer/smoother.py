@@ -5,12 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray, MotionRow
 from scipy.ndimage import gaussian_filter1d
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.events import METRES_PER_INCH
-from pointpred.rows import MotionRow
 
 SMOOTH_S = 0.008
 """Standard deviation of the weights, so that 20 ms ahead count."""

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import EventColumns
 
 from evidence.costs.written_in_parts import write_in_parts
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
 

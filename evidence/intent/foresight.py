@@ -9,8 +9,8 @@ from __future__ import annotations
 from math import ceil, inf
 
 import numpy as np
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.targets.prefetch import contact
 

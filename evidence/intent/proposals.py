@@ -13,13 +13,13 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out
 from evidence.intent.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.sources import read

@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray, PredictionColumns
 from scipy.optimize import minimize
 
 from evidence import ROOT
 from pointpred import build, run
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording

@@ -6,6 +6,7 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence import FIGURES
 from evidence.arguments import parse
@@ -26,7 +27,6 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
-from pointpred.columns import FloatArray
 from pointpred.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,

@@ -12,12 +12,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.held_out import HeldOut, held_out, stored
 from evidence.person.adaptation_tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Measured, written
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution

@@ -13,12 +13,12 @@ from math import hypot, nan
 from typing import NamedTuple
 
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out
 from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
-from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
 from pointpred.scoring import resolution

@@ -15,12 +15,12 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence import ROOT
 from evidence.arguments import parse
 from evidence.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import (
     arrival_intervals,
     correction,

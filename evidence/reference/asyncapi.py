@@ -7,11 +7,11 @@ from typing import Any, get_type_hints
 import msgspec
 import numpy as np
 import yaml
+from pointpred.records import PHASES
 
 import pointpred
 from evidence.reference import asyncapi_examples as examples
 from evidence.reference.asyncapi_live import live_channel, live_messages, live_operations
-from pointpred.events import PHASES
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
 from pointpred.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack_predictions

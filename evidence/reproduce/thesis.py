@@ -14,12 +14,12 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.scored import find, named
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, SetScore, prepare, score
 from pointpred.scoring.results import AXIS_FRACTIONS

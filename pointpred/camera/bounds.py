@@ -7,8 +7,8 @@ import numpy as np
 from pointpred.camera import kinematics
 from pointpred.camera.point_filter import PointTrack
 from pointpred.camera.scenario import Trajectory
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
 
 IDENTITY = np.eye(6)
 

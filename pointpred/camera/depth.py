@@ -11,12 +11,11 @@ import numpy as np
 from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred.camera.model import SCHEDULED, C
 from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
-from pointpred.columns import Columns, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.parameter import option, parameter
-from pointpred.rows import Row
+from pointpred.records import Columns, FloatArray, Row
 from pointpred.stage import loop_of
 
 LARGEST_RATE = 1e3

@@ -13,8 +13,8 @@ from pointpred.camera.depth import Depth, DepthColumns, DepthObserver
 from pointpred.camera.point_filter import PointEstimate, PointFilter
 from pointpred.camera.samples import CameraColumns, CameraSample
 from pointpred.camera.velocity import FED_FORWARD, UnknownInputs, velocities
-from pointpred.columns import Columns
 from pointpred.errors import EventError
+from pointpred.records import Columns
 
 SURE = 2.0
 """Standard deviations by which the filter's eta must exceed -sigma/2 to clear ``detectable``."""

@@ -10,10 +10,9 @@ import numpy as np
 from pointpred.camera import kinematics, starting
 from pointpred.camera.camera_stage import CameraStage, usable
 from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.rows import Row
+from pointpred.records import BoolArray, FloatArray, Row
 from pointpred.stage import loop_into, offsets
 
 NEAREST_M = 1e-4

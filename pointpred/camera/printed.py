@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred.camera.scenario import Trajectory
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 
 def derivatives(truth: Trajectory) -> FloatArray:

@@ -8,10 +8,9 @@ import msgspec
 import numpy as np
 
 from pointpred.camera.scenario import Scenario, Trajectory, trajectory
-from pointpred.columns import Columns
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import Parameter, check, is_number
+from pointpred.records import Columns
 
 FOCAL_PX = (1.0, 1e6)
 FOCAL = Parameter("focal_px", "px", *FOCAL_PX, "focal length: image plane to px")

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import whole
 from pointpred.observers import (
@@ -26,6 +25,7 @@ from pointpred.observers import (
 )
 from pointpred.observers.documents.expressions import parsed
 from pointpred.observers.triangular.polynomials import symbolic
+from pointpred.records import FloatArray
 
 
 def plant_of(design: Any) -> Any:

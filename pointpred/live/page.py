@@ -9,9 +9,9 @@ from collections.abc import Sequence
 import typer
 from msgspec.structs import replace
 
-from pointpred.events import Pair
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.protocol.live_messages import Attached, Status
+from pointpred.records import Pair
 from pointpred.server.access import HostRule
 from pointpred.server.listening import address, make_server
 from pointpred.server.live_feed import LiveFeed

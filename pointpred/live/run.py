@@ -12,7 +12,6 @@ import msgspec
 from pointpred.console import counted, remarks, results
 from pointpred.devices.cursor.source import CursorSource
 from pointpred.errors import ParameterError, SourceError
-from pointpred.events import PointerEvent
 from pointpred.live.curve_learner import CurveLearner, curve_learner
 from pointpred.live.lsl_outlet import NAME, LslOutlet
 from pointpred.live.page import PageService, live_feed
@@ -24,6 +23,7 @@ from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wai
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
+from pointpred.records import PointerEvent
 from pointpred.registry import build
 from pointpred.server.live_feed import LiveFeed
 from pointpred.server.logs import set_up

@@ -15,9 +15,9 @@ from rich.table import Table
 from rich.text import Text
 
 from pointpred.console import counted, plain, remarks
-from pointpred.events import PointerEvent, Prediction
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession, LiveState
+from pointpred.records import PointerEvent, Prediction
 from pointpred.server.logs import OWN, PlainLines
 
 REFRESH_S = 0.2

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred.observers.interconnected.design import ObserverDesign
@@ -16,6 +15,7 @@ from pointpred.observers.reduced_order.reversed_connection import InvariantObser
 from pointpred.observers.rounding import without_rounding
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.records import FloatArray
 
 
 def error_system(observer: Any) -> ErrorSystem:

@@ -7,10 +7,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import matrix
 from pointpred.observers.persidskii import Persidskii
+from pointpred.parameter import is_number
 
 
 class LinearSystem(Protocol):

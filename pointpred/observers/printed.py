@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.equalities import allowed
 from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.interconnected.steady_state import equality_terms, residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, positive
+from pointpred.records import FloatArray
 
 Residuals = Callable[[dict[str, FloatArray]], dict[str, FloatArray]]
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.nonlinearity import (
     ATAN,
@@ -22,6 +21,7 @@ from pointpred.observers.nonlinearity import (
     TANH,
     Nonlinearity,
 )
+from pointpred.records import FloatArray
 
 ROUNDING = 1e-12
 """Slopes may be narrower than the true ones by this share, as when they were printed with all digits."""

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.observers import (
     SeededSignal,
@@ -18,6 +17,7 @@ from pointpred.observers import (
     trajectory,
 )
 from pointpred.observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
+from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 
 SIMULATED = "simulated, from the printed initial conditions"

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.observers import (
     InterlacedObserver,
@@ -20,6 +19,7 @@ from pointpred.observers import (
     trajectory,
 )
 from pointpred.observers.simulations.symbolic import driven_field, outputs_of
+from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 
 END_S, PERIOD_S = 30.0, 0.01

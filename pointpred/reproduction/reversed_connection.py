@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.panels import Look, Panel, beside, drawing
 from pointpred.errors import RecordingError
 from pointpred.observers import (
@@ -18,6 +17,7 @@ from pointpred.observers import (
     trajectory,
 )
 from pointpred.observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
+from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 
 SNIFFER = "sniffer.csv"

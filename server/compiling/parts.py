@@ -8,11 +8,10 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
+from pointpred.records import EventColumns, Place, PointerEvent
 
-from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
-from pointpred.events import Place, PointerEvent
 from pointpred.pipeline import has_refusal, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation

@@ -7,8 +7,8 @@ from itertools import groupby
 
 import msgspec
 import numpy as np
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.server.recorder.files import SessionFiles, prediction_rows, sample_rows, trial_row
 

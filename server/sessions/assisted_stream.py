@@ -7,10 +7,9 @@ from math import hypot
 from pathlib import Path
 
 import numpy as np
+from pointpred.records import LARGEST, FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError
-from pointpred.events import LARGEST
 from pointpred.protocol.client_messages import Assist, Configure, Hello
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError

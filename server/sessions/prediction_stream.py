@@ -8,9 +8,8 @@ from pathlib import Path
 
 import numpy as np
 from msgspec import structs
+from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
-from pointpred.events import Place
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target

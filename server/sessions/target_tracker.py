@@ -6,9 +6,9 @@ from collections.abc import Hashable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray, Place
+
 from pointpred.errors import ParameterError
-from pointpred.events import Place
 from pointpred.protocol.client_messages import Goal, Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Choice, Likely

@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 from msgspec import structs
+from pointpred.records import EventColumns, FloatArray
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.scores import score_of

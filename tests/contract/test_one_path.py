@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import PHASES, FloatArray
 
 from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
-from pointpred.events import PHASES
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.pointing import PointingSession
 from tests.server.running import PATIENCE_S, Running, running

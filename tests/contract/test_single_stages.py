@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 
 from pointpred import REGISTRY, EventColumns, Motion, PointerEvent, build, run
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import EventError
 

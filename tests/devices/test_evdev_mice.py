@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.devices.evdev.frame_decoder import FrameDecoder
 from pointpred.sources.device_logs.evdev_frames import Frames, frames
 from tests.devices import evdev_mice

@@ -14,12 +14,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray, Pair, PredictionColumns
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import ParameterError
-from pointpred.events import Pair
 from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession

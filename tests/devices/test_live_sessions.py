@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
+from pointpred.records import Pair
 
 from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
-from pointpred.events import Pair
 from pointpred.live.session import LiveSession
 from pointpred.live.statistics import Delays, Pace
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain

@@ -16,11 +16,11 @@ from urllib.error import HTTPError
 from urllib.request import urlopen
 
 import numpy as np
+from pointpred.records import FloatArray
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.records import PREDICTION, pack_events, pack_predictions

@@ -13,11 +13,11 @@ import json
 from collections.abc import Iterator
 
 import numpy as np
+from pointpred.records import FloatArray
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.records import pack_events
 from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read, write

@@ -8,10 +8,10 @@ from contextlib import suppress
 import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build, run
 from pointpred import person as persons
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.predictors.adaptation import correction as law

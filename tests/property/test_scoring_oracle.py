@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 
 from pointpred import EventColumns
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors

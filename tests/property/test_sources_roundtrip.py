@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import read, write
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import distances, stages
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 from scipy import stats
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import levels as tracker
 from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 from scipy import optimize
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import arrival_intervals as intervals
 from pointpred.predictors.adaptation import time_left
 from pointpred.predictors.adaptation.time_left import TERMS, Estimates, Pace, Way

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray, MotionColumns
 
 from pointpred import EventColumns, Motion, build
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.predictors import DelphianPredictor, fit_line
 from pointpred.recording import Recording, Trial

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, PointerEvent
-from pointpred.columns import FloatArray
 from pointpred.differentiators import (
     HomogeneousDifferentiator,
     InertialDifferentiator,

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray, Prediction
 
 from pointpred import EventColumns, Motion, build, run
-from pointpred.columns import FloatArray
-from pointpred.events import Prediction
 from pointpred.predictors import KinematicEndpointPredictor
 
 DIRECTION = np.array([0.6, -0.8])

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, Motion, build
-from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
 from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep

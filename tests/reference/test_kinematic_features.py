@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features, history, observation
 
 LAGS = np.array(features.LAGS_S)

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, Motion, build, run
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import TemplatePredictor, templates_of
 from pointpred.recording import Recording, Trial

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 from scipy import stats
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.mixtures import contours, density, levels
 from pointpred.mixtures.mixture import LevelSet, Mixture, Part

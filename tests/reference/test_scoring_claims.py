@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from scipy import integrate, stats
 
 from pointpred import EventColumns, build
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay, score, summarise

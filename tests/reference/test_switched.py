@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from pointpred.records import FloatArray, MotionColumns
 from scipy.integrate import solve_ivp
 
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors.switched import SwitchedPredictor
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray, MotionColumns
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors import SwitchedDirectionPredictor
 
 PX_M = 2500.0

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from pointpred.records import EventColumns, PredictionColumns
 
 from pointpred import build, run
-from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
 from pointpred.recording import Recording

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.protocol.server_messages import Limits
 from pointpred.replaying import Page, drive_mouse
 from tests.server import browser

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.replaying import Page

@@ -17,11 +17,11 @@ import msgspec
 import numpy as np
 import pytest
 from httpx2 import get, post
+from pointpred.records import EventColumns
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from pointpred.cli.serve import serve
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Recording

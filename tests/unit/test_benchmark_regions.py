@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import RegionColumns
 
 from evidence.held_out import HeldOut
 from evidence.person import region_tables as regions_page
 from evidence.person import regions
 from evidence.person.region_tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
-from pointpred.columns import RegionColumns
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pointpred.records import EventColumns
 
 from pointpred import console
 from pointpred.cli import tables
 from pointpred.cli.doctor import Finding
-from pointpred.columns import EventColumns
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording, Trial

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
 from pointpred import build, run
 from pointpred.cli import recordings as module
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.server.recorder.writer import Recorder

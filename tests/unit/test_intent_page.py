@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from evidence.data import Table
 from evidence.intent import foresight
@@ -12,7 +13,6 @@ from evidence.intent.movements import Movement
 from evidence.intent.page import beside
 from evidence.intent.scores import by_policy, by_rule, score
 from evidence.intent.speculation import by_hover
-from pointpred.columns import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
 

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray
 
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred import person as persons
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.stage import Slot

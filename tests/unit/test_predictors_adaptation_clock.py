@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import durations as clock
 
 LEFT = 6

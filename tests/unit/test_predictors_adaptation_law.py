@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import correction, distances, stages, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.predictors.adaptation import predictor as adaptation

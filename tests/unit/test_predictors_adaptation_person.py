@@ -6,8 +6,8 @@ from math import log
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import stages
 from pointpred.predictors.adaptation.stages import Moment
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pointpred.records import FloatArray, MotionColumns
 
 from pointpred import Motion
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.predictors import (
     KalmanPredictor,

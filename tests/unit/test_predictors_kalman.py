@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 from scipy.linalg import expm
 
 from pointpred import Motion, build
-from pointpred.columns import FloatArray
 from pointpred.predictors import KalmanPredictor, kalman
 
 

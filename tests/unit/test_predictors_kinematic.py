@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import FloatArray
 
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 from pointpred.scoring.trials.clean_trials import clean_trials

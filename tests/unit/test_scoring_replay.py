@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 
 from pointpred import REGISTRY, EventColumns, build, run
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial

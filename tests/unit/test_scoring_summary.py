@@ -8,8 +8,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
 from pointpred import build
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording, Trial
 from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summarise_targets

@@ -8,9 +8,9 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
+from pointpred.records import FloatArray
 
 from evidence.sets import folder
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.records import NO_COUNTS
 from pointpred.recording import Recording

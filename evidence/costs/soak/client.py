@@ -16,9 +16,9 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
+from pointpred.records import FloatArray
 
 from evidence.costs.soak.offline import CPI, DPI, OfflineRun
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.records import pack_events
 

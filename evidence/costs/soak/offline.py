@@ -10,10 +10,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv as pacsv
+from pointpred.records import PHASES, FloatArray
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
-from pointpred.events import PHASES
 from pointpred.protocol.frames import row_of_prediction
 from pointpred.protocol.records import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage

@@ -7,7 +7,6 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.documents.entries import (
     Document,
@@ -46,6 +45,7 @@ from pointpred.observers.triangular.interlaced_certificate import theorem_4_4_1
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred.observers.unknown_input.corners import CornerSystem
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.records import FloatArray
 
 Values = dict[str, Rows | float]
 """Matrices of a certificate by their names in the theorem."""

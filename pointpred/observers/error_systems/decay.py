@@ -9,8 +9,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import ErrorBound, eigenvalues
@@ -18,6 +16,8 @@ from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import instance, positive
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
 """Fractions of the slowest corner's decay that are tried where none is required."""

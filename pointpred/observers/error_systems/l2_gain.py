@@ -9,13 +9,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.error_systems.h_infinity import h_infinity
 from pointpred.observers.error_systems.system import ErrorSystem
 from pointpred.observers.inequalities.audit import answer_of_a_search
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import instance
+from pointpred.records import FloatArray
 
 ROOM = 1e-6
 """Relative room that is added to the least gain, with which the inequality would hold with equality."""

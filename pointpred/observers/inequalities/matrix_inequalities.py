@@ -15,7 +15,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
@@ -29,6 +28,7 @@ from pointpred.observers.inequalities.proof import ENTIRE, largest_margin, least
 from pointpred.observers.inequalities.rescaling import rescaled
 from pointpred.observers.inequalities.solver import CAP, Answer, run
 from pointpred.observers.inequalities.unknowns import Block
+from pointpred.records import FloatArray
 
 EASY = 1e8
 """Up to this kappa a solution is sought first, and this is how far the bound of an objective is proved."""

@@ -7,8 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.bounds import ErrorBound, interconnection_bound, region
@@ -23,6 +21,8 @@ from pointpred.observers.linear_systems import Plant
 from pointpred.observers.matrices import matrix, positive, vector
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.stationary import cover, filter_start, middle
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 
 class ObserverDesign(msgspec.Struct, frozen=True):

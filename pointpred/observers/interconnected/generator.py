@@ -7,13 +7,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.equalities import TOLERANCE, column_units, share_of_terms
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import TIMES, instance, matrix, one_of
 from pointpred.observers.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
 from pointpred.observers.persidskii import Persidskii, column
+from pointpred.records import FloatArray
 
 
 class Fitted(msgspec.Struct, frozen=True):

@@ -10,7 +10,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced, inward
 from pointpred.observers.detectability import vertices
@@ -18,6 +17,7 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
+from pointpred.records import FloatArray
 
 
 class Interconnection:

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.observers.interconnected import persidskii_law as law
 from pointpred.observers.interconnected.design import ObserverDesign
@@ -19,6 +18,7 @@ from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import TIMES, instance, matrix, one_of
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.parameter import option, parameter
+from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 
 LONGEST_S = 1e-2

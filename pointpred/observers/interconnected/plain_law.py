@@ -6,7 +6,6 @@ from math import ceil
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_law import (
     ACCEPTED,
@@ -18,6 +17,7 @@ from pointpred.observers.interconnected.persidskii_law import (
 )
 from pointpred.observers.interconnected.realisation import Realisation
 from pointpred.observers.nonlinearity import Nonlinearity
+from pointpred.records import BoolArray, FloatArray
 
 # The state: whether there was a sample, t, w minus its start (q), the last inputs, whether each was missing.
 STARTED, T, W = 0, 1, 2

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.observers.balance import Coordinates, balanced, form, inward
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.interconnected.generator import Fitted
@@ -21,6 +20,7 @@ from pointpred.observers.interconnected.growing_mode import (
 )
 from pointpred.observers.interconnected.sector import SectorBounds
 from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
 
 
 class Regulated(msgspec.Struct, frozen=True):

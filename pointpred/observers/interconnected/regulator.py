@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.equalities import TOLERANCE, share_of_terms
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
@@ -17,6 +16,7 @@ from pointpred.observers.interconnected.state_feedback import StateFeedback, des
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
 
 
 class RegulatorDesign(msgspec.Struct, frozen=True):

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.eigenvalues import number_text
 from pointpred.observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
@@ -15,6 +14,7 @@ from pointpred.observers.interconnected.generator import Generator, fitted, requ
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
 
 
 class RegulatorEquations(msgspec.Struct, frozen=True):

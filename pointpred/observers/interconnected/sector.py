@@ -7,10 +7,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix
+from pointpred.records import FloatArray
 
 
 class SectorBounds(msgspec.Struct, frozen=True):

@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.balance import balanced, inward, outward
 from pointpred.observers.detectability import undetectable, vertices
@@ -20,6 +19,7 @@ from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.rounding import without_rounding
+from pointpred.records import FloatArray
 
 ROOM = 1.01
 """The feedback is designed for a decay larger by this factor than the certified one."""

@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.equalities import (
     TOLERANCE,
@@ -21,6 +20,7 @@ from pointpred.observers.interconnected.generator import Generator, fitted
 from pointpred.observers.interconnected.riccati import invariant_graphs, refined
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, moments, share
+from pointpred.records import FloatArray
 
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""

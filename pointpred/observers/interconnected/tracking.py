@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.equalities import TOLERANCE
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
@@ -23,6 +22,7 @@ from pointpred.observers.interconnected.steady_state import relative_residuals
 from pointpred.observers.linear_systems import Plant, as_plant
 from pointpred.observers.matrices import instance, matrix, share, vector
 from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
@@ -25,6 +24,7 @@ from pointpred.observers.reduced_order.reversed_certificate import certify_conve
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
 from pointpred.observers.stationary import filter_start
+from pointpred.records import FloatArray
 
 GAMMAS = (1.0, 1e-2)
 """The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""

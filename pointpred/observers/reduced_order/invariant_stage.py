@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.observers.interconnected.missing_inputs import MissingInputs
 from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.matrices import instance, matrix
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred.records import FloatArray
 
 
 def invariant_stage(

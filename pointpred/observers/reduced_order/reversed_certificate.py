@@ -9,7 +9,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import balanced, form, inward
 from pointpred.observers.bounds import least_ratio
@@ -25,6 +24,7 @@ from pointpred.observers.reduced_order.convergence import Convergence, convergen
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 from pointpred.observers.slopes import ROUNDING
 from pointpred.observers.stationary import cover, decay_start, middle, normal
+from pointpred.records import FloatArray
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""

@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
 from pointpred.observers.linear_systems import Plant, as_plant
@@ -20,6 +19,7 @@ from pointpred.observers.matrices import (
     share,
     without_rounding,
 )
+from pointpred.records import FloatArray
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""

@@ -11,11 +11,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.matrices import TIMES, one_of
 from pointpred.parameter import option, parameter
+from pointpred.records import FloatArray
 from pointpred.regression import gradient
 from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into

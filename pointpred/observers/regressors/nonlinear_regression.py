@@ -9,7 +9,6 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
 from pointpred.observers import nonlinearity
@@ -18,6 +17,7 @@ from pointpred.observers.nonlinearity import KNOWN
 from pointpred.observers.regressors.excitation import increasing, samples
 from pointpred.observers.regressors.gradient import finite, joined
 from pointpred.parameter import option, parameter
+from pointpred.records import FloatArray
 from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 

@@ -9,8 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.observers.matrices import instance
 from pointpred.observers.simulations.result import Simulation
@@ -18,6 +16,8 @@ from pointpred.observers.simulations.signals import Setting, run, sampled
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 
 def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting) -> Simulation:

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.interconnected.design import ObserverDesign
 from pointpred.observers.interconnected.generator import (
@@ -31,6 +30,7 @@ from pointpred.observers.reduced_order.invariant_stage import invariant_stage
 from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred.observers.simulations.result import Simulation
 from pointpred.observers.simulations.signals import Setting, run, sampled
+from pointpred.records import FloatArray
 
 UNUSED = ("unknown_input", "schedule")
 

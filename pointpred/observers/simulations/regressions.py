@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import instance, matrix
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
@@ -16,6 +15,7 @@ from pointpred.observers.regressors.gradient import GradientRegressor
 from pointpred.observers.regressors.nonlinear_regression import NonlinearRegressor
 from pointpred.observers.simulations.result import Simulation
 from pointpred.observers.simulations.signals import Setting
+from pointpred.records import FloatArray
 from pointpred.regression import RecursiveLeastSquares
 
 

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.matrices import instance
 from pointpred.observers.simulations.result import Simulation
@@ -15,6 +14,7 @@ from pointpred.observers.simulations.signals import Setting, Signal, run
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.system import SymbolicSteadyState, SymbolicSystem
+from pointpred.records import FloatArray
 
 
 def interlaced(observer: InterlacedObserver, plant: Any, setting: Setting) -> Simulation:

@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
@@ -18,6 +17,7 @@ from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.ranges import enclosure
 from pointpred.observers.triangular.regions import Region, intervals_of
 from pointpred.observers.triangular.system import SymbolicSteadyState
+from pointpred.records import FloatArray
 
 TERMS_MOST = 8
 """Most different terms of the Jacobian: each doubles the number of corners."""

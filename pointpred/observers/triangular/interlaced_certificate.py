@@ -9,8 +9,6 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import balanced, form, inward, outward
 from pointpred.observers.bounds import eigenvalues
@@ -20,6 +18,8 @@ from pointpred.observers.inequalities.definite import solved
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.matrices import matrix
 from pointpred.observers.stationary import filter_start
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""

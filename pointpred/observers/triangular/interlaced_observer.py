@@ -13,7 +13,6 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.matrices import instance, matrix
@@ -22,6 +21,7 @@ from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.program import ROW, computable, execute, program
 from pointpred.observers.triangular.system import SymbolicSteadyState
 from pointpred.parameter import parameter
+from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.recursive_least_squares import moment
 from pointpred.stage import CompiledStage, loop_into
 

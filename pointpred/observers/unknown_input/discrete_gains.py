@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.gains import (
     NEGLIGIBLE,
@@ -19,6 +18,7 @@ from pointpred.observers.unknown_input.gains import (
     solved,
 )
 from pointpred.observers.unknown_input.invariant_zeros import kernel
+from pointpred.records import FloatArray
 
 
 def lyapunov(

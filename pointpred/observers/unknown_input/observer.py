@@ -9,8 +9,6 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.balance import form, inward, outward
 from pointpred.observers.eigenvalues import number_text, perron_root
@@ -32,6 +30,8 @@ from pointpred.observers.unknown_input.run import (
 )
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 OUTPUT_RATE = 5.0
 """Decay rate of errors of the outputs in continuous time, in the balanced unit of time of the design."""

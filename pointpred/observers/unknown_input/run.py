@@ -9,12 +9,12 @@ from typing import Protocol, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.observers.eigenvalues import perron_root
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred.records import FloatArray
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""

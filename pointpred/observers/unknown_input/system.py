@@ -8,7 +8,6 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.balance import Coordinates, balanced
 from pointpred.observers.matrices import TIMES, dimensions, instance, matrix, one_of
@@ -22,6 +21,7 @@ from pointpred.observers.unknown_input.takagi_sugeno import (
     samples,
     scheduled,
 )
+from pointpred.records import FloatArray
 
 Point = Mapping[str, float]
 

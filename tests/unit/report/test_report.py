@@ -6,10 +6,10 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from pointpred.records import EventColumns
 
 from pointpred import build
 from pointpred import run as pipeline_run
-from pointpred.columns import EventColumns
 from pointpred.drawing.style import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
