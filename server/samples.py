@@ -6,12 +6,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.pipeline import run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import REGISTRY, build
 
 

@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.accelerometer.smoother import Smoother
 from evidence.arguments import parse
@@ -19,6 +18,7 @@ from pointpred import Pipeline, build
 from pointpred.differentiators.bounds import SENSED_BOUNDS, measure_sensed
 from pointpred.differentiators.signals import SENSED_SIGNALS
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring.replay import replay
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.scoring.trials import Prepared, prepare

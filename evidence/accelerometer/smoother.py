@@ -5,10 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray, MotionRow
 from scipy.ndimage import gaussian_filter1d
 
 from pointpred.differentiators import HomogeneousDifferentiator
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray, MotionRow
 
 SMOOTH_S = 0.008
 """Standard deviation of the weights, so that 20 ms ahead count."""

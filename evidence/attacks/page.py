@@ -8,7 +8,7 @@ import msgspec
 
 from evidence import ROOT
 from evidence.data import Table, Tables, file_of, read, stored
-from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
+from pointpred_server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
 
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 COLUMNS = (

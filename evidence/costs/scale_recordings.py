@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from pointpred.records import EventColumns
 
 from evidence.costs.written_in_parts import write_in_parts
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 
 PEOPLE_TRIALS = 1000
 """Trials of one person."""

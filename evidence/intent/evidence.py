@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.intent import targets_fit
 from evidence.intent.movements import PAGES, Movement
 from evidence.intent.targets_fit import Cases
+from pointpred.records import FloatArray
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
 

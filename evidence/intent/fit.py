@@ -15,7 +15,6 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence import ROOT
 from evidence.arguments import parse
@@ -26,6 +25,7 @@ from evidence.intent.evidence import CLAIMING, SILENT, coefficients
 from evidence.intent.foresight import FRAME_S
 from evidence.intent.movements import Movement, movements
 from evidence.intent.scores import Score, by_policy, by_rule, score, shares_of
+from pointpred.records import FloatArray
 from pointpred.sources import read
 from pointpred.targets import posterior, prefetch
 from pointpred.training.data import folder

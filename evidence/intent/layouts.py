@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from pointpred.records import FloatArray
 
+from pointpred.records import FloatArray
 from pointpred.targets import Target
 
 Layout = Callable[[np.random.Generator], list[Target]]

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
@@ -21,6 +20,7 @@ from evidence.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from evidence.intent.foresight import FRAME_S
 from evidence.intent.movements import Movement
 from evidence.intent.scores import Score, by_policy, by_rule, shares_of
+from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
 PREDICTORS = ("kinematic-adaptive", "kinematic", "minimum-jerk", "switched-direction")

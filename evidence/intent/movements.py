@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.held_out import HeldOut, trained_predictors
 from evidence.intent.layouts import LAYOUTS, placed
 from evidence.intent.proposals import BETWEEN_S, LEAST_PX, with_click
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import resolution
 from pointpred.scoring.target_choice.layouts import layouts
 from pointpred.scoring.trials import Prepared, prepare

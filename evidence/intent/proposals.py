@@ -13,7 +13,6 @@ from typing import Any
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
@@ -21,6 +20,7 @@ from evidence.held_out import HeldOut, held_out
 from evidence.intent.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import resolution
 from pointpred.sources import read
 from pointpred.targets import Chooser, Target

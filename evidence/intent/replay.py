@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import inf
 
 import numpy as np
-from pointpred.records import FloatArray, row_at
 
 from evidence.intent.foresight import frame_end
 from pointpred.compiled import law
+from pointpred.records import FloatArray, row_at
 from pointpred.targets import cursor, posterior, prefetch
 
 

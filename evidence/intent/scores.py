@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.intent import foresight, replay
 from evidence.intent.movements import Movement
+from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.intent.movements import Movement, inside
+from pointpred.records import FloatArray
 
 HOVER_S = {"eager": 0.01, "moderate": 0.2}
 HEADS = ("firings", "after the entry", "before the press")

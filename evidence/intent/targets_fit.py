@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from pointpred.records import FloatArray, PredictionColumns
 from scipy.optimize import minimize
 
 from evidence import ROOT
@@ -23,6 +22,7 @@ from pointpred import build, run
 from pointpred.datasets import sample
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
+from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.target_choice.layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.sources import read

@@ -6,14 +6,15 @@ from typing import Any
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence import FIGURES
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.observers.camera_figures import draw
 from evidence.observers.camera_tables import designs, residuals
-from pointpred.camera import (
+from pointpred.cli.progress import following
+from pointpred.records import FloatArray
+from pointpred_observers.camera import (
     WAYS,
     DepthObserver,
     Noise,
@@ -25,9 +26,8 @@ from pointpred.camera import (
     printed,
     velocities,
 )
-from pointpred.camera.samples import observed
-from pointpred.cli.progress import following
-from pointpred.reproduction.camera import (
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,
     NAMES,

@@ -6,12 +6,12 @@ Needs sniffer.csv in the folder that POINTPRED_RECORDINGS names.
 from __future__ import annotations
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.sets import folder_with
-from pointpred.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
+from pointpred.records import FloatArray
+from pointpred_observers.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
 
 
 def recursion(rows: FloatArray, outputs: FloatArray, total: FloatArray, x: FloatArray) -> FloatArray:

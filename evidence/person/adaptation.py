@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.held_out import HeldOut, held_out, stored
@@ -20,6 +19,7 @@ from evidence.person.adaptation_tables import FLOOR, ORDERED, PLACED, PLAIN, UNP
 from pointpred import Pipeline, build
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.replay import replay
 from pointpred.training import data

@@ -7,12 +7,12 @@ from itertools import pairwise
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence import FIGURES
 from evidence.data import Table, keep
 from evidence.thinning import save
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.records import FloatArray
 from pointpred.scoring.measures import time_left
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 

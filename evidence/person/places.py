@@ -13,7 +13,6 @@ from math import hypot, nan
 from typing import NamedTuple
 
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
@@ -21,6 +20,7 @@ from evidence.held_out import HeldOut, held_out
 from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import resolution
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target

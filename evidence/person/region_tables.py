@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
-from pointpred.records import BoolArray, FloatArray
 
 from evidence.data import Table, keep
+from pointpred.records import BoolArray, FloatArray
 
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
 """The ellipses that are drawn, and when: shares of the time from onset to arrival."""

@@ -14,13 +14,13 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.held_out import HeldOut, held_out, stored
 from evidence.person.region_tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
 from pointpred import Pipeline, PredictionColumns, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures.moments import moments
 from pointpred.training import data

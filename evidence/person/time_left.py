@@ -15,7 +15,6 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence import ROOT
 from evidence.arguments import parse
@@ -39,6 +38,7 @@ from pointpred.predictors.adaptation.time_left import (
     Prior,
 )
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.training import data

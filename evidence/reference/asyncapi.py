@@ -7,16 +7,16 @@ from typing import Any, get_type_hints
 import msgspec
 import numpy as np
 import yaml
-from pointpred.records import PHASES
 
 import pointpred
 from evidence.reference import asyncapi_examples as examples
 from evidence.reference.asyncapi_live import live_channel, live_messages, live_operations
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
-from pointpred.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack_predictions
+from pointpred.protocol.packed import EVENT, NO_COUNTS, PREDICTION, pack_predictions
 from pointpred.protocol.server_messages import SERVER_MESSAGES
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred.records import PHASES
+from pointpred_server.sessions.pointing import PointingSession
 
 CHANNEL = {"$ref": "#/channels/stream"}
 PREDICTIONS = ["prediction", "binaryPredictions", "cursor"]

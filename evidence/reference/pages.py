@@ -27,12 +27,12 @@ from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.scoring import FLOOR
-from pointpred.server.app import create_app
-from pointpred.server.logs import EVERY_ENTRY, FIELDS
-from pointpred.server.metrics import Metrics
-from pointpred.server.settings import Settings
-from pointpred.server.workers.families import OF_PROCESS
-from pointpred.server.workers.supervisor import SupervisorMetrics
+from pointpred_server.app import create_app
+from pointpred_server.logs import EVERY_ENTRY, FIELDS
+from pointpred_server.metrics import Metrics
+from pointpred_server.settings import Settings
+from pointpred_server.workers.families import OF_PROCESS
+from pointpred_server.workers.supervisor import SupervisorMetrics
 
 UNITS = {"_seconds": "s", "_bytes": "bytes", "_info": ""}
 """Of a metric, by the end of its name; other metrics count."""

@@ -14,13 +14,13 @@ from typing import Any
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.scored import find, named
 from pointpred import Pipeline, build
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, SetScore, prepare, score
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova, axis_profile

@@ -20,8 +20,8 @@ from pointpred.registry import RECOMMENDED
 if TYPE_CHECKING:
     from pointpred.live.page import PageService
     from pointpred.live.run import OutputOptions
-    from pointpred.server.live_feed import LiveFeed
     from pointpred.sources import Reading
+    from pointpred_server.live_feed import LiveFeed
 
 REPLAY = "Without a device"
 LSL = "Lab Streaming Layer (extra lsl)"

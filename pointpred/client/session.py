@@ -37,7 +37,7 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import decode_server_message
 from pointpred.protocol.frames import Frame, event_frames, message_of, row_of_prediction
-from pointpred.protocol.records import NONE, PREDICTION, unpack_predictions
+from pointpred.protocol.packed import NONE, PREDICTION, unpack_predictions
 from pointpred.protocol.server_messages import (
     Choice,
     Cursor,

@@ -25,9 +25,9 @@ from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
 from pointpred.records import PointerEvent
 from pointpred.registry import build
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.logs import set_up
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
+from pointpred_server.live_feed import LiveFeed
+from pointpred_server.logs import set_up
 
 PAGE_FIRST = "; begins when the page is opened"
 

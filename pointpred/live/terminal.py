@@ -18,7 +18,7 @@ from pointpred.console import counted, plain, remarks
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.records import PointerEvent, Prediction
-from pointpred.server.logs import OWN, PlainLines
+from pointpred_server.logs import OWN, PlainLines
 
 REFRESH_S = 0.2
 LINE_S = 1.0

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.nonlinearity import (
+from pointpred.records import FloatArray
+from pointpred_observers.nonlinearity import (
     ATAN,
     CUBE,
     IDENTITY,
@@ -21,7 +22,6 @@ from pointpred.observers.nonlinearity import (
     TANH,
     Nonlinearity,
 )
-from pointpred.records import FloatArray
 
 ROUNDING = 1e-12
 """Slopes may be narrower than the true ones by this share, as when they were printed with all digits."""

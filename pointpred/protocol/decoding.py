@@ -15,7 +15,7 @@ from msgspec import Meta, Struct
 
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.records import EVENT, NONE, EventFloats, unpack_event, unpack_events
+from pointpred.protocol.packed import EVENT, NONE, EventFloats, unpack_event, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
 from pointpred.records import LARGEST, LATEST_S, EventColumns, FloatArray
 

@@ -10,7 +10,7 @@ from msgspec import UNSET, UnsetType
 
 from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Encoding
-from pointpred.protocol.records import (
+from pointpred.protocol.packed import (
     EVENT,
     NO_COUNTS,
     NONE,

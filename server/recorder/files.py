@@ -12,8 +12,8 @@ import msgspec
 import numpy as np
 import pyarrow as pa
 import pyarrow.csv as pacsv
-from pointpred.records import PHASES, FloatArray
 
+from pointpred.records import PHASES, FloatArray
 from pointpred.sources.own.appended import SAMPLES, TRIALS
 from pointpred.sources.tables.arrow_tables import MARK
 

@@ -15,7 +15,7 @@ from translation.javascript import Law
 from translation.source import UntranslatableError, module, parse
 
 EXEMPT = {
-    "pointpred.protocol.records": "it reads numpy records off the wire; another language has its own way"
+    "pointpred.protocol.packed": "it reads numpy records off the wire; another language has its own way"
 }
 """Modules whose laws are not translated, and why."""
 WITH_LAWS = [

@@ -5,13 +5,13 @@ from __future__ import annotations
 import inspect
 
 import numpy as np
-from pointpred.records import FloatArray, MotionRow, Row, TenFloats, endpoint
 
 from pointpred import PointerEvent, build
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import LinearPredictor, Predictor
+from pointpred.records import FloatArray, MotionRow, Row, TenFloats, endpoint
 
 
 class Far(LinearPredictor):

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pickle
 
 import pytest
-from pointpred.records import REFUSED, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 from pointpred import build
 from pointpred.compiled import law
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import Predictor
+from pointpred.records import REFUSED, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 
 @law

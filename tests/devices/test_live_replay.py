@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray, Pair, PredictionColumns
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
@@ -24,6 +23,7 @@ from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray, Pair, PredictionColumns
 from pointpred.scoring.replay import answers_to
 from pointpred.scoring.trials import prepare
 from pointpred.sources import read, write

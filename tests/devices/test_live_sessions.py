@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from pointpred.records import Pair
 
 from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
 from pointpred.live.session import LiveSession
 from pointpred.live.statistics import Delays, Pace
+from pointpred.records import Pair
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain
 from tests.devices.live_fakes import FakeMouse, reach
 

@@ -16,14 +16,14 @@ from urllib.error import HTTPError
 from urllib.request import urlopen
 
 import numpy as np
-from pointpred.records import FloatArray
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from pointpred import EventColumns, build, run
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.records import PREDICTION, pack_events, pack_predictions
+from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
+from pointpred.records import FloatArray
 from pointpred.sources import read
 from tests.server.running import PATIENCE_S
 

@@ -13,13 +13,13 @@ import json
 from collections.abc import Iterator
 
 import numpy as np
-from pointpred.records import FloatArray
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
 from pointpred.datasets import sample
-from pointpred.protocol.records import pack_events
+from pointpred.protocol.packed import pack_events
+from pointpred.records import FloatArray
 from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read, write
 
 SILENCE_S = 1.5

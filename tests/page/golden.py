@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from pointpred.records import row_at
 
 from pointpred import REGISTRY, build
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
+from pointpred.records import row_at
 from pointpred.registry import GAINS
 from pointpred.targets import around, choice_law, decision, posterior, prefetch
 from pointpred.targets.rectangles import table

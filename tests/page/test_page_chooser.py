@@ -7,10 +7,10 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from pointpred.records import event_of, prediction_of
 
 from pointpred import Place, build
 from pointpred.errors import PointpredError
+from pointpred.records import event_of, prediction_of
 from pointpred.targets import Chooser, Target
 from tests.page import node
 from tests.page.movements import movements

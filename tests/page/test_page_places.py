@@ -7,10 +7,10 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from pointpred.records import event_of, prediction_of
 
 from pointpred import Place, build
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.records import event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
 from tests.page import node
 from tests.page.test_page_chooser import assert_alike as assert_close

@@ -8,7 +8,6 @@ from contextlib import suppress
 import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build, run
 from pointpred import person as persons
@@ -17,6 +16,7 @@ from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.predictors.adaptation import correction as law
 from pointpred.predictors.adaptation import distances, places, time_left
 from pointpred.predictors.adaptation import durations as clock
+from pointpred.records import FloatArray
 from pointpred.stage import Slot
 
 NAME = "kinematic-adaptive"

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from pointpred.records import METRES_PER_INCH, FloatArray
 
 from pointpred import EventColumns
 from pointpred.accelerations import Accelerations
+from pointpred.records import METRES_PER_INCH, FloatArray
 
 CPI = 2000.0
 COUNT_M = METRES_PER_INCH / CPI

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 from scipy import stats
 
 from pointpred.predictors.adaptation import levels as tracker
 from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels
+from pointpred.records import FloatArray
 
 AT = levels.LEARNED
 SIZE = levels.LEARNED + levels.STATES

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray, MotionColumns
 
 from pointpred import EventColumns, Motion, build
 from pointpred.errors import ParameterError
 from pointpred.predictors import DelphianPredictor, fit_line
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray, MotionColumns
 
 SLOPE, OFFSET = 400.0, 60.0
 PX_PER_M = 96.0 / 0.0254

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import METRES_PER_INCH, FloatArray
 from scipy.linalg import expm, solve_continuous_are
 
 from pointpred import EventColumns, Pipeline, build, run
@@ -15,6 +14,7 @@ from pointpred.differentiators import KalmanDifferentiator, fused_path, inertial
 from pointpred.differentiators.inertial import InertialDifferentiator
 from pointpred.errors import EventError
 from pointpred.predictors import SwitchedPredictor
+from pointpred.records import METRES_PER_INCH, FloatArray
 from tests.reference.inertial_bench import Bench, path
 
 

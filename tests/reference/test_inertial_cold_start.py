@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, PointerEvent
 from pointpred.differentiators import (
@@ -12,6 +11,7 @@ from pointpred.differentiators import (
     InertialDifferentiator,
     KalmanDifferentiator,
 )
+from pointpred.records import FloatArray
 from tests.reference.inertial_bench import Bench, path
 
 

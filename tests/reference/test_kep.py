@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray, Prediction
 
 from pointpred import EventColumns, Motion, build, run
 from pointpred.predictors import KinematicEndpointPredictor
+from pointpred.records import FloatArray, Prediction
 
 DIRECTION = np.array([0.6, -0.8])
 

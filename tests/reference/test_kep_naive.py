@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, Motion, build
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
 from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep
 from pointpred.predictors.kep import quartic
+from pointpred.records import FloatArray
 from pointpred.regression import least_squares
 from tests.reference.naive_kep import NaiveKep
 

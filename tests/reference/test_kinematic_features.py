@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build
 from pointpred.predictors.kinematic import features, history, observation
+from pointpred.records import FloatArray
 
 LAGS = np.array(features.LAGS_S)
 

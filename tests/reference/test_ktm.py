@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, Motion, build, run
 from pointpred.errors import ParameterError
 from pointpred.predictors import TemplatePredictor, templates_of
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray
 from tests.reference import naive_ktm
 
 Move = tuple[FloatArray, FloatArray, FloatArray]

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray, MotionColumns
 from scipy.optimize import brentq
 
 from pointpred import EventColumns, Motion, build, run
 from pointpred.predictors import MinimumJerkPredictor, minimum_jerk
+from pointpred.records import FloatArray, MotionColumns
 
 
 def way(tau: FloatArray) -> FloatArray:

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 from scipy.integrate import solve_ivp
 
+from pointpred.records import FloatArray
 from pointpred.reproduction.simulation_checks import (
     ballistic_estimate,
     bare_memory,

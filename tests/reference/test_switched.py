@@ -7,10 +7,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from pointpred.records import FloatArray, MotionColumns
 from scipy.integrate import solve_ivp
 
 from pointpred.predictors.switched import SwitchedPredictor
+from pointpred.records import FloatArray, MotionColumns
 
 
 def motions(t: FloatArray, x: FloatArray, v: FloatArray, a: FloatArray) -> MotionColumns:

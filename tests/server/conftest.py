@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
+from pointpred.recorder.writer import Recorder
 from pointpred.replaying import Page
-from pointpred.server.recorder.writer import Recorder
 from tests.server import browser, page_browser
 from tests.server.listener import Listener
 from tests.server.page_browser import Visitor

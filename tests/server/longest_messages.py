@@ -21,9 +21,9 @@ from evidence.costs.load.movements import resampled, tables
 from evidence.data import Table, keep
 from evidence.machine import machine
 from pointpred import build
-from pointpred.protocol.records import EVENT, pack_events
+from pointpred.protocol.packed import EVENT, pack_events
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 TRIES = 7
 MOVEMENTS = 150

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred.protocol.server_messages import Limits
+from pointpred.records import EventColumns
 from pointpred.replaying import Page, drive_mouse
 from tests.server import browser
 from tests.server.listener import Listener, soon

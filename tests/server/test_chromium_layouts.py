@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.datasets import sample
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.replaying import Page
 from pointpred.sources import read
 from pointpred.targets import Chooser, Target

@@ -17,8 +17,8 @@ from typing import Self
 import pytest
 
 from pointpred.protocol.frames import Frame
-from pointpred.server.connection import Violation
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.connection import Violation
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
 from tests.server.longest_messages import targets
 from tests.server.running import HELLO, PATIENCE_S, Running, running

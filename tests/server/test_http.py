@@ -17,16 +17,16 @@ import msgspec
 import numpy as np
 import pytest
 from httpx2 import get, post
-from pointpred.records import EventColumns
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from pointpred.cli.serve import serve
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
-from pointpred.server.settings import Settings
 from pointpred.sources import read, write
+from pointpred_server.settings import Settings
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from evidence.costs.soak.client import CLOSE, PING, TEXT, frame, split, upgrade
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 EVENT = b'{"type":"events","events":[[%d.0,1.0,2.0,null,null,0]]}'

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, build, client, run
 from pointpred.client import ServiceError
+from pointpred.records import FloatArray
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S, running
 

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns
 from pointpred.accelerations import Accelerations
 from pointpred.errors import EventError
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray
 from pointpred.scoring.trials import prepare
 
 

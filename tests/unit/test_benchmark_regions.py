@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import RegionColumns
 
 from evidence.held_out import HeldOut
 from evidence.person import region_tables as regions_page
@@ -15,6 +14,7 @@ from evidence.person.region_tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
+from pointpred.records import RegionColumns
 from pointpred.scoring import prepare
 
 EACH = 12

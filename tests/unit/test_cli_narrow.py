@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred import console
 from pointpred.cli import tables
@@ -16,6 +15,7 @@ from pointpred.cli.doctor import Finding
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.registry import REGISTRY
 from pointpred.scoring import HEADINGS, rows, score, summarise
 from pointpred.sources import write

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred import build, run
 from pointpred.cli import recordings as module
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Goal, Hello
-from pointpred.server.recorder.writer import Recorder
+from pointpred.recorder.writer import Recorder
+from pointpred.records import EventColumns
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read_any
 from pointpred.sources.own import recordings as own
 

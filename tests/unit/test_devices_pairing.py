@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import EventColumns, PointerEvent
 
 from pointpred.devices.cursor.pairing import Pairing
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
+from pointpred.records import EventColumns, PointerEvent
 from pointpred.reproduction.transfer_trials import CPI, DPI, gain_error, simulate_trials
 from pointpred.transfer import SigmoidGain, TransferFunction, TransferLearner
 

@@ -7,11 +7,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from pointpred.records import LARGEST, LATEST_S
 
 from pointpred import EventColumns, Motion, PointerEvent
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
 from pointpred.errors import EventError, EventOrderError
+from pointpred.records import LARGEST, LATEST_S
 
 
 @pytest.fixture(params=list(DIFFERENTIATORS))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from evidence.data import Table
 from evidence.intent import foresight
@@ -13,6 +12,7 @@ from evidence.intent.movements import Movement
 from evidence.intent.page import beside
 from evidence.intent.scores import by_policy, by_rule, score
 from evidence.intent.speculation import by_hover
+from pointpred.records import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
 

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred import person as persons
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
+from pointpred.records import FloatArray
 from pointpred.stage import Slot
 
 NAME = "kinematic-adaptive"

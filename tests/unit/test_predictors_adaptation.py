@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, Motion, Pipeline, build, run
 from pointpred.datasets import sample
@@ -19,6 +18,7 @@ from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.predictors.adaptation import correction
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
+from pointpred.records import FloatArray
 from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pointpred.records import FloatArray, MotionColumns
 
 from pointpred import Motion
 from pointpred.errors import EventError, ParameterError
@@ -19,6 +18,7 @@ from pointpred.predictors import (
     MinimumJerkPredictor,
     Predictor,
 )
+from pointpred.records import FloatArray, MotionColumns
 
 MAKERS: dict[str, Callable[[], Predictor]] = {
     "linear": LinearPredictor,

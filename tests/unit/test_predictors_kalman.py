@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray
 from scipy.linalg import expm
 
 from pointpred import Motion, build
 from pointpred.predictors import KalmanPredictor, kalman
+from pointpred.records import FloatArray
 
 
 def at(t: float, x: float, y: float = 0.0, *, start: bool = False) -> Motion:

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import FloatArray, Prediction, prediction_of
 from scipy import optimize, stats
 
 from pointpred import EventColumns, Pipeline, build, run
 from pointpred.errors import ParameterError
 from pointpred.predictors.adaptation import destination, distances, habits, places
 from pointpred.predictors.adaptation.destination import Heading
+from pointpred.records import FloatArray, Prediction, prediction_of
 from pointpred.scene import scene
 
 NAME = "kinematic-adaptive"

@@ -6,10 +6,10 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read, write
 
 HEADER = "user,trial,t_s,x_px,y_px\n"

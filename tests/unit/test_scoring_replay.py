@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred.records import BoolArray, FloatArray, MotionColumns
 
 from pointpred import REGISTRY, EventColumns, build, run
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import chunks, prepare, replay, score, scorer
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors

@@ -11,9 +11,9 @@ import pytest
 from evidence.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.costs import TEXT_BYTE_S
-from pointpred.server.sessions.quota import SHARE
-from pointpred.server.sessions.viewing import ViewingSession
+from pointpred_server.sessions.costs import TEXT_BYTE_S
+from pointpred_server.sessions.quota import SHARE
+from pointpred_server.sessions.viewing import ViewingSession
 from tests.server.longest_messages import longest_messages, packed, session_before, targets, text
 from tests.unit.talking import Talk, events, hello
 

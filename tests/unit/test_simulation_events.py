@@ -8,9 +8,9 @@ import sys
 
 import numpy as np
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred import build
+from pointpred.records import EventColumns
 from pointpred.simulation import Aim, Condition, Person, Setup, people, simulate_circle
 from pointpred.simulation.circle import positions
 from pointpred.simulation.movement import Movement, move, move_assisted

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred.records import FloatArray, prediction_row
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
+from pointpred.records import FloatArray, prediction_row
 from pointpred.scoring.target_choice import decisions as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
 from pointpred.targets.posterior import FITTED

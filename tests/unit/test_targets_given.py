@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import prediction_row
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.errors import ParameterError
+from pointpred.records import prediction_row
 from pointpred.targets import Chooser, Target, around
 from pointpred.targets.posterior import COEFFICIENTS
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pointpred.records import FloatArray
 
 from pointpred import EventColumns, PointerEvent, Prediction, build
 from pointpred import run as run_columns
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.records import FloatArray
 from pointpred.targets import Chooser, Target, around
 from pointpred.targets.evidence import FEATURES, MASS
 from pointpred.targets.posterior import COEFFICIENTS, SET

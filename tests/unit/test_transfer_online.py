@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 import pytest
-from pointpred.records import PointerEvent
 
 from pointpred.errors import EventError, ParameterError
+from pointpred.records import PointerEvent
 from pointpred.reproduction.transfer_trials import CPI, DPI, simulate_trials
 from pointpred.transfer import (
     ConstantGain,

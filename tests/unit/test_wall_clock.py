@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointpred.records import LARGEST, LATEST_S
 
 from pointpred import EventColumns
 from pointpred.errors import EventError
+from pointpred.records import LARGEST, LATEST_S
 from pointpred.transfer import AssistedTransfer, ConstantGain, PixelTransfer, PolynomialIdentifier
 
 NOW_S = 1.7e9

@@ -16,11 +16,11 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from pointpred.records import FloatArray
 
 from evidence.costs.soak.offline import CPI, DPI, OfflineRun
 from pointpred.datasets import sample
-from pointpred.protocol.records import pack_events
+from pointpred.protocol.packed import pack_events
+from pointpred.records import FloatArray
 
 TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
 APART = 9973

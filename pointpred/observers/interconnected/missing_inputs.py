@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
 from pointpred.records import FloatArray
+from pointpred_observers.matrices import matrix
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""

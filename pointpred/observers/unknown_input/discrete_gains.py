@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.unknown_input.gains import (
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.unknown_input.gains import (
     NEGLIGIBLE,
     ROOMS,
     Room,
@@ -17,8 +18,7 @@ from pointpred.observers.unknown_input.gains import (
     mean_start,
     solved,
 )
-from pointpred.observers.unknown_input.invariant_zeros import kernel
-from pointpred.records import FloatArray
+from pointpred_observers.unknown_input.invariant_zeros import kernel
 
 
 def lyapunov(

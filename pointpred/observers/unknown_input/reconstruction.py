@@ -7,8 +7,8 @@ from typing import Any, Self
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
 from pointpred.records import BoolArray, FloatArray
+from pointpred_observers.matrices import matrix
 
 SINGULAR = 1e-9
 """Singular values below this share of the largest count as zero."""

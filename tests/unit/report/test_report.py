@@ -6,13 +6,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from pointpred.records import EventColumns
 
 from pointpred import build
 from pointpred import run as pipeline_run
 from pointpred.drawing.style import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.report import write_report
 from pointpred.report.choice import compared, highlighted
 from pointpred.scoring import score as run
