@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers page docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -31,20 +31,20 @@ format: $(READY)  ## format the code with ruff
 	$(BIN)/ruff format .
 
 bench: $(READY)  ## measure the cost of each pipeline, and of the service
-	$(BIN)/python -m benchmarks.per_event
-	$(BIN)/python -m benchmarks.service $(if $(BEFORE),--before '$(BEFORE)')
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence costs per_event
+	$(BIN)/python -m evidence costs service $(if $(BEFORE),--before '$(BEFORE)')
+	$(BIN)/python -m evidence
 
-load: $(READY)  ## measure delays under load, in 15 minutes; WORKERS=N of the second server (2), BEFORE=COMMIT adds a build
-	$(BIN)/python -m pages.load.measure $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
-	$(BIN)/python -m pages
+load: $(READY)  ## measure delays under load, in ten minutes; WORKERS=N of the second server (2), BEFORE=COMMIT adds a build
+	$(BIN)/python -m evidence costs load $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+	$(BIN)/python -m evidence
 
-load-short: $(READY)  ## print the same tables in three minutes, from shorter runs; writes nothing
-	$(BIN)/python -m pages.load.measure --short $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+load-short: $(READY)  ## print the same tables in two minutes, from shorter runs; writes nothing
+	$(BIN)/python -m evidence costs load --short $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
 
 soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every prediction compared
-	$(BIN)/python -m benchmarks.soak $(MINUTES)
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence costs soak $(MINUTES)
+	$(BIN)/python -m evidence
 
 faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut networks, signals, limits
 	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py tests/unit/test_batch.py
@@ -55,19 +55,15 @@ observers: $(READY)  ## the longer tests of observers: random plants in other un
 page: $(READY)  ## translate the laws to JavaScript, into server/pointpred_server/web/laws
 	$(BIN)/python -m translation
 
-docs: $(READY)  ## write the pages made from code and from the measured numbers in pages/
-	$(BIN)/python -m pages
+docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
+	$(BIN)/python -m evidence
 
 results: $(READY)  ## score every predictor on the recordings in POINTPRED_RECORDINGS and the sample
-	$(BIN)/python -m pages.results.measure
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence results
+	$(BIN)/python -m evidence
 
 train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
-	$(BIN)/python -m pointpred.training
-
-crossvalidate: $(READY)  ## score kinematic on people and sets held out
-	$(BIN)/python -m pages.kinematic.measure
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence results train
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
@@ -75,7 +71,7 @@ sample: $(READY)  ## generate the embedded sample again (same bytes)
 fuzz: $(READY)  ## fuzz every parser, FUZZ_SECONDS (240) each; the inputs that reach most are kept
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.campaign $(FUZZ_TARGETS)
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence
 
 audit: $(READY)  ## check the licences of all packages, and look for known weaknesses in their versions
 	$(BIN)/python -m pytest -q tests/architecture/test_licences.py
@@ -84,8 +80,8 @@ audit: $(READY)  ## check the licences of all packages, and look for known weakn
 	.venv/.audit/bin/pip-audit --strict --no-deps --disable-pip --requirement constraints.txt
 
 inputs: $(READY)  ## read the public recordings in FOLDER twice, and compare
-	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'
-	$(BIN)/python -m pages
+	$(BIN)/python -m evidence inputs '$(FOLDER)'
+	$(BIN)/python -m evidence
 
 fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'

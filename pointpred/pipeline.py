@@ -47,7 +47,7 @@ def joint_of(
 
     def joint(memory: FloatArray, other: FloatArray, row: Row, *shared: FloatArray) -> TenFloats:
         kept = memory.copy()
-        answer = first(memory, row)
+        answer: TenFloats = first(memory, row)
         if answer[0] == answer[0]:
             answer = second(other, answer, *shared)
             if answer[0] != answer[0]:
@@ -145,15 +145,16 @@ class Pipeline:
         and the phase where ``update`` gives ``None``. Raises EventOrderError or EventError naming the row;
         nothing is then consumed.
         """
-        columns = events if isinstance(events, EventColumns) else None
-        table = columns.table if columns is not None else events
-        if want == "last" and columns is None and self.compiled:
+        if isinstance(events, EventColumns):
+            table, begin = events.table, events.begin
+        else:
+            table, begin = events, np.zeros(len(events), np.bool_)
+        if want == "last" and events is table and self.compiled:
             laws = type(self.differentiator).step, type(self.predictor).step, type(self.predictor).follow
             memories = self.differentiator._memory, self.predictor._memory
             answer = last_of(*laws)(*memories, table, *self.predictor.shared)
             if answer[0] == answer[0]:
                 return np.array([answer])
-        begin = np.zeros(len(table), np.bool_) if columns is None else columns.begin
         before = self.differentiator.remembered()
         answers: FloatArray | None = None
         try:

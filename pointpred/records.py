@@ -88,11 +88,9 @@ class Field(msgspec.Struct, frozen=True):
     @property
     def json(self) -> Any:
         """The type of its values in JSON."""
-        bounds = msgspec.Meta(ge=self.low, le=min(self.high, self.most))
-        if self.whole:
-            bounds = msgspec.Meta(ge=int(self.low), le=int(min(self.high, self.most)))
-        kind = Annotated[int if self.whole else float, bounds]
-        return kind | None if self.optional else kind  # type: ignore[operator]
+        number: Any = int if self.whole else float
+        kind: Any = Annotated[number, msgspec.Meta(ge=number(self.low), le=number(min(self.high, self.most)))]
+        return kind | None if self.optional else kind
 
 
 def fields_of(record: type) -> tuple[Field, ...]:

@@ -127,7 +127,7 @@ REGISTRY: dict[str, Entry] = {
             "kinematic",
             KinematicPredictor,
             "learned from people: endpoint, region, tail and time left from the movement so far",
-            "docs/evidence/kinematic.md",
+            "docs/evidence/results.md",
         ),
         Entry(
             "kinematic-adaptive",

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from pages.designs.measure import gap
-from pages.designs.plants import DOORS, Problem
+from evidence.observers.designs import gap
+from evidence.observers.plants import DOORS, Problem
 from pointpred.errors import InfeasibleError, UndecidedError
 
 SEEDS = st.integers(0, 2**32 - 1)

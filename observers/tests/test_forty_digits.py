@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pages.designs.facts import EXAMPLES, compared
+from evidence.observers.facts import EXAMPLES, compared
 
 LONG = ("6", "7")
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pages.designs.measure import outcome
+from evidence.observers.designs import outcome
 from pointpred.errors import InfeasibleError, PointpredError
 from pointpred_observers import Generator, Persidskii, SectorBounds, certify_tracking, sector_bounds
 from pointpred_observers.interconnected.growing_mode import growing_mode, quadrant

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pages.designs.measure import outcome
-from pages.designs.plants import hiding
+from evidence.observers.designs import outcome
+from evidence.observers.plants import hiding
 from pointpred.errors import UndecidedError
 from pointpred_observers import Persidskii, certify_convergence, design_reduced_order, invariant_observer
 from pointpred_observers.inequalities import matrix_inequalities

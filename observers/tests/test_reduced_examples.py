@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages.markdown import filled
+from evidence.rendering import filled
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred_observers import (
     NonlinearRegressor,
@@ -106,8 +106,8 @@ def test_example_6_converges_although_the_condition_of_theorem_3_3_3_fails() -> 
 def test_the_table_of_example_7_is_that_of_the_data() -> None:
     if not os.environ.get("POINTPRED_RECORDINGS"):
         pytest.skip("POINTPRED_RECORDINGS is not set")
-    from pages.observers.measure import recursion, starts
-    from pages.rendering import shown
+    from evidence.observers.sniffer import recursion, starts
+    from evidence.rendering import shown
     from pointpred_observers.reproduction.reversed_connection import sniffer
 
     file = Path(os.environ["POINTPRED_RECORDINGS"], "sniffer.csv")

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pages.designs.plants import DOORS, KINDS, Problem
+from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import (
     Generator,

@@ -103,7 +103,7 @@ class SwitchedDirectionPredictor(Predictor):
     ``stopping`` (no unit). Always answers, at first with the cursor. Memory: 29 floats. Claims no region and
     no time of arrival: an exponential never arrives. Raises ParameterError, and EventError from ``update``.
 
-    Reference: Khalin 2022, sections 2.4.2, 2.4.3 and 2.5.6, changed as docs/evidence/switched.md tells.
+    Reference: Khalin 2022, sections 2.4.2, 2.4.3 and 2.5.6, changed as docs/evidence/reproduce.md tells.
 
     >>> from pointpred import Motion
     >>> predictor = SwitchedDirectionPredictor(own=1.0)

@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.drawing.panels import Panel, beside, drawing
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.reproduction.figure import Reproduction, Value
-from pointpred.simulation.validation import corrective_signals, minimum_jerk_check
+from pointpred.reproduction.simulation_checks import corrective_signals, minimum_jerk_check
 
 DURATION_S = 420.0
 """Until the cursor has arrived: arctan moves it at most 1.57 px/s over 600 px."""

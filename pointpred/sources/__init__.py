@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pointpred.sources.conversion import Summary, convert, write_recordings
     from pointpred.sources.known_formats import FORMATS, Format, format_of
-    from pointpred.sources.own.growing import write_in_parts
     from pointpred.sources.own.recordings import read, write
     from pointpred.sources.own.stored import StoredRecording
     from pointpred.sources.read_files import open_any, read_any
@@ -30,12 +29,11 @@ __all__ = [
     "read",
     "read_any",
     "write",
-    "write_in_parts",
     "write_recordings",
 ]
 
 MODULES = (
-    *("reading", "own.growing", "own.recordings", "own.stored", "trials.segmentation"),
+    *("reading", "own.recordings", "own.stored", "trials.segmentation"),
     *("known_formats", "read_files", "conversion"),
 )
 """Where the public names are; loaded when one is first used, since commands need the options of ``Reading``

@@ -72,7 +72,7 @@ def open_any(
     """As ``read_any``, but the trials of a long Parquet file that pointpred wrote stay in the file.
 
     Each person's and trial's rows must lie together there, and the trials file beside it must have the same
-    order, as ``write`` and ``write_in_parts`` do it; any other file is read into memory.
+    order, as ``write`` does it; any other file is read into memory.
     """
     path = _here(path)
     plain = msgspec.structs.replace(reading, cpi=AS_IS.cpi, dpi=AS_IS.dpi) == AS_IS

@@ -1,4 +1,4 @@
-"""Coefficients of the evidence, fitted by ``python -m pages.targets.measure``; not to be edited by hand."""
+"""Coefficients of the evidence, fitted by ``python -m evidence intent targets``; not to be edited by hand."""
 
 from __future__ import annotations
 
@@ -21,4 +21,4 @@ PAGES_NONE = (-2.534, -1.879)
 PAGES_UNCLAIMED_SLOW = (0, -0.1784, -0.4685, -0.001198, 0.03061, -1.652)
 PAGES_UNCLAIMED_FAST = (0.0001214, -0.3341, -0.31, 0.07046, 0.01493, -0.6832)
 PAGES_UNCLAIMED_NONE = (-2.639, -1.233)
-"""The same for pages, as cards, links and menus are laid out, by ``python -m pages.intent.fit``."""
+"""The same for pages, as cards, links and menus are laid out, by ``python -m evidence intent fit``."""

@@ -39,7 +39,7 @@ THRESHOLD, ELSEWHERE = 0.5, 0.02
 BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
 """Places of the settings."""
 FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
-"""Settings by ``python -m pages.intent.fit``, for shares by ``posterior.FITTED_PAGES``."""
+"""Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
 
 Targets = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 """The table of the targets; of each its threshold, how likely it is visited, and its state."""

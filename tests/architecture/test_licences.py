@@ -6,8 +6,8 @@ import re
 
 import pytest
 
-from pages.data import stored
-from pages.licences.measure import licence_of, packages
+from evidence.data import stored
+from evidence.reference.licences import licence_of, packages
 
 COMPATIBLE = {
     *(
@@ -31,7 +31,7 @@ REASONS = {
     "python-xlib": "LGPL-2.1-or-later",
 }
 """Packages whose other licence is accepted, for the reason that the page gives."""
-LISTED = {str(row[0]): str(row[1]) for row in stored("licences").tables["licences"].rows}
+LISTED = {str(row[0]): str(row[1]) for row in stored("reference", "licences").tables["licences"].rows}
 
 
 def compatible(licence: str) -> bool:
@@ -43,7 +43,7 @@ def compatible(licence: str) -> bool:
 
 
 def test_the_list_holds_every_package_and_no_other() -> None:
-    assert sorted(LISTED) == sorted(packages()), "run `python -m pages.licences.measure`, then `make docs`"
+    assert sorted(LISTED) == sorted(packages()), "run `python -m evidence reference licences`, `make docs`"
 
 
 @pytest.mark.parametrize("name", packages())
@@ -51,4 +51,4 @@ def test_a_package_has_a_compatible_licence(name: str) -> None:
     licence = LISTED[name]
     assert compatible(licence) or REASONS.get(name) == licence, f"{name} is under {licence!r}"
     installed = licence_of(name)
-    assert installed in (None, licence), "run `python -m pages.licences.measure`, then `make docs`"
+    assert installed in (None, licence), "run `python -m evidence reference licences`, then `make docs`"

@@ -26,7 +26,7 @@ OPTIONAL = {
     *("websockets", "hidraw", "Xlib", "pylsl"),
     *("clarabel", "cvxpy", "sympy", "cv2"),
 }
-"""What the library does without: libraries of the service, of the observers, of its extras ``client``, ``live``."""
+"""Libraries of the service, of the observers, of the extras ``client`` and ``live``: not of the library."""
 
 CHECK = """
 import pkgutil, importlib, pointpred, pointpred.datasets

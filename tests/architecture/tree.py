@@ -18,7 +18,7 @@ def package_files() -> list[Path]:
 
 def own_files() -> list[Path]:
     """Every Python file of the project."""
-    rooms = ("tests", "observers/tests", "benchmarks", "pages")
+    rooms = ("tests", "observers/tests", "evidence")
     others = [path for room in rooms for path in (ROOT / room).rglob("*.py")]
     return sorted([*package_files(), *others])
 

@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 import yaml
 
-from pages import ROOT
-from pages.asyncapi.document import document, keys, schemas
-from pages.asyncapi.examples import EVENT_ROWS
-from pages.asyncapi.live import EXAMPLES
+from evidence import ROOT
+from evidence.reference.asyncapi import document, keys, schemas
+from evidence.reference.asyncapi_examples import EVENT_ROWS
+from evidence.reference.asyncapi_live import EXAMPLES
 from pointpred.protocol import client_messages, server_messages
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, CLIENT_TYPES, ClientMessage
 from pointpred.protocol.decoding import decode_client_message, table_of_bytes

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages import ROOT
-from pages.__main__ import everything, made
-from pages.markdown import filled
+from evidence import ROOT
+from evidence.pages import everything, made
+from evidence.rendering import filled
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.person import LARGEST
 from pointpred.protocol.decoding import EXTREME_MOST
@@ -147,7 +147,7 @@ def test_links_to_a_section_lead_to_one(page: Path) -> None:
         assert anchor in anchors(where), f"{page.name} links to {link}#{anchor}"
 
 
-NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|pages|docs)/[a-z0-9_/.-]+\.[a-z]+)")
+NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|evidence|docs)/[a-z0-9_/.-]+\.[a-z]+)")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)

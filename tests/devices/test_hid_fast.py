@@ -1,13 +1,13 @@
 """A mouse at 8 kHz for two seconds: everything that reached the node is read, in order, once.
 
-Nothing is timed here; ``python -m benchmarks.devices`` does that, for a minute.
+Nothing is timed here; ``python -m evidence costs devices`` does that, for a minute.
 """
 
 from __future__ import annotations
 
 import pytest
 
-from benchmarks.devices_live import measure
+from tests.devices.live_mouse import measure
 from tests.devices.umockdev import missing
 
 

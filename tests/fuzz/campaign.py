@@ -2,8 +2,8 @@
 
 ``python -m tests.fuzz.campaign [NAME ...]`` runs some of the targets. A corpus is afterwards as small as it
 can be while it reaches the same code, and at most 32 KiB, smallest inputs first. The numbers go into
-``pages/attacks/fuzz.json``. An input that breaks a parser is named and kept in ``tests/fuzz/broken``; the
-command then ends in an error.
+``evidence/attacks/data/fuzz.json``. An input that breaks a parser is named and kept in ``tests/fuzz/broken``;
+the command then ends in an error.
 """
 
 from __future__ import annotations
@@ -19,15 +19,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-from benchmarks.machine import computer
-from pages import PAGES
-from pages.attacks.page import Run
-from pages.data import read, write
+from evidence.attacks.page import Run
+from evidence.data import file_of, read, write
+from evidence.machine import computer
 from tests.fuzz.targets import TARGETS
 
 CORPUS = Path(__file__).parent / "corpus"
 BROKEN = Path(__file__).parent / "broken"
-FILE = PAGES / "attacks" / "fuzz.json"
+FILE = file_of("attacks", "fuzz")
 KEPT_BYTES = 2**15
 """Of a corpus; the repository holds them all."""
 TIMEOUT_S, MEMORY_MIB = 20, 2048

@@ -17,7 +17,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from pages.arguments import parse
+from evidence.arguments import parse
 from pointpred.sources import read_any
 
 PROCESSES = 2000

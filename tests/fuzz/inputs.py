@@ -29,8 +29,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.data import keep
-from pages.inputs.measure import LIST, OUT, File, listed, reading_of
+from evidence.data import keep
+from evidence.inputs.measure import LIST, OUT, File, listed, reading_of
 from pointpred.errors import PointpredError
 from pointpred.recording import Recording
 from pointpred.sources import read_any

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import random
 
-from benchmarks.soak.usage import usage_of
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs.soak.verdicts import usage_of
 from tests.fuzz.campaign import CORPUS
 from tests.fuzz.targets import TARGETS
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.page_size import WEB, reached, sizes
+from evidence.costs.page_size import WEB, reached, sizes
 
 SMALL, LEARNED = 15_000, 90_000
 """Bytes that `onIntent` may take with a small predictor, and with the learned one and its coefficients."""

@@ -16,7 +16,7 @@ import sysconfig
 import tempfile
 from pathlib import Path
 
-from pages import ROOT
+from evidence import ROOT
 from tests.operations.monitoring import DEPLOY
 
 TOKEN = "sesame-open-12345"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from pages import ROOT
+from evidence import ROOT
 
 PAGE = ROOT / "docs" / "reference" / "monitoring.md"
 DEPLOY = ROOT / "deploy"

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from benchmarks.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
 from pointpred.predictors import KinematicEndpointPredictor
@@ -15,6 +14,7 @@ from pointpred.predictors.kep import predictor as kep
 from pointpred.predictors.kep import quartic
 from pointpred.records import FloatArray
 from pointpred.regression import least_squares
+from tests.reference.naive_kep import NaiveKep
 
 
 def curved_reach(seed: int, rate_hz: float, distance_px: float = 600.0) -> EventColumns:

@@ -9,13 +9,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.records import FloatArray
-from pointpred.simulation import hand, loop, slots
-from pointpred.simulation.validation import (
+from pointpred.reproduction.simulation_checks import (
     ballistic_estimate,
     bare_memory,
     corrective_signals,
     minimum_jerk_check,
 )
+from pointpred.simulation import hand, loop, slots
 from pointpred.transfer import Arctan, ConstantGain, SigmoidGain, TransferFunction
 
 

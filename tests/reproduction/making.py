@@ -8,8 +8,8 @@ from math import isfinite
 import numpy as np
 import pytest
 
-from pages.data import stored
-from pages.reproduce.measure import DRAWN, rows_of
+from evidence.data import stored
+from evidence.reproduce.measure import DRAWN, rows_of
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import Entry, Reproduction
 
@@ -37,7 +37,7 @@ def check(entry: Entry, different: set[str]) -> None:
 def compare_with_the_page(entry: Entry) -> None:
     """The page has these numbers; on another machine the last digits may differ."""
     one = made(entry.number)
-    rows = stored("reproduce").tables[entry.number].rows
+    rows = stored("reproduce", "figures").tables[entry.number].rows
     fresh = rows_of(entry, one)
     assert [[*row[:3], *row[4:]] for row in rows] == [[*row[:3], *row[4:]] for row in fresh]
     kept = np.array([float(row[3]) for row in rows])

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pages.differentiators.signals import exact, ramp
 from pointpred.reproduction import trials
 from pointpred.reproduction.catalogue import LISTED
 from pointpred.reproduction.figure import Entry, Value
 from tests.reproduction.making import check, compare_with_the_page
+from tests.signals import exact, ramp
 
 DIFFERENT: dict[str, set[str]] = {
     "2.12": {

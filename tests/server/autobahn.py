@@ -11,9 +11,9 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from benchmarks.machine import machine
-from pages.arguments import parse
-from pages.data import Table, keep
+from evidence.arguments import parse
+from evidence.data import Table, keep
+from evidence.machine import machine
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.service import Service
 from pointpred_server.sessions.lifecycle import Session

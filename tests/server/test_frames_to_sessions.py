@@ -16,11 +16,11 @@ from typing import Self
 
 import pytest
 
-from benchmarks.longest_messages import targets
 from pointpred.protocol.frames import Frame
 from pointpred_server.connection import Violation
 from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
+from tests.server.longest_messages import targets
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 MASK = b"\x01\x02\x03\x04"

@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from benchmarks.soak.client import upgrade
-from benchmarks.soak.frames import CLOSE, PING, TEXT, frame, split
+from evidence.costs.soak.client import CLOSE, PING, TEXT, frame, split, upgrade
 from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 

@@ -11,10 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.load import movements
-from benchmarks.load.cores import ALL
-from benchmarks.load.costly import fragments
-from benchmarks.load.generator import Counts, Group, Plan, built, run
+from evidence.costs.load import movements
+from evidence.costs.load.generator import Counts, Group, Plan, built, run
+from evidence.machine import ALL
 from tests.server.running import Running, running
 
 pytestmark = pytest.mark.skipif(shutil.which("cc") is None, reason="needs a C compiler: 'cc'")
@@ -65,18 +64,6 @@ def test_every_event_is_answered_and_timed() -> None:
         assert 0.0 < result.delay.p50_ms <= result.delay.p99_ms <= result.delay.max_ms
         assert result.server_us > 0.0
     assert here.service.metrics.events._value.get() == 2 * frames * SIZE
-
-
-def test_a_message_in_fragments_is_one_message() -> None:
-    with running() as here:
-        pieces = tuple(fragments("{{{", 4))
-        assert [one.payload for one in pieces] == [b"{", b"{", b"{", b""]
-        script = Group(
-            "pieces", port_of(here), kind="script", rate=200.0, greeting=(HELLO % "json",), messages=pieces
-        )
-        (result,) = counted(script)
-    assert result.texts == {"bad_json": result.sent // 4}
-    assert result.closes == {}
 
 
 def test_what_a_session_refuses_and_how_it_ends_is_counted() -> None:

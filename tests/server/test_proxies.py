@@ -18,11 +18,11 @@ from websockets.exceptions import InvalidStatus, WebSocketException
 from websockets.sync.client import connect as dial
 from websockets.typing import Origin, Subprotocol
 
-from benchmarks import reverse_proxies as proxies
 from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import AsyncConnection, ServiceError, connect, connect_async
 from pointpred.errors import SourceError
 from tests.server import browser
+from tests.server import reverse_proxies as proxies
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_chromium_client import CONNECT

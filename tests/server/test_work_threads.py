@@ -11,7 +11,6 @@ from typing import Any
 
 import pytest
 
-from benchmarks.longest_messages import packed, targets
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.arrivals import Arrivals
@@ -21,6 +20,7 @@ from pointpred_server.sessions.pointing import PointingSession
 from pointpred_server.sessions.work import Completion, Work
 from pointpred_server.work_threads import WorkThreads
 from tests.server.fake_socket import FakeSocket
+from tests.server.longest_messages import packed, targets
 from tests.server.running import PATIENCE_S
 from tests.unit.talking import Talk, hello
 from tests.unit.talking import packed as packed_rows

@@ -16,6 +16,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from evidence.costs.written_in_parts import write_in_parts
 from pointpred.batch import ScoredSet, plan, score_in_chunks
 from pointpred.batch import scoring as scoring_module
 from pointpred.batch.part_store import FolderStore
@@ -27,7 +28,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
 from pointpred.scoring import score, summarise
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources import StoredRecording, read, write, write_in_parts
+from pointpred.sources import StoredRecording, read, write
 from pointpred.sources.own.stored import stored
 
 NAMES = ["switched", "minimum-jerk"]

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.attacked import Attacker, opened
-from benchmarks.processes import processor_s
+from evidence.attacks.attacked import Attacker, opened
+from evidence.machine import processor_s
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the benchmark reads /proc")
 

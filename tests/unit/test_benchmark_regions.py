@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages.held_out import HeldOut
-from pages.regions import measure as regions
-from pages.regions import tables as regions_page
-from pages.regions.played import served
-from pages.regions.tables import LEVELS, SHARES, Drawn
+from evidence.held_out import HeldOut
+from evidence.person import region_tables as regions_page
+from evidence.person import regions
+from evidence.person.region_tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
@@ -44,8 +43,7 @@ def held(tmp_path_factory: pytest.TempPathFactory) -> HeldOut:
 
 @pytest.fixture(scope="module", params=regions.NAMES)
 def drawn(request: pytest.FixtureRequest, held: HeldOut) -> Drawn:
-    with served() as (service, url):
-        return regions.drawn(request.param, held, recording(), service, url)
+    return regions.drawn(request.param, held, recording())
 
 
 def test_each_person_is_judged_in_order_by_the_fold_without_him(drawn: Drawn, held: HeldOut) -> None:
@@ -75,17 +73,6 @@ def test_each_person_is_judged_in_order_by_the_fold_without_him(drawn: Drawn, he
                 wanted.append([far <= one.tail * ((1 - p) ** (-2 / one.tail) - 1) for p in LEVELS])
     assert drawn.inside.reshape(-1, len(LEVELS)).tolist() == np.array(wanted, float).tolist()
     assert 0.0 < drawn.inside.mean() < 1.0
-
-
-def test_a_socket_that_says_something_else_ends_the_run(
-    held: HeldOut, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def other(*given: object) -> list[object]:
-        return [run(held.of_people("kinematic", recording())["u1"], recording().rows(0)) for _ in range(EACH)]
-
-    monkeypatch.setattr(regions, "over_socket", other)
-    with served() as (service, url), pytest.raises(SystemExit):
-        regions.drawn("kinematic", held, recording(), service, url)
 
 
 def test_inside_is_inside_the_ellipse() -> None:

@@ -1,4 +1,4 @@
-"""What is written after ``python -m benchmarks.something`` is understood before a page is written over."""
+"""What is written after ``python -m evidence NAME PART`` is understood before numbers are written over."""
 
 from __future__ import annotations
 
@@ -9,20 +9,18 @@ from typing import Any
 
 import pytest
 
-from benchmarks import per_event
-from pages.arguments import parse
+from evidence.arguments import parse
+from evidence.costs import per_event
 
 ROOT = Path(__file__).parents[2]
-SERVANTS = {"benchmarks/devices_live", "benchmarks/worker_spread_process"}
-"""Started by other benchmarks, never by hand."""
 RUN = {
     path.relative_to(ROOT).with_suffix("").as_posix(): path.read_text(encoding="utf-8")
-    for path in [*(ROOT / "benchmarks").rglob("*.py"), *(ROOT / "pages").rglob("*.py")]
+    for path in (ROOT / "evidence").rglob("*.py")
     if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8")
 }
 
 
-@pytest.mark.parametrize("name", sorted(RUN.keys() - SERVANTS))
+@pytest.mark.parametrize("name", sorted(RUN.keys() - {"evidence/__main__"}))
 def test_each_benchmark_reads_its_words_first(name: str) -> None:
     last = RUN[name].split('if __name__ == "__main__":')[1]
     assert "parse(__doc__" in last or "argparse.ArgumentParser(" in RUN[name]
@@ -45,16 +43,18 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
     told: list[str] = []
 
     def run(command: list[str], **_: object) -> SimpleNamespace:
-        told.extend(command[command.index("benchmarks.per_event") :])
+        told.extend(command[command.index("evidence.costs.per_event") :])
         return SimpleNamespace(stdout='{"hold": {"streaming": 1.0}}')
 
-    monkeypatch.setattr("benchmarks.per_event.subprocess.run", run)
+    monkeypatch.setattr("evidence.costs.per_event.subprocess.run", run)
     assert per_event.measure_plain() == {"hold": {"streaming": 1.0}}
     monkeypatch.setattr(per_event, "measure", lambda plain: {"plain": plain})
     monkeypatch.setattr(sys, "argv", told)
     said: list[str] = []
     monkeypatch.setattr("builtins.print", said.append)
-    exec(RUN["benchmarks/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
+    exec(
+        RUN["evidence/costs/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy()
+    )
     assert said == ['{"plain": true}']
 
 

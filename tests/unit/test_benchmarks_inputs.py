@@ -1,4 +1,4 @@
-"""``pages.inputs.measure`` accounts for every row of a file, and says what differs."""
+"""``evidence.inputs.measure`` accounts for every row of a file, and says what differs."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from pages.data import Tables, read
-from pages.inputs import measure as inputs
-from pages.inputs.account import account
-from pages.inputs.independent import delimited
+from evidence.data import Tables, read
+from evidence.inputs import measure as inputs
+from evidence.inputs.account import account
+from evidence.inputs.independent import delimited
 from pointpred.sources import read_any
 from tests.fuzz import inputs as inputs_fuzz
 

@@ -4,8 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.sources import read
-
 DATA = Path(__file__).parents[1] / "data" / "sources"
 SHORT = ("--people", "1", "--trials", "1")
 
@@ -55,19 +53,3 @@ def test_an_unknown_ending_is_refused_before_anything_is_simulated(command, tmp_
     left = command("simulate", "--people", "1000", "--out", tmp_path / "study.xlsx")
     assert left.code == 2
     assert "cannot write .xlsx, expected .parquet or .csv" in left.err
-
-
-def test_a_desktop_is_written_with_its_windows(command, tmp_path: Path) -> None:
-    out = tmp_path / "work_samples.csv"
-    left = command("simulate", "--desktop", "moved", "--people", "1", "--trials", "4", "--out", out)
-    assert (left.code, left.err.split(",")[0]) == (0, "4 trials")
-    known = [trial.condition for trial in read(out).trials]
-    assert [one["changed"] for one in known] == [0.0, 0.0, 1.0, 1.0]
-    assert known[0]["window_x"] != known[2]["window_x"]
-    assert {one["window"] for one in known} == {"window 0"}
-
-
-def test_an_unknown_desktop_is_refused(command, tmp_path: Path) -> None:
-    left = command("simulate", "--desktop", "tidy", "--out", tmp_path / "work.csv")
-    assert left.code == 2
-    assert "steady, moved, habits, menus, windows" in left.err

@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.devices.cursor.delay import estimate_delay
 from pointpred.devices.cursor.pairing import Pairing
 from pointpred.devices.source import Report
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import ParameterError
 from pointpred.records import EventColumns, PointerEvent
 from pointpred.reproduction.transfer_trials import CPI, DPI, gain_error, simulate_trials
-from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction, TransferLearner
+from pointpred.transfer import SigmoidGain, TransferFunction, TransferLearner
 
 
 class Scripted:
@@ -156,23 +155,6 @@ def learnt_error(events: EventColumns, truth: TransferFunction) -> float:
     return gain_error(found, truth).largest
 
 
-@pytest.mark.parametrize("function", [ConstantGain(4.0), SigmoidGain()])
-def test_a_late_screen_is_found_out(function: TransferFunction) -> None:
-    """A report every millisecond is shown between 8 and 9 ms after it."""
-    assert estimate_delay(paired(function, 0.0)) == pytest.approx(LATE_S + 0.0005, abs=0.0005)
-
-
 def test_a_late_screen_is_allowed_for() -> None:
     late, allowed = (learnt_error(paired(SigmoidGain(), d), SigmoidGain()) for d in (0.0, LATE_S + 0.0005))
     assert allowed < 0.8 * late
-
-
-def test_a_delay_needs_counts_and_motion() -> None:
-    with pytest.raises(EventError, match="need counts"):
-        estimate_delay(EventColumns.of([0.0, 1.0], [0.0, 1.0], [0.0, 1.0]))
-    still = EventColumns.of(np.arange(500) / 1000, np.zeros(500), np.zeros(500), np.zeros(500), np.zeros(500))
-    for events in (still, still.rows(0, 0)):
-        with pytest.raises(EventError, match=r"0\.2 s of motion between pauses, received 0 s"):
-            estimate_delay(events)
-    with pytest.raises(ParameterError, match="most_s"):
-        estimate_delay(still, most_s=0.0)

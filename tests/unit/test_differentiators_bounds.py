@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pages.differentiators.bounds import BOUNDS, measure, named
-from pages.differentiators.signals import SIGNALS
 from pointpred.differentiators import DIFFERENTIATORS
+from tests.differentiator_bounds import BOUNDS, measure, named
+from tests.signals import SIGNALS
 
 PAIRS = list(itertools.product(DIFFERENTIATORS, SIGNALS))
 FIELDS = ("velocity_rms", "velocity_largest", "acceleration_rms", "acceleration_largest", "settling_s")
@@ -60,17 +59,3 @@ def test_quantised_signals_are_whole_counts_off_by_half_a_count(signal: str) -> 
     s = np.clip((nominal - 0.2) / 0.7, 0.0, 1.0)
     wanted = 0.1 * (10 * s**3 - 15 * s**4 + 6 * s**5)
     assert np.abs(travelled - wanted).max() <= 0.5 * 0.0254 / 2000.0 + 1e-12
-
-
-def test_the_page_prints_these_bounds() -> None:
-    page = (Path(__file__).parents[2] / "docs" / "evidence" / "differentiators.md").read_text(
-        encoding="utf-8"
-    )
-    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines()]
-    printed = {(row[0], row[1]): row[2:6] for row in rows if len(row) == 8 and "(" in row[2]}
-    printed.pop(("differentiator", "signal"), None)
-    assert printed.keys() == set(PAIRS)
-    for (name, signal), cells in printed.items():
-        bounds = [float(cell.split("(")[1].rstrip(")")) for cell in cells]
-        wanted = [getattr(BOUNDS[name][signal], field) for field in FIELDS[:4]]
-        assert bounds == pytest.approx(wanted, abs=1e-8)

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from pages.differentiators.signals import exact, parabola
 from pointpred import EventColumns
 from pointpred.differentiators import KalmanDifferentiator
 from pointpred.differentiators import kalman as law
 from pointpred.differentiators.kalman import START_ACCELERATION_M_S2, START_SPEED_M_S
+from tests.signals import exact, parabola
 
 PX_PER_M = 96.0 / 0.0254
 

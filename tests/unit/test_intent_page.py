@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pages.data import Table
-from pages.intent import foresight
-from pages.intent.measure import HEADS, RULE
-from pages.intent.movements import Movement
-from pages.intent.page import beside
-from pages.intent.scores import by_policy, by_rule, score
-from pages.intent.speculation import by_hover
+from evidence.data import Table
+from evidence.intent import foresight
+from evidence.intent.measure import HEADS, RULE
+from evidence.intent.movements import Movement
+from evidence.intent.page import beside
+from evidence.intent.scores import by_policy, by_rule, score
+from evidence.intent.speculation import by_hover
 from pointpred.records import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table

@@ -5,8 +5,8 @@ from __future__ import annotations
 import msgspec
 import pytest
 
-from benchmarks.load.generator import Counts
-from pages.load.curves import Point, grows, knee, middle
+from evidence.costs.load.curves import Point, grows, knee, middle
+from evidence.costs.load.generator import Counts
 
 QUIET = {"count": 8, "p50_ms": 0.1, "p90_ms": 0.1, "p99_ms": 0.2, "p999_ms": 0.3, "max_ms": 0.3}
 

@@ -160,7 +160,7 @@ def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_card_says_what_the_file_is() -> None:
-    page = (Path(__file__).parents[2] / "docs/evidence/kinematic.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs/evidence/results.md").read_text(encoding="utf-8")
     notice = (Path(__file__).parents[2] / "NOTICE").read_text(encoding="utf-8")
     assert coefficient_file.digest() in page
     assert coefficient_file.OWN.stat().st_size <= coefficient_file.LARGEST_BYTES

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages import held_out
-from pages.held_out import HeldOut
-from pages.results import scores as results_scores
+from evidence import held_out
+from evidence.held_out import HeldOut
+from evidence.results import scores as results_scores
 from pointpred import EventColumns
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial

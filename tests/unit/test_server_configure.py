@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pages.asyncapi.document import schemas
+from evidence.reference.asyncapi import schemas
 from pointpred import REGISTRY, PointerEvent, build
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.protocol.client_messages import Hello

@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 
-from benchmarks.longest_messages import longest_messages, packed, session_before, targets, text
-from pages.data import stored
+from evidence.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.sessions.costs import TEXT_BYTE_S
 from pointpred_server.sessions.quota import SHARE
 from pointpred_server.sessions.viewing import ViewingSession
+from tests.server.longest_messages import longest_messages, packed, session_before, targets, text
 from tests.unit.talking import Talk, events, hello
 
 MESSAGES = longest_messages()

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pages.simulation.shape import Shape, shapes
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording
 from pointpred.simulation import Condition, Person, people, simulate_circle, thesis_setup
+from tests.simulated_shapes import Shape, shapes
 
 CONDITION = Condition(75.0, 7.0, "constant")
 

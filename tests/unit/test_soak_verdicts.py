@@ -9,8 +9,7 @@ from collections import Counter
 import pytest
 from msgspec.structs import replace
 
-from benchmarks.soak.usage import Usage, usage_of
-from benchmarks.soak.verdicts import POOL_THREADS, Second, judge
+from evidence.costs.soak.verdicts import POOL_THREADS, Second, Usage, judge, usage_of
 
 REST = Usage(0.0, 200.0, 100.0, 10, 20, 0.0)
 HELD = "held = bytearray(b'a' * 50_000_000); print(flush=True); input()"

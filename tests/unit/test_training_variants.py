@@ -1,15 +1,12 @@
-"""What training is given and told: variants of movements, words on the command line."""
+"""What training is given and told: variants of movements."""
 
 from __future__ import annotations
-
-import sys
 
 import numpy as np
 import pytest
 
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.training.__main__ import parse_arguments
 from pointpred.training.variants import varied
 
 
@@ -29,13 +26,3 @@ def test_variants_are_as_large_and_as_fast_as_they_should_be() -> None:
         assert -1e-3 < logs.min() < 0.02
         assert 0.98 < logs.max() < 1.001
         assert logs.mean() == pytest.approx(0.5, abs=0.05)
-
-
-@pytest.mark.parametrize(("arguments", "code"), [(["--help"], 0), (["rubbish"], 2), (["validate"], 2)])
-def test_wrong_arguments_end_before_training(
-    arguments: list[str], code: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys, "argv", ["training", *arguments])
-    with pytest.raises(SystemExit) as ended:
-        parse_arguments()
-    assert ended.value.code == code

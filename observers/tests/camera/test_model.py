@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pages.camera import printed
+from evidence.observers import printed
 from pointpred.errors import ParameterError
 from pointpred_observers.camera import SCENARIOS, model, trajectory
 from pointpred_observers.camera.scenario import Trajectory

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointpred_observers as o
-from pages.camera import printed
+from evidence.observers import printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.documents.files import encoded

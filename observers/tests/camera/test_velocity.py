@@ -70,7 +70,7 @@ def test_raw_differences_are_as_bad_as_theory_says(truth: Trajectory) -> None:
 
 
 def test_the_known_flow_and_d_make_the_motion_of_the_image(truth: Trajectory) -> None:
-    from pages.camera import printed
+    from evidence.observers import printed
 
     expected = printed.derivatives(truth)
     for k in range(0, 331, 30):

@@ -1,4 +1,4 @@
-"""Everybody's weights of the time left, fitted by ``python -m pages.adaptation.fit``."""
+"""Everybody's weights of the time left, fitted by ``python -m evidence person time_left``."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ class KinematicPredictor(Predictor):
     ``coefficients``: the file of others, as ``pointpred train`` writes it. Raises ParameterError for a file
     that cannot be used, and EventError from ``update``.
 
-    Reference: none; docs/evidence/kinematic.md is the card of the coefficients.
+    Reference: none; docs/evidence/results.md has the card of the coefficients.
 
     >>> from pointpred import PointerEvent, build
     >>> pipeline = build("kinematic")

@@ -1,4 +1,4 @@
-"""What a client's messages cost, in seconds of the processor: ``python -m benchmarks.longest_messages``.
+"""What a client's messages cost, in seconds of the processor: ``python -m tests.server.longest_messages``.
 
 They are numbers that were measured once, not times taken while the service runs: the same messages are always
 within the limits, or always beyond them, however busy the machine is.

@@ -116,7 +116,7 @@ export const PREDICTORS = {
   },
   "kinematic": {
     "title": "learned from people: endpoint, region, tail and time left from the movement so far",
-    "reference": "docs/evidence/kinematic.md",
+    "reference": "docs/evidence/results.md",
     "meanings": {}
   },
   "kinematic-adaptive": {

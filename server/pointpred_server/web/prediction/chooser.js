@@ -1,6 +1,6 @@
 // Predictions and events in, proposals out: of targets, and of places that nobody registered. What decides are the laws.
 
-import { LARGEST } from "../laws/events.js";
+import { LARGEST } from "../laws/records.js";
 import * as law from "../laws/targets/choice_law.js";
 import * as cursor from "../laws/targets/cursor.js";
 import { NOBODY, rank } from "../laws/targets/decision.js";

@@ -1,7 +1,7 @@
 // Written by `make page` from drem.py: change that and run it again.
 import { larger } from "../arithmetic.js";
-import * as $regression_delay from "./delay.js";
-import * as $regression_gradient from "./gradient.js";
+import * as $delay from "./delay.js";
+import * as $gradient from "./gradient.js";
 import * as $mixing from "./mixing.js";
 export const STARTED = 0;
 export const T = 1;
@@ -19,9 +19,9 @@ export function extend(memory, at, n, delay_s, t) {
   const output = at + REGRESSOR + 3 * n;
   const rows = output + 2 * n;
   const past = ring(at, n);
-  const samples = $regression_delay.capacity(n - 1);
+  const samples = $delay.capacity(n - 1);
   for (let i = 0; i < n; i++) {
-    const values_1 = $regression_delay.find(memory, past, n + 1, samples, t - i * delay_s);
+    const values_1 = $delay.find(memory, past, n + 1, samples, t - i * delay_s);
     const long_enough = values_1[0];
     const before = values_1[1];
     const after = values_1[2];
@@ -53,7 +53,7 @@ export function remember(memory, at, n, delay_s, t, output) {
   const h = memory[at + STARTED] === 1 ? t - memory[at + T] : 0;
   memory[at + STARTED] = 1;
   memory[at + T] = t;
-  const slot = $regression_delay.push(memory, ring(at, n), n + 1, $regression_delay.capacity(n - 1), delay_s / $regression_delay.PER_DELAY, t);
+  const slot = $delay.push(memory, ring(at, n), n + 1, $delay.capacity(n - 1), delay_s / $delay.PER_DELAY, t);
   for (let j = 0; j < n; j++) {
     const value = memory[at + REGRESSOR + j];
     memory[slot + j] = value;
@@ -81,7 +81,7 @@ export function advance(memory, at, n, delay_s, gamma, sample) {
   for (let i = 0; i < n; i++) {
     if (memory[scale + i] > 0) {
       const target = memory[mixed + i] / memory[scale + i];
-      memory[theta + i] = $regression_gradient.descend(memory[theta + i], target, phi, gamma, h);
+      memory[theta + i] = $gradient.descend(memory[theta + i], target, phi, gamma, h);
     }
   }
   return true;

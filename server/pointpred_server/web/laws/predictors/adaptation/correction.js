@@ -3,7 +3,7 @@ import { hypot, larger, remainder, smaller, view } from "../../arithmetic.js";
 import * as $destination from "./destination.js";
 import * as $distances from "./distances.js";
 import * as $durations from "./durations.js";
-import * as $adaptation_habits from "./habits.js";
+import * as $habits from "./habits.js";
 import * as $mixed_region from "./mixed_region.js";
 import * as $places from "./places.js";
 import * as $region_widening from "./region_widening.js";
@@ -95,7 +95,7 @@ export function learn_place(memory, person, at, parts, scene) {
   const where = person + KNOWN;
   const habit = person + HABITS;
   const near = $places.NEAR_SHARE * distance;
-  $adaptation_habits.learn(memory, where, habit, [scene[0], parts[2], near], [x0, y0, x, y], usual);
+  $habits.learn(memory, where, habit, [scene[0], parts[2], near], [x0, y0, x, y], usual);
   $places.visit(memory, where, scene[0], [x, y], near);
 }
 export function learn(memory, person, at, distance, end) {

@@ -1,7 +1,7 @@
 // Written by `make page` from destination.py: change that and run it again.
 import { hypot, larger, matrix } from "../../arithmetic.js";
 import * as $distances from "./distances.js";
-import * as $adaptation_habits from "./habits.js";
+import * as $habits from "./habits.js";
 import * as $places from "./places.js";
 export const NEARNESS = 1.25;
 export const NEAREST = 2.5;
@@ -58,17 +58,17 @@ export function prepare(memory, known, at, scene, start) {
   const key = scene[0];
   const with_sequence = scene[1];
   const near = scene[2];
-  const out = matrix($adaptation_habits.RULES, $places.CAPACITY);
+  const out = matrix($habits.RULES, $places.CAPACITY);
   memory.fill(0, at, at + STATES);
   memory[at + READY] = 1;
   memory[at + ELSEWHERE] = 1;
-  if (!$adaptation_habits.shares(memory, place_memory, habit_memory, key, [start[0], start[1], near], out)) {
+  if (!$habits.shares(memory, place_memory, habit_memory, key, [start[0], start[1], near], out)) {
     return;
   }
-  memory[at + RETURNS] = $adaptation_habits.returns(memory, habit_memory);
-  memory[at + WIDTH] = $adaptation_habits.usual_width(memory, habit_memory);
-  for (let rule = 0; rule < $adaptation_habits.RULES; rule++) {
-    const weight = $adaptation_habits.rule_weight(memory, habit_memory, rule, with_sequence);
+  memory[at + RETURNS] = $habits.returns(memory, habit_memory);
+  memory[at + WIDTH] = $habits.usual_width(memory, habit_memory);
+  for (let rule = 0; rule < $habits.RULES; rule++) {
+    const weight = $habits.rule_weight(memory, habit_memory, rule, with_sequence);
     for (let i = 0; i < $places.CAPACITY; i++) {
       memory[at + BEFORE + i] += weight * out[rule][i];
     }

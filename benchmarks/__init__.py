@@ -1,1 +1,0 @@
-"""Commands that measure the project and write its generated pages; nothing here is installed."""

@@ -1,0 +1,117 @@
+"""The servers under load, in processes of their own on cores of their own."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from urllib.error import HTTPError
+from urllib.request import urlopen
+
+import msgspec
+
+from evidence import ROOT
+from evidence.machine import FIRST, family, on_cores, processor_s
+
+PATIENCE_S = 600.0
+IDLE_S = 0.5
+"""A server that uses under a fiftieth of this time in so long is idle."""
+RAISED = {"POINTPRED_MAX_SESSIONS": "1000", "POINTPRED_MAX_EVENTS_PER_S": "100000000"}
+"""Limits for clients that send as fast as they are answered; at 8 kHz they stay within the usual ones."""
+
+
+class Server(msgspec.Struct, frozen=True):
+    """Where a server listens, and its processes."""
+
+    port: int
+    pids: tuple[int, ...]
+
+
+def checkout(commit: str) -> Path:
+    """The files of a commit of this repository, in the build folder."""
+    folder = ROOT / "build" / "load" / commit
+    command = ["git", "archive", commit]
+    archive = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        files.extractall(folder, filter="tar")
+    return folder
+
+
+@contextmanager
+def service(
+    *, cores: set[int] = FIRST, workers: int = 1, root: Path = ROOT, raised: bool = False
+) -> Iterator[Server]:
+    """``pointpred serve`` of the source tree in ``root``, once everything is compiled."""
+    words = ["-m", "pointpred", "serve", "--port", "0", *(["--workers", str(workers)] if workers > 1 else [])]
+    limits = RAISED if raised else {"POINTPRED_MAX_SESSIONS": "1000"}
+    path = os.pathsep.join((str(root), str(root / "server")))
+    with _process(words, cores, root, {**limits, "PYTHONPATH": path}) as (process, lines):
+        address = next(line.strip() for line in lines if line.startswith("http"))
+        wait_until_compiled(address)
+        _wait_until_idle(process.pid)
+        yield Server(int(address.rstrip("/").rpartition(":")[2]), family(process.pid))
+
+
+@contextmanager
+def echo(kind: str, *, cores: set[int] = FIRST) -> Iterator[Server]:
+    """``asgi`` or ``raw``: a server that sends everything back, from ``evidence.costs.load.echoes``."""
+    words = ["-m", "evidence.costs.load.echoes", kind]
+    with _process(words, cores, ROOT, {"PYTHONPATH": str(ROOT)}) as (process, lines):
+        yield Server(int(next(lines)), (process.pid,))
+
+
+@contextmanager
+def _process(
+    words: Sequence[str], cores: set[int], root: Path, environment: dict[str, str]
+) -> Iterator[tuple[subprocess.Popen[str], Iterator[str]]]:
+    with tempfile.TemporaryFile("w+", encoding="utf-8") as log:
+        with on_cores(cores):
+            process = subprocess.Popen(
+                [sys.executable, *words],
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+                cwd=root,
+                env={**os.environ, **environment},
+            )
+        with process:
+            assert process.stdout is not None
+            try:
+                yield process, iter(process.stdout)
+            except StopIteration:
+                log.seek(0)
+                end = log.read()[-2000:]
+                raise SystemExit(f"{' '.join(words)} ended before it listened:\n{end}") from None
+            finally:
+                process.terminate()
+
+
+def wait_until_compiled(address: str) -> None:
+    """Until every predictor of a service answers at once; raises SystemExit where that takes too long."""
+    until = time.monotonic() + PATIENCE_S
+    while time.monotonic() < until:
+        try:
+            with urlopen(f"{address}v1/compiling") as answer:
+                progress = json.load(answer)
+            if progress["done"] == progress["of"]:
+                return
+        except (HTTPError, ConnectionError):
+            pass
+        time.sleep(0.05)
+    raise SystemExit(f"the service had not compiled everything after {PATIENCE_S:g} s")
+
+
+def _wait_until_idle(pid: int) -> None:
+    """Until what is loaded beside answering is loaded, and the processes that compile have ended."""
+    used_s = 0.0
+    while abs((now_s := sum(map(processor_s, family(pid)))) - used_s) > IDLE_S / 50:
+        used_s = now_s
+        time.sleep(IDLE_S)

@@ -1,0 +1,219 @@
+"""Public recordings, each beside an independent reading: ``python -m evidence inputs FOLDER``.
+
+``inputs.toml`` lists the files. They are fetched by hand into FOLDER, where each lies at
+``OWNER+NAME/PATH``; the project ships none of them. Keeps the numbers; with ``--partial``
+also where files are missing or differ from those of the list. Ends in an error where rows
+are lost, values differ or a file is refused without a reason in the list.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import shlex
+import sys
+import tomllib
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from evidence.data import Table, file_of, keep
+from evidence.inputs.account import Account, account
+from evidence.inputs.independent import LAYOUTS
+from pointpred.errors import PointpredError
+from pointpred.sources import read_any
+from pointpred.sources.reading import Reading
+
+LIST = Path(__file__).with_name("inputs.toml")
+OUT = file_of("inputs")
+HEADER = (
+    "file",
+    "what it is",
+    "options",
+    "trials",
+    "rows read",
+    "rows left out, and why",
+    "largest difference",
+)
+MOST_REASONS = 4
+
+
+class File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A public file: where it is from, the options a user passes, how it is read independently.
+
+    ``layout`` names a function of ``evidence.inputs.independent``, ``arguments`` are its arguments;
+    ``refused`` is the reason why a file is expected to be refused.
+    """
+
+    repository: str
+    commit: str
+    path: str
+    sha256: str
+    licence: str
+    what: str
+    options: dict[str, Any] = {}
+    layout: str = ""
+    arguments: dict[str, Any] = {}
+    refused: str = ""
+
+    def under(self, folder: Path) -> Path:
+        """Where the file lies in a folder."""
+        return folder / self.repository.replace("/", "+") / self.path
+
+
+class Outcome(msgspec.Struct, frozen=True):
+    """What became of a file: its account, or a refusal; ``astray``: read although none expects it."""
+
+    file: File
+    account: Account | None = None
+    refusal: str = ""
+    astray: bool = False
+
+    @property
+    def good(self) -> bool:
+        """Whether the file was read as independently, or refused for a reason in the list."""
+        return self.account.agrees if self.account else bool(self.file.refused) and not self.astray
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("folder", type=Path, metavar="FOLDER")
+    parser.add_argument("--partial", action="store_true", help="keep the numbers although files are missing")
+    parser.add_argument("--list", type=Path, default=LIST, help="the files, instead of inputs.toml")
+    parser.add_argument("--out", type=Path, default=OUT, help="the numbers, instead of data.json")
+    args = parser.parse_args(arguments)
+    files = listed(args.list)
+    absent = missing(files, args.folder)
+    for line in absent:
+        print(line, file=sys.stderr)
+    if absent and not args.partial:
+        raise SystemExit(
+            f"{len(absent)} of {len(files)} files are missing: --partial keeps the numbers without"
+        )
+    present = [
+        file for file in files if not any(line.startswith(f"{file.under(args.folder)}:") for line in absent)
+    ]
+    outcomes = []
+    for number, file in enumerate(present, 1):
+        outcomes.append(outcome(file, args.folder))
+        print(f"{number} of {len(present)} {file.path}: {brief(outcomes[-1])}", file=sys.stderr)
+    files = Table.of(HEADER, [row(one) for one in outcomes])
+    keep("inputs", {"files": files}, numbers={"totals": totals(outcomes)}, file=args.out)
+    raise SystemExit(not all(one.good for one in outcomes))
+
+
+def listed(path: Path) -> list[File]:
+    """The files of a list."""
+    return msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8"))["file"], list[File])
+
+
+def missing(files: Sequence[File], folder: Path) -> list[str]:
+    """A line for each file that the folder lacks or holds in another version."""
+    lines = []
+    for file in files:
+        path = file.under(folder)
+        if not path.is_file():
+            lines.append(
+                f"{path}: missing; it is {file.path} of github.com/{file.repository} at {file.commit}"
+            )
+        elif hashlib.sha256(path.read_bytes()).hexdigest() != file.sha256:
+            lines.append(f"{path}: another file than the list's, whose SHA-256 is {file.sha256}")
+    return lines
+
+
+def outcome(file: File, folder: Path) -> Outcome:
+    """Read a file as a user does and independently; what is no error of ours goes through."""
+    path = file.under(folder)
+    try:
+        [recording] = read_any(path, reading_of(file))
+    except PointpredError as error:
+        return Outcome(file, refusal=str(error).removeprefix(f"{path}: ").replace(str(path), path.name))
+    if not file.layout:
+        return Outcome(file, refusal=f"{len(recording.trials)} trials are read", astray=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # pandas on columns of mixed kinds, which are not used
+        rows = LAYOUTS[file.layout](path, **file.arguments)
+    return Outcome(file, account(rows, recording))
+
+
+def reading_of(file: File) -> Reading:
+    """The options as a ``Reading``."""
+    return msgspec.convert(file.options, Reading)
+
+
+def options_of(file: File) -> str:
+    """The options as a user writes them on the command line."""
+    words = []
+    for name, value in file.options.items():
+        text = str(value)
+        if isinstance(value, dict):
+            text = ",".join(f"{field}={column}" for field, column in value.items())
+        words += [f"--{name.replace('_', '-')}"] if value is True else [f"--{name.replace('_', '-')}", text]
+    return f"`{shlex.join(words)}`" if words else "none"
+
+
+def brief(one: Outcome) -> str:
+    """An outcome in one line."""
+    if one.account is None:
+        return f"{'refused' if one.good else 'NOT AS EXPECTED'}: {one.refusal[:150]}"
+    account = one.account
+    text = f"{account.trials} trials, {account.read} rows, {sum(account.left.values())} left out"
+    return text if account.agrees else f"{text}, {account.lost} LOST, {account.px:g} px, {account.s:g} s"
+
+
+def row(one: Outcome) -> tuple[str, ...]:
+    """A file's row of the table."""
+    file = one.file
+    url = f"https://github.com/{file.repository}/blob/{file.commit}/{file.path}".replace(" ", "%20")
+    head = (
+        f"[{Path(file.path).name}]({url}), {file.repository} ({file.licence})",
+        file.what,
+        options_of(file),
+    )
+    account = one.account
+    if account is None:
+        why = f"refused: {file.refused}" if one.good else "**not as expected**"
+        return (*head, why, "0", short(one.refusal), "-")
+    reasons = sorted(account.left.items(), key=lambda item: -item[1])
+    parts = [f"{count} {reason}" for reason, count in reasons[:MOST_REASONS]]
+    more = sum(count for _, count in reasons[MOST_REASONS:])
+    left = "; ".join([*parts, f"{more} for other reasons"] if more else parts) or "0"
+    lost = f"**{account.lost} rows lost**; " if account.lost else ""
+    counts = (str(account.trials), str(account.read))
+    return (*head, *counts, left, f"{lost}{account.px:.1g} px, {account.s:.1g} s")
+
+
+def short(words: str) -> str:
+    """A refusal without the list of formats or columns, which is long."""
+    return words if len(words) <= 160 else f"{words[:157]}..."
+
+
+def totals(outcomes: Sequence[Outcome]) -> dict[str, float]:
+    """What became of all files together."""
+    read = [one.account for one in outcomes if one.account]
+    sources = len({one.file.repository for one in outcomes})
+    plain = sum(1 for one in outcomes if one.account and not one.file.options)
+    left, lost = sum(sum(one.left.values()) for one in read), sum(one.lost for one in read)
+    px, s = max((one.px for one in read), default=0.0), max((one.s for one in read), default=0.0)
+    return {
+        "files": len(outcomes),
+        "sources": sources,
+        "read": len(read),
+        "plain": plain,
+        "refused": len(outcomes) - len(read),
+        "trials": sum(one.trials for one in read),
+        "rows": sum(one.read for one in read),
+        "left": left,
+        "lost": lost,
+        "px": px,
+        "s": s,
+    }
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,202 @@
+"""Fit everybody's weights of the time left: ``python -m evidence person time_left [FOLDER]``.
+
+Replays the movements of every person in POINTPRED_RECORDINGS, in the order of recording, with coefficients
+that did not know the person, and fits the weights of ``pointpred.predictors.adaptation.time_left`` to the
+time left at the moments by which a person is judged. Prints for each set the error over that of the clock,
+with weights fitted to all sets and to the others only. Writes
+pointpred/predictors/adaptation/time_left_prior.py.
+FOLDER: coefficients as ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from evidence import ROOT
+from evidence.arguments import parse
+from evidence.held_out import HeldOut, held_out, stored
+from pointpred import Pipeline, run
+from pointpred.predictors.adaptation import (
+    arrival_intervals,
+    correction,
+    durations,
+    moments,
+    predictor,
+    time_left,
+)
+from pointpred.predictors.adaptation.time_left import (
+    FIRST_TERM,
+    JUDGED,
+    MOMENT,
+    MOMENTS,
+    SMALL,
+    TERMS,
+    Prior,
+)
+from pointpred.recording import Recording
+from pointpred.records import FloatArray
+from pointpred.scoring import Prepared, prepare
+from pointpred.scoring.measures.time_left import clock_s
+from pointpred.training import data
+
+FILE = ROOT / "pointpred" / "predictors" / "adaptation" / "time_left_prior.py"
+MOVEMENTS = 2.0
+"""Movements of the person that everybody's weights count for."""
+RIDGE = 0.1
+"""Share of the diagonal that is added to everybody's sums."""
+ROUNDS = 30
+"""Rounds of reweighting, for the least absolute error."""
+MOST_WEIGHT = 8.0
+"""No moment weighs more than so many of its set's clock errors."""
+TEXT = '''"""Everybody's weights of the time left, fitted by ``python -m evidence person time_left``."""
+
+from __future__ import annotations
+
+# Fitted to {movements:,} movements, each set counting as much as another, with predictions of coefficients
+# that did not know the person:
+# {names}.
+PRIOR = (
+{rows}
+)
+"""The weights of the terms; then the sums of products of two movements, the lower triangle row after row."""
+'''
+PERSON, INTERVALS, MOVEMENT, END = (
+    0,
+    time_left.LEARNED,
+    time_left.LEARNED + arrival_intervals.LEARNED,
+    time_left.LEARNED + arrival_intervals.LEARNED + time_left.STATES,
+)
+"""A memory with nothing but the time left."""
+
+
+class Movement(msgspec.Struct, frozen=True):
+    """One movement after a person's first."""
+
+    user: str
+    state: FloatArray
+    """What the law remembers of it."""
+    span: tuple[float, float]
+    """Its start and its arrival, s."""
+    median: float
+    """Of the person's durations before it, s."""
+
+    def judged(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Of each moment by which it is judged: the terms, the time left and the time passed, s."""
+        rows, k = [], 0
+        for n in range(JUDGED):
+            share = (n + 0.5) / JUDGED
+            k = moments.moment_at(self.state, MOMENTS, k, self.span, share, MOMENT)
+            place = MOMENTS + moments.FIRST + MOMENT * k
+            rows.append(self.state[place : place + MOMENT])
+        table = np.array(rows)
+        t = table[:, moments.T]
+        return table[:, FIRST_TERM:], np.maximum(self.span[1] - t, 0.0), t - self.span[0]
+
+
+class Set(msgspec.Struct, frozen=True):
+    """The movements of a set, and what its clock has, s."""
+
+    name: str
+    movements: list[Movement]
+    clock: float
+
+    def clock_error(self) -> float:
+        """Mean error of the clock, s."""
+        parts = (one.judged() for one in self.movements)
+        return float(np.mean([np.abs(left - np.maximum(self.clock - past, 0.0)) for _, left, past in parts]))
+
+
+def gather(recording: Recording, coefficients: HeldOut) -> Set:
+    """The movements of a set, each person predicted by coefficients that did not know them."""
+    prepared = prepare(recording, threads=1)
+    pipelines = coefficients.of_people("kinematic-adaptive", recording)
+    movements = []
+    for user in dict.fromkeys(one.trial.user for one in prepared.trials):
+        pipeline = pipelines[user].fresh()
+        for k in (k for k, one in enumerate(prepared.trials) if one.trial.user == user):
+            run(pipeline, prepared.rows(k))
+            movements += movement(user, pipeline, prepared, k)
+    return Set(recording.name, movements, clock_s([one.arrival_s for one in prepared.trials]))
+
+
+def movement(user: str, pipeline: Pipeline, prepared: Prepared, k: int) -> list[Movement]:
+    """The movement that a pipeline has just followed; none where nothing was known of the person."""
+    memory = np.frombuffer(pipeline.predictor.remembered())
+    at = predictor.MOVEMENT + correction.TIMED
+    state = memory[at : at + time_left.STATES].copy()
+    if state[time_left.READY] == 0.0:
+        return []
+    median = float(memory[predictor.PERSON + correction.DURATIONS + durations.MEDIAN])
+    t, first = prepared.events.t, prepared.offsets[k]
+    return [Movement(user, state, (float(t[first]), float(t[prepared.arrivals[k]])), median)]
+
+
+def fitted(sets: Sequence[Set]) -> Prior:
+    """The prior: weights of the least absolute error, each set's in shares of its clock's, and their sums."""
+    terms, left, weight = [], [], []
+    for one in sets:
+        error = one.clock_error()
+        for movement in one.movements:
+            known, seconds, _ = movement.judged()
+            terms.append(known)
+            left.append(seconds / movement.median)
+            weight.append(np.full(JUDGED, min(movement.median / error, MOST_WEIGHT) / len(one.movements)))
+    x, y, share = np.concatenate(terms), np.concatenate(left), np.concatenate(weight)
+    share /= share.sum()
+    weights = np.zeros(TERMS)
+    for _ in range(ROUNDS):
+        rows = x * (share / np.maximum(np.abs(y - x @ weights), SMALL))[:, None]
+        sums = rows.T @ x
+        weights = np.linalg.solve(sums + 1e-6 * np.eye(TERMS), rows.T @ y)
+    precision = MOVEMENTS * (sums + RIDGE * np.diag(np.diag(sums)))
+    prior = np.concatenate([weights, precision[np.tril_indices(TERMS)]])
+    return tuple(np.round(prior, 3).tolist())
+
+
+def share_of_clock(one: Set, prior: Prior) -> float:
+    """Error over that of the clock of a law that starts with this prior, at the moments it is judged by."""
+    memories: dict[str, FloatArray] = {}
+    errors = []
+    for movement in one.movements:
+        memory = memories.setdefault(movement.user, np.zeros(END))
+        memory[MOVEMENT:] = movement.state
+        time_left.solve(memory, PERSON, prior, memory[MOVEMENT + time_left.WEIGHTS : MOVEMENT + MOMENTS])
+        weights = memory[MOVEMENT + time_left.WEIGHTS : MOVEMENT + MOMENTS]
+        known, left, _ = movement.judged()
+        errors.append(np.abs(np.maximum(known @ weights, 0.0) * movement.median - left).mean())
+        place = (PERSON, INTERVALS, MOVEMENT)
+        time_left.learn(memory, place, movement.span, movement.median, prior)
+    return float(np.mean(errors) / one.clock_error())
+
+
+def text(sets: Sequence[Set], prior: Prior) -> str:
+    """The file of the prior."""
+    rows, first = [], 0
+    for count in (TERMS, *range(1, TERMS + 1)):
+        numbers = ", ".join(str(value) for value in prior[first : first + count])
+        rows.append(f"    *({numbers}{',' if count == 1 else ''}),")
+        first += count
+    movements = sum(len(one.movements) for one in sets)
+    names = ", ".join(one.name for one in sets)
+    return TEXT.format(movements=movements, names=names, rows="\n".join(rows))
+
+
+def main(coefficients: HeldOut, recordings: Sequence[Recording]) -> None:
+    """Fit, print what the weights are worth, and write them."""
+    sets = [gather(recording, coefficients) for recording in recordings]
+    prior = fitted(sets)
+    for one in sets:
+        others = fitted([other for other in sets if other is not one])
+        own, without = share_of_clock(one, prior), share_of_clock(one, others)
+        print(f"{one.name}: {own:.3f}, fitted to the other sets {without:.3f}")
+    FILE.write_text(text(sets, prior), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    arguments = parse(__doc__, metavar="folder", most=1)
+    folder = data.folder()
+    main(stored(Path(arguments[0])) if arguments else held_out(folder), data.read_sets(folder))

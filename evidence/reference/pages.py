@@ -1,0 +1,264 @@
+"""What the pages of docs/reference show that are made from the code: a context a page.
+
+Errors, commands, monitoring, predictors and settings, the OpenAPI document, and the README's scores.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+import typer
+from prometheus_client import CollectorRegistry, Metric
+
+from evidence import data
+from evidence.reference.asyncapi_examples import CLOSES, CODES
+from evidence.results.page import overall
+from evidence.results.records import stored
+from pointpred import errors
+from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, app
+from pointpred.cli.help_text import VALUES
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.errors import ParameterError, PointpredError
+from pointpred.logs import EVERY_ENTRY, FIELDS
+from pointpred.parameter import Parameter
+from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
+from pointpred.registry import parameters as values_of
+from pointpred.scoring import FLOOR
+from pointpred_server.app import create_app
+from pointpred_server.metrics import Metrics
+from pointpred_server.settings import Settings
+from pointpred_server.workers.families import OF_PROCESS
+from pointpred_server.workers.supervisor import SupervisorMetrics
+
+UNITS = {"_seconds": "s", "_bytes": "bytes", "_info": ""}
+"""Of a metric, by the end of its name; other metrics count."""
+IN_README = ("hold", "minimum-jerk", "switched", "kinematic", RECOMMENDED)
+"""No prediction, no training, the thesis, and what has learned."""
+
+
+class Setting(msgspec.Struct, frozen=True):
+    """An argument or an option."""
+
+    name: str
+    default: str
+    meaning: str
+
+
+class Command(msgspec.Struct, frozen=True):
+    """A command as it is typed."""
+
+    name: str
+    summary: str
+    settings: tuple[Setting, ...]
+
+
+def commands(group: Any, name: str) -> Iterator[Command]:
+    """Every command below a group."""
+    for key, one in group.commands.items():
+        whole = f"{name} {key}"
+        if hasattr(one, "commands"):
+            yield from commands(one, whole)
+        else:
+            summary = (one.help or "").split("\n\n")[0].replace("\n", " ")
+            yield Command(whole, summary, tuple(_settings(one)))
+
+
+def _settings(command: Any) -> Iterator[Setting]:
+    for one in command.params:
+        if getattr(one, "hidden", False) or one.name == "help":
+            continue
+        if one.param_type_name == "argument":
+            name = (one.metavar or one.name).upper()
+        else:
+            value = (
+                ""
+                if one.is_flag
+                else f" {one.metavar or VALUES.get(one.type_descriptor.annotation, 'VALUE')}"
+            )
+            name = ", ".join([*one.opts, *one.secondary_opts]) + value
+        shown = "" if one.default in (None, False, ()) or callable(one.default) else f"`{one.default}`"
+        yield Setting(name, shown, " ".join((getattr(one, "help", "") or "").split()))
+
+
+def command_page() -> dict[str, Any]:
+    """Every command with its arguments and options."""
+    return {
+        "commands": list(commands(typer.main.get_command(app), "pointpred")),
+        "exits": {"done": DONE, "nothing": NOTHING, "wrong_use": WRONG_USE, "interrupted": INTERRUPTED},
+    }
+
+
+class Kind(msgspec.Struct, frozen=True):
+    """An exception class."""
+
+    name: str
+    code: str
+    builtin: str
+    meaning: str
+
+
+def kinds() -> Iterator[Kind]:
+    """Every exception of the library, in the order of its file."""
+    for one in vars(errors).values():
+        if inspect.isclass(one) and issubclass(one, PointpredError):
+            builtin = next(base.__name__ for base in one.__mro__ if base.__module__ == "builtins")
+            meaning = inspect.getdoc(one) or ""
+            yield Kind(one.__name__, one.code, builtin, meaning.split("\n\n")[0].replace("\n", " "))
+
+
+def error_page() -> dict[str, Any]:
+    """Errors of the library, codes of the service."""
+    return {"kinds": list(kinds()), "codes": CODES, "closes": CLOSES}
+
+
+class MetricRow(msgspec.Struct, frozen=True):
+    """A metric as the table shows it."""
+
+    name: str
+    kind: str
+    labels: str
+    unit: str
+    meaning: str
+
+
+def metric_rows(registry: CollectorRegistry) -> Iterator[MetricRow]:
+    """The metrics of a registry in their order."""
+    for collector in registry._collector_to_names:
+        labels = getattr(collector, "_labelnames", ())
+        for family in collector.collect():
+            yield _metric_row(family, labels or _labels(family))
+
+
+def _metric_row(family: Metric, labels: tuple[str, ...]) -> MetricRow:
+    unit = next((unit for end, unit in UNITS.items() if family.name.endswith(end)), "number")
+    return MetricRow(
+        family.name + ("_total" if family.type == "counter" else ""),
+        family.type,
+        ", ".join(f"`{label}`" for label in labels),
+        unit,
+        family.documentation.rstrip("."),
+    )
+
+
+def _labels(family: Metric) -> tuple[str, ...]:
+    """The labels of a family that a collector makes anew each time, but for that of a histogram's buckets."""
+    return tuple(
+        dict.fromkeys(label for sample in family.samples for label in sample.labels if label != "le")
+    )
+
+
+def monitoring_page() -> dict[str, Any]:
+    """Every metric and every log field of the service."""
+    service = {row.name: row for row in metric_rows(Metrics().registry)}
+    supervisor = {row.name: row for row in metric_rows(SupervisorMetrics().registry)}
+    return {
+        "service": sorted(service.values(), key=lambda row: row.name.startswith(OF_PROCESS)),
+        "supervisor": [row for name, row in supervisor.items() if name not in service],
+        "every_entry": EVERY_ENTRY,
+        "some_entries": FIELDS,
+    }
+
+
+def gains_of(name: str) -> dict[str, float]:
+    """The parameters of the differentiator that ``build(name)`` takes from the registry."""
+    stage = DIFFERENTIATORS[REGISTRY[name].differentiator]
+    chosen = GAINS | REGISTRY[name].preset
+    return {p.name: values_of(name)[p.name][1] for p in stage.parameters if p.name in chosen}
+
+
+def predictor(name: str) -> dict[str, Any]:
+    """One name of the registry: its own parameters, its differentiator, what it sets."""
+    one, entry = describe(name), REGISTRY[name]
+    own = {parameter.name for parameter in entry.predictor.parameters}
+    return {
+        **one,
+        "own": [p for p in one["parameters"] if p["of"] == "predictor"],
+        "gains": gains_of(name),
+        "sets": {key: value for key, value in entry.preset.items() if key in own},
+    }
+
+
+class DifferentiatorEntry(msgspec.Struct, frozen=True):
+    """One differentiator with the defaults of its class."""
+
+    name: str
+    title: str
+    own: tuple[Parameter, ...]
+
+
+def differentiator(name: str) -> DifferentiatorEntry:
+    """The entry of one name."""
+    stage = DIFFERENTIATORS[name]
+    return DifferentiatorEntry(name, (stage.__doc__ or "").strip().splitlines()[0], tuple(stage.parameters))
+
+
+def grouped() -> list[tuple[dict[str, float], list[str]]]:
+    """The names that share their gains."""
+    groups: dict[tuple[tuple[str, float], ...], list[str]] = {}
+    for name in REGISTRY:
+        groups.setdefault(tuple(gains_of(name).items()), []).append(name)
+    return [(dict(gains), names) for gains, names in groups.items()]
+
+
+def streaming_us() -> dict[str, float]:
+    """Microseconds of an event in a live session, by name."""
+    cost = data.stored("costs", "events").tables["cost"]
+    at = cost.columns.index("streaming, ns")
+    return {str(row[0]).strip("`"): float(row[at]) / 1000 for row in cost.rows}
+
+
+def predictor_page() -> dict[str, Any]:
+    """The registry, and which predictor to take."""
+    together = overall(stored())
+    return {
+        "recommended": RECOMMENDED,
+        "floor": FLOOR,
+        "shares": together.shares,
+        "wins": dict(together.wins),
+        "recorded": together.recorded,
+        "costs": streaming_us(),
+        "predictors": [predictor(name) for name in REGISTRY],
+        "differentiators": [differentiator(name) for name in DIFFERENTIATORS],
+        "groups": grouped(),
+    }
+
+
+def setting_page() -> dict[str, Any]:
+    """Every setting of the service."""
+    return {
+        "settings": [
+            {
+                "name": name,
+                "default": "-" if field.default is None or field.default == () else f"`{field.default}`",
+                "meaning": field.description or "",
+            }
+            for name, field in Settings.model_fields.items()
+        ]
+    }
+
+
+def readme_scores() -> dict[str, Any]:
+    """Five predictors on the embedded sample, and the learned ones on real people.
+
+    Raises ParameterError where the embedded sample was not scored.
+    """
+    sets = stored()
+    sample = next((one for one in sets if one.summary.simulated), None)
+    if sample is None:
+        raise ParameterError("the embedded sample was not scored; run `make results`", code="missing")
+    together = overall(sets)
+    return {
+        "made": sample.summary,
+        "chosen": [sample.scored(name) for name in IN_README],
+        "overall": together,
+        "fitted": [one for one in together.learned if one.without == "set"],
+    }
+
+
+def openapi_document() -> str:
+    """The OpenAPI document that the service serves at ``/openapi.json``, as JSON."""
+    return json.dumps(create_app().openapi(), indent=2, sort_keys=True, ensure_ascii=False) + "\n"

@@ -1,0 +1,248 @@
+"""What the results' pages show, taken from the JSON of all sets: no words, only numbers and names."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import msgspec
+
+from evidence import FIGURES
+from evidence.held_out import PEOPLE_OUT, SET_OUT
+from evidence.results.records import SetResults, stored
+from evidence.thinning import save
+from pointpred.datasets import listing
+from pointpred.drawing.style import Picture
+from pointpred.errors import ParameterError
+from pointpred.predictors.kinematic import coefficient_file
+from pointpred.registry import RECOMMENDED, parameters
+from pointpred.report.choice import highlighted
+from pointpred.report.figures.claims import inside_curves, time_left_bars
+from pointpred.report.figures.errors import cost, curves
+from pointpred.scoring import FLOOR, SetSummary
+
+EARLY = 0.2
+"""The share of the time at which a predictor that only looks a fixed time ahead gives itself away."""
+
+
+class Learned(msgspec.Struct, frozen=True):
+    """A predictor that has learned from recordings, on the people whom its coefficients did not see."""
+
+    name: str
+    without: str
+    """``set`` or ``person``: what its coefficients did not see."""
+    low: float
+    high: float
+    below: int
+    """Sets with the whole interval below 1."""
+    sets: int
+    worst: float
+    """At the worst share of the time, on the worst set."""
+    worst_set: str
+    worst_time: float
+
+
+class Cautious(msgspec.Struct, frozen=True):
+    """The most frequent winner, where it only looks a fixed time ahead."""
+
+    name: str
+    horizon_s: float
+    early: tuple[float, float]
+    lowest: tuple[float, float]
+
+
+def shares(sets: Sequence[SetResults]) -> dict[str, list[float]]:
+    """The time-averaged error over hold's, a number a set, of each predictor but hold that has all."""
+    ratios: dict[str, list[float]] = {}
+    for one in sets:
+        for name, predictor in one.judged.items():
+            if name != FLOOR and predictor.time_averaged.of_hold is not None:
+                ratios.setdefault(name, []).append(predictor.time_averaged.of_hold)
+    return {name: values for name, values in ratios.items() if len(values) == len(sets)}
+
+
+def winners(sets: Sequence[SetResults]) -> Counter[str]:
+    """On how many sets each predictor has the lowest error in px, which has more digits than the ratio."""
+    counts: Counter[str] = Counter()
+    for one in sets:
+        px = {name: p.time_averaged.px for name, p in one.judged.items() if name != FLOOR}
+        counts[min(px, key=lambda name: float("inf") if px[name] is None else float(px[name] or 0.0))] += 1
+    return counts
+
+
+def spread(rows: Mapping[str, Sequence[float | None]]) -> tuple[float, float]:
+    """The smallest and the largest of the sets' lowest shares; ``None``, a share that is unknown, is none."""
+    columns = (
+        [share for share in column if share is not None] for column in zip(*rows.values(), strict=True)
+    )
+    lowest = [min(column) for column in columns if column]
+    return min(lowest), max(lowest)
+
+
+def learned(people: Sequence[SetResults]) -> list[Learned]:
+    """How what has learned does without the set, and without the person; unknown errors are left out."""
+    rows_of = []
+    for without, ending in (("set", SET_OUT), ("person", PEOPLE_OUT)):
+        names = dict.fromkeys(p.name for one in people for p in one.summary.predictors)
+        for name in (name for name in names if name.endswith(ending)):
+            rows = {one.summary.name: p for one in people for p in one.summary.predictors if p.name == name}
+            ratios = [p.time_averaged.of_hold for p in rows.values() if p.time_averaged.of_hold is not None]
+            bounds = [p.time_averaged.interval for p in rows.values()]
+            moments = [
+                (cell.of_hold, which, t)
+                for which, p in rows.items()
+                for t, cell in p.by_time.items()
+                if cell.of_hold is not None
+            ]
+            if not ratios or not moments:
+                continue
+            worst, where, when = max(moments)
+            below = sum(bound is not None and bound[1] < 1.0 for bound in bounds)
+            rows_of.append(
+                Learned(
+                    name.removesuffix(ending), without, min(ratios), max(ratios), below, len(rows), worst,
+                    where, when,
+                )
+            )  # fmt: skip
+    return rows_of
+
+
+def cautious(people: Sequence[SetResults]) -> Cautious | None:
+    """The most frequent winner and its early errors.
+
+    ``None`` where it looks at the movement, or where none of its early errors is known.
+    """
+    (name, _), *_ = winners(people).most_common()
+    horizon = parameters(name).get("horizon_s")
+    if horizon is None:
+        return None
+    early = {other: [one.judged[other].by_time[EARLY].of_hold for one in people] for other in shares(people)}
+    own = [share for share in early.get(name, ()) if share is not None]
+    if not own:
+        return None
+    return Cautious(name, float(horizon[1]), (min(own), max(own)), spread(early))
+
+
+def matched_better(sets: Sequence[SetResults]) -> list[str]:
+    """Recorded sets on which template matching of the session has a lower error than `kinematic`."""
+    names, found = ("ktm", "kinematic"), []
+    for one in (one for one in sets if not one.summary.simulated and one.judged.keys() >= set(names)):
+        matched, learned = (one.scored(name).time_averaged.px or 0.0 for name in names)
+        if matched < learned:
+            found.append(one.summary.name)
+    return found
+
+
+class Overall(msgspec.Struct, frozen=True):
+    """The results of all sets together."""
+
+    recorded: int
+    """Recorded sets"""
+    shares: dict[str, list[float]]
+    """Time-averaged error over hold's on the recorded sets, by predictor"""
+    predictors: int
+    steady: list[str]
+    """Below 1 on every set"""
+    worse: int
+    worse_recorded: int
+    """Predictors worse than no prediction on a set, and on a recorded set"""
+    lowest: tuple[float, float]
+    wins: list[tuple[str, int]]
+    learned: list[Learned]
+    cautious: Cautious | None
+    alone: list[str]
+    """Sets of one person"""
+    recommended: str = RECOMMENDED
+
+
+def overall(sets: Sequence[SetResults]) -> Overall:
+    """The results of all sets together; raises ParameterError where no recorded set was scored."""
+    scored = [one for one in sets if one.summary.trials]
+    people = [one for one in scored if not one.summary.simulated]
+    if not people:
+        raise ParameterError("no recorded set was scored; run `make results` with recordings", code="missing")
+    every, recorded = shares(scored), shares(people)
+    return Overall(
+        recorded=len(people),
+        shares=recorded,
+        predictors=len(every),
+        steady=[name for name, values in every.items() if max(values) < 1.0],
+        worse=sum(max(values) > 1.0 for values in every.values()),
+        worse_recorded=sum(max(values) > 1.0 for values in recorded.values()),
+        lowest=spread(recorded),
+        wins=winners(people).most_common(),
+        learned=learned(people),
+        cautious=cautious(people),
+        alone=[one.summary.name for one in scored if one.summary.users == 1],
+    )
+
+
+def overview(sets: Sequence[SetResults]) -> dict[str, list[float | None]]:
+    """A row a predictor, a column a set; the package's own coefficients never saw a simulated set."""
+    learners = {
+        p.name.removesuffix(SET_OUT) for one in sets for p in one.summary.predictors if SET_OUT in p.name
+    }
+    ratios: dict[str, list[float | None]] = {}
+    for place, one in enumerate(sets):
+        for p in one.summary.predictors:
+            name = p.name + SET_OUT if p.name in learners else p.name
+            ratios.setdefault(name, [None] * len(sets))[place] = p.time_averaged.of_hold
+    return ratios
+
+
+def drawings(one: SetSummary) -> dict[str, Picture]:
+    """The figures of a set by what they show."""
+    judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
+    shown = highlighted(msgspec.structs.replace(one, predictors=judged))
+    drawn = {
+        "by-time": curves(one, shown, "by_time", "of_hold"),
+        "cost": cost(one),
+        "regions": inside_curves(one, "calibration"),
+        "time-left": time_left_bars(one),
+    }
+    return {kind: figure for kind, figure in drawn.items() if figure is not None}
+
+
+def pictures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
+    """The figures of every set that has trials, by the set's name."""
+    return {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
+
+
+@cache
+def stored_pictures() -> dict[str, dict[str, Picture]]:
+    """The figures of the stored results, which the page and the files share."""
+    return pictures(stored())
+
+
+def save_figures() -> None:
+    """Write the figures of the stored results into ``docs/figures``."""
+    for name, group in stored_pictures().items():
+        for kind, figure in group.items():
+            save(figure.svg, FIGURES / f"{name}-{kind}.svg")
+
+
+def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
+    """What the template of ``docs/evidence/results.md`` needs."""
+    results = stored() if sets is None else list(sets)
+    catalogue = {entry.name: entry for entry in listing()}
+    present = {one.summary.name for one in results}
+    return {
+        "sets": results,
+        "overall": overall(results),
+        "overview": overview(results),
+        "catalogue": catalogue,
+        "absent": [name for name in catalogue if name not in present],
+        "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in results},
+        "figures": stored_pictures() if sets is None else pictures(results),
+        "versions": results[0].versions,
+        "card": coefficient_file.card(),
+        "coefficients": {
+            "file": coefficient_file.OWN.name,
+            "version": coefficient_file.VERSION,
+            "size": coefficient_file.OWN.stat().st_size,
+            "digest": coefficient_file.digest(),
+        },
+        "matched": matched_better(results),
+    }
