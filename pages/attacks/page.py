@@ -6,11 +6,11 @@ from typing import Any
 
 import msgspec
 
-from pages import PAGES, ROOT
+from pages import PAGES
 from pages.data import Table, Tables, read, stored
 from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
+from tests.fuzz.corpus import corpus
 
-CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 COLUMNS = (
     "parser",
     "inputs",
@@ -60,5 +60,4 @@ def fuzzed() -> Tables:
 
 def _numbers(name: str, run: Run) -> tuple[int, ...]:
     """One line of the table, without its name."""
-    kept = len(list((CORPUS / name).glob("*")))
-    return run.executions, run.seconds, run.edges, run.most_mib, kept, run.breaches
+    return run.executions, run.seconds, run.edges, run.most_mib, len(corpus(name)), run.breaches
