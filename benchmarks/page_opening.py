@@ -56,14 +56,11 @@ def static_host() -> Iterator[str]:
 
 
 def first_prediction_ms(one: Visitor, address: str) -> float:
-    """Open the page with an empty cache; DevTools do not watch the network, which takes time."""
-    one.page.call("Network.clearBrowserCache")
-    one.page.call("Network.disable")
+    """Open the page with an empty cache."""
+    one.hand.call("Network.clearBrowserCache")
     one.open(address)
     one.wait("window.first !== undefined")
-    found = float(one.value("first"))
-    one.page.call("Network.enable")
-    return found
+    return float(one.value("first"))
 
 
 def compared(one: Visitor, address: str) -> tuple[tuple[str, str], ...]:
@@ -80,7 +77,7 @@ def compared(one: Visitor, address: str) -> tuple[tuple[str, str], ...]:
         x = left + width * (0.5 + 0.4 * math.sin(0.5 * angle))
         y = top + height * (0.5 + 0.3 * math.sin(0.35 * angle))
         one.mouse("mouseMoved", x, y)
-    one.page.wait_for_results()
+    one.hand.wait_for_results()
     time.sleep(0.5)
     page, by_service = (one.text(f"#live-compared [data-of={of}]") for of in ("page", "service"))
     return (
@@ -102,7 +99,7 @@ def main() -> None:
         }
         found: dict[str, list[float]] = {kind: [] for kind in kinds}
         with visitor(Path(profile), SIZE) as one:
-            one.page.call("Page.addScriptToEvaluateOnNewDocument", source=FIRST)
+            one.page.add_init_script(FIRST)
             for kind, address in [pair for _ in range(OPENINGS) for pair in kinds.items()]:
                 found[kind].append(first_prediction_ms(one, address))
             delays = compared(one, url)

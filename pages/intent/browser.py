@@ -34,7 +34,7 @@ from pages.intent.scores import score
 from pages.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
 from pointpred.columns import FloatArray
-from pointpred.replaying import Page, drive_mouse
+from pointpred.replaying import Page, drive_mouse, open_page
 from pointpred.targets import Target
 from pointpred.targets.rectangles import table
 from pointpred.training.data import folder
@@ -151,7 +151,8 @@ def main(layouts: Sequence[str]) -> None:
     with ExitStack() as stack:
         scratch = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         host = stack.enter_context(site(install(scratch / "npm")))
-        page = stack.enter_context(browser.tab(stack.enter_context(browser.running(scratch / "profile"))))
+        chromium = stack.enter_context(browser.running(scratch / "profile"))
+        page = stack.enter_context(open_page(chromium.devtools, timeout_s=browser.PATIENCE_S))
         player = Player(page, host, held_out(folder()), fits())
         for layout in names:
             chosen = [one for one in every if one.layout == layout]
