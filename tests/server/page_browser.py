@@ -15,6 +15,7 @@ from typing import Any, Literal
 
 from playwright.sync_api import ConsoleMessage, Error, Page, Request, WebSocket
 
+from pointpred.errors import SourceError
 from pointpred.replaying import Page as DevTools
 from tests.server import browser
 
@@ -138,8 +139,11 @@ class Visitor:
         self.page.goto(url)
 
     def value(self, expression: str) -> Any:
-        """What an expression yields in the page, as JSON has it."""
-        found = self.page.evaluate(VALUE, expression)
+        """What an expression yields in the page, as JSON has it; raises SourceError where it throws."""
+        try:
+            found = self.page.evaluate(VALUE, expression)
+        except Error as error:
+            raise SourceError(f"the page threw: {error}") from error
         return None if found is None else json.loads(found)
 
     def wait(self, expression: str, patience_s: float = PATIENCE_S) -> Any:

@@ -51,12 +51,6 @@ def test_one_of_a_thing_is_not_called_many(command, tmp_path: Path) -> None:
     assert "kept 1 trial of 1 user, 2 rows" in left.err
 
 
-def test_an_unknown_ending_is_refused_before_anything_is_simulated(command, tmp_path: Path) -> None:
-    left = command("simulate", "--people", "1000", "--out", tmp_path / "study.xlsx")
-    assert left.code == 2
-    assert "cannot write .xlsx, expected .parquet or .csv" in left.err
-
-
 def test_a_desktop_is_written_with_its_windows(command, tmp_path: Path) -> None:
     out = tmp_path / "work_samples.csv"
     left = command("simulate", "--desktop", "moved", "--people", "1", "--trials", "4", "--out", out)
