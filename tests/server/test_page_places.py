@@ -192,13 +192,14 @@ def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: 
 
 
 def test_live_predicts_before_the_other_views_are_there(visitor: Visitor, url: str) -> None:
-    visitor.hand.call("Network.setCacheDisabled", cacheDisabled=True)
-    visitor.hand.call("Fetch.enable", patterns=[{"urlPattern": "*/web/circle/view.js"}])
+    part, held = "**/web/circle/view.js", []
+    visitor.page.route(part, lambda route: held.append(route))
     visitor.page.goto("about:blank")
-    visitor.hand.send("Page.navigate", url=url)
+    visitor.page.goto(url, wait_until="commit")
     visitor.wait("document.querySelector('#live-scene')?.dataset.shows === 'demo'")
     says(visitor, "live", HERE)
     assert visitor.value("document.title") != "pointpred: live", "the tabs wait for the other views"
-    visitor.hand.call("Fetch.disable")
+    for route in held:
+        route.continue_()
+    visitor.page.unroute(part)
     visitor.wait("document.title === 'pointpred: live'")
-    visitor.hand.call("Network.setCacheDisabled", cacheDisabled=False)
