@@ -41,7 +41,10 @@ COLOURS = """{
   }).observe(scene, { attributeFilter: ["data-drawn"] });
 }"""
 """Gathers the colours of a picture whenever an endpoint is drawn that does not fade: it soon goes."""
-VALUE = "async (expression) => JSON.stringify(await (0, eval)(expression))"
+VALUE = """async (expression) => {
+  const found = await (0, eval)(expression);
+  try { return JSON.stringify(found); } catch { return null; }  // what holds itself, as Vue's objects do
+}"""
 """Playwright itself would call a function that comes out of an expression."""
 PATIENCE_S = 120.0
 WARMING_S = 600.0
