@@ -18,9 +18,9 @@ from benchmarks.load.costly import person, templates
 from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.data import PAGES, Table, keep
-from pointpred.protocol.records import EVENT
+from pointpred.protocol.packed import EVENT
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 TRIES = 7
 LIMITS = Limits()

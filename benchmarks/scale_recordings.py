@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import write_in_parts
 
 PEOPLE_TRIALS = 1000

@@ -14,9 +14,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from pointpred.accelerations import Accelerations
 from pointpred.errors import EventError
-from pointpred.events import Motion, PointerEvent, Prediction
+from pointpred.records import (
+    EventRow,
+    Motion,
+    MotionRow,
+    PointerEvent,
+    Prediction,
+    PredictionRow,
+    event_of,
+    event_row,
+    motion_of,
+    prediction_of,
+)
 from pointpred.regions import Region, probability, region_of
-from pointpred.rows import EventRow, MotionRow, PredictionRow, event_of, event_row, motion_of, prediction_of
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]

@@ -9,9 +9,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import REFUSED, Row, TenFloats, event_at
+from pointpred.records import REFUSED, FloatArray, Row, TenFloats, event_at
 
 
 @cache

@@ -8,17 +8,27 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
 from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
-from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.joint import joint_of, joint_sharing, last_of
 from pointpred.mixtures.mixture import Mixture
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
-from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
+from pointpred.records import (
+    REFUSED,
+    BoolArray,
+    EventColumns,
+    FloatArray,
+    Place,
+    PointerEvent,
+    Prediction,
+    PredictionColumns,
+    Row,
+    TenFloats,
+    prediction_of,
+)
 from pointpred.scene import scene
 
 

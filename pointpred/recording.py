@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.accelerations import Accelerations
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
+from pointpred.records import EventColumns
 
 UNKNOWN = float("nan")
 

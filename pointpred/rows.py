@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pointpred.compiled import law
-from pointpred.events import PHASES, Motion, PointerEvent, Prediction
+from pointpred.records import PHASES, Motion, PointerEvent, Prediction
 
 
 class EventRow(NamedTuple):

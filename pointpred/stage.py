@@ -16,9 +16,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
+from pointpred.records import BoolArray, FloatArray
 
 IntArray = NDArray[np.int64]
 In = TypeVar("In", contravariant=True)

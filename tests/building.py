@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 
 
 def way(s: Any) -> Any:

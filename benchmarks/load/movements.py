@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pages.sets import folder
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
-from pointpred.protocol.records import NO_COUNTS
+from pointpred.protocol.packed import NO_COUNTS
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.sources import read
 
 SECONDS = 10.0

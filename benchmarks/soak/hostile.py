@@ -20,7 +20,7 @@ from benchmarks.soak.frames import BINARY, PING, TEXT, frame
 from benchmarks.soak.movement import events
 from benchmarks.soak.reports import Plan, Reporter
 from pages.arguments import parse
-from pointpred.protocol.records import pack_events
+from pointpred.protocol.packed import pack_events
 
 HELLO = frame(TEXT, b'{"type":"hello","version":1,"predictor":"switched","encoding":"binary"}')
 ATTACKERS = 4

@@ -15,10 +15,10 @@ from pages.accelerometer.smoother import Smoother
 from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.differentiators.bounds import SENSED_BOUNDS, measure_sensed
 from pointpred.differentiators.signals import SENSED_SIGNALS
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring.replay import replay
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.scoring.trials import Prepared, prepare

@@ -7,10 +7,8 @@ from itertools import pairwise
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.events import METRES_PER_INCH
-from pointpred.rows import MotionRow
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray, MotionRow
 
 SMOOTH_S = 0.008
 """Standard deviation of the weights, so that 20 ms ahead count."""

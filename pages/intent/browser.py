@@ -33,7 +33,7 @@ from pages.intent.sample import document, sampled
 from pages.intent.scores import score
 from pages.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.replaying import Page, drive_mouse, open_page
 from pointpred.targets import Target
 from pointpred.targets.rectangles import table

@@ -6,8 +6,8 @@ covariance lies at ``p`` as p00 p01 p02 p11 p12 p22, a state at ``x`` as positio
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 START_SPEED_M_S = 0.3
 START_ACCELERATION_M_S2 = 5.0

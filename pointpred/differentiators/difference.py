@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import REFUSED, EventRow, FloatArray, TenFloats
 from pointpred.stage import offsets
 
 # The parameters: those of sampling, the shortest interval. The state: that of sampling; time and position of

@@ -6,12 +6,25 @@ from collections.abc import Callable
 from math import nan
 from typing import Any, ClassVar
 
-from pointpred.columns import EventColumns, FloatArray, MotionColumns
 from pointpred.differentiators import sampling
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import CPI, DPI, Motion, PointerEvent
 from pointpred.parameter import parameter
-from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_at, event_row, motion_of
+from pointpred.records import (
+    CPI,
+    DPI,
+    EventColumns,
+    FloatArray,
+    Motion,
+    MotionColumns,
+    MotionRow,
+    PointerEvent,
+    Row,
+    SixFloats,
+    TenFloats,
+    event_at,
+    event_row,
+    motion_of,
+)
 from pointpred.stage import CompiledStage, loop_of
 
 PLAIN = frozenset({float, int, type(None)})

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LATEST_S
-from pointpred.rows import Row
+from pointpred.records import LATEST_S, FloatArray, Row
 
 FORCE_MOST_M_S2 = 1e4
 """Bound on the magnitude of a sample along an axis: a thousand times gravity."""

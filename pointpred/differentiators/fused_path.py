@@ -18,8 +18,8 @@ from math import sqrt
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.regression import delay
 from pointpred.stage import offsets
 

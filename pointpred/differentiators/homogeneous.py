@@ -8,15 +8,13 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.events import METRES_PER_INCH
 from pointpred.parameter import option, parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import METRES_PER_INCH, REFUSED, EventRow, FloatArray, TenFloats
 from pointpred.stage import offsets
 
 ORDER_MOST = 8

@@ -6,7 +6,6 @@ from math import exp
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import constant_acceleration, fused_path, kalman, sampling
 from pointpred.differentiators.constant_acceleration import START_ACCELERATION_M_S2, START_SPEED_M_S
@@ -32,9 +31,8 @@ from pointpred.differentiators.fused_path import (
     WEIGHT,
 )
 from pointpred.errors import EventError
-from pointpred.events import LATEST_S
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, Row, TenFloats, event_at
+from pointpred.records import LATEST_S, REFUSED, EventColumns, EventRow, FloatArray, Row, TenFloats, event_at
 from pointpred.stage import loop_beside, loop_of, offsets
 
 START_WEIGHT, START_ACROSS = 0.7, 0.3

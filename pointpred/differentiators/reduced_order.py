@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from math import cos, exp, sin, sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.parameter import parameter
-from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.records import REFUSED, EventRow, FloatArray, TenFloats
 from pointpred.stage import offsets
 
 SETTLED_RADIANS = 5.0

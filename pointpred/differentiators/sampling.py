@@ -10,11 +10,18 @@ from math import floor
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH, ROUNDING_S, PointerEvent
-from pointpred.rows import EventRow, TenFloats
+from pointpred.records import (
+    LARGEST,
+    LATEST_S,
+    METRES_PER_INCH,
+    ROUNDING_S,
+    EventRow,
+    FloatArray,
+    PointerEvent,
+    TenFloats,
+)
 
 # Parameters, first in the memory of every differentiator.
 METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)

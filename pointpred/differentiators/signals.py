@@ -8,8 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.accelerations import Accelerations
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 
 DPI = 96.0
 CPI = 2000.0

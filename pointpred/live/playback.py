@@ -9,12 +9,11 @@ from typing import Literal, Self
 
 import msgspec
 
-from pointpred.columns import EventColumns
 from pointpred.devices.cursor_paths import Space
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent, Prediction
 from pointpred.pipeline import Pipeline
+from pointpred.records import EventColumns, PointerEvent, Prediction
 
 GAP_S = 0.5
 """Pause before a trial whose times begin before those of the trial before it ended."""

@@ -8,13 +8,13 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
-from pointpred.events import Pair
+from pointpred.garbage import tune_collector
 from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
+from pointpred.records import Pair
 from pointpred.replaying import trials as recorded
-from pointpred.server.garbage import tune_collector
 
 
 def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:

@@ -9,8 +9,8 @@ import numpy as np
 
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
-from pointpred.observers.persidskii import Persidskii
+from pointpred_observers.matrices import matrix
+from pointpred_observers.persidskii import Persidskii
 
 
 class LinearSystem(Protocol):

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import REFUSED, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import hypot, inf
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import MotionRow
+from pointpred.records import FloatArray, MotionRow
 
 STILL_M_S = 0.002
 """Below this speed of the hand nothing moves: two counts a second of a coarse mouse."""

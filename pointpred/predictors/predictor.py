@@ -5,11 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar
 
-from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
-from pointpred.events import Motion, Place, Prediction
 from pointpred.mixtures.mixture import Mixture
-from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of, row_at
+from pointpred.records import (
+    BoolArray,
+    Motion,
+    MotionColumns,
+    MotionRow,
+    Place,
+    Prediction,
+    PredictionColumns,
+    PredictionRow,
+    Row,
+    TenFloats,
+    motion_row,
+    prediction_of,
+    row_at,
+)
 from pointpred.scene import Scene
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
+from pointpred.records import REFUSED, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.regression import drem
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)

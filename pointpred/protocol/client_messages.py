@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S
 from pointpred.person import LARGEST as LARGEST_PERSON
+from pointpred.records import CPI, DPI, LARGEST, LATEST_S
 from pointpred.registry import RECOMMENDED
 from pointpred.targets.rectangles import SMALLEST_PX
 

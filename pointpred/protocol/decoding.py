@@ -13,12 +13,11 @@ import msgspec
 import numpy as np
 from msgspec import Meta, Struct
 
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import LARGEST, LATEST_S
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.records import EVENT, NONE, EventFloats, unpack_event, unpack_events
+from pointpred.protocol.packed import EVENT, NONE, EventFloats, unpack_event, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
+from pointpred.records import LARGEST, LATEST_S, EventColumns, FloatArray
 
 
 def _any_of(kinds: tuple[type[Struct], ...]) -> Any:

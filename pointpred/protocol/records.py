@@ -8,8 +8,8 @@ from struct import Struct
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.compiled import law
+from pointpred.records import FloatArray, PredictionColumns
 
 EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""

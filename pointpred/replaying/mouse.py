@@ -9,8 +9,8 @@ from typing import Any
 
 import msgspec
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
+from pointpred.records import EventColumns
 from pointpred.replaying.devtools import Page
 from pointpred.replaying.pacing import due
 

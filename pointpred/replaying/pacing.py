@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 MOST_AT_ONCE = 256
 """Most rows that are due together."""

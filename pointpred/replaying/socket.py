@@ -14,7 +14,6 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.client import Connection, connect
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable
@@ -22,6 +21,7 @@ from pointpred.protocol.scores import score_of
 from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 from pointpred.registry import RECOMMENDED, build
 from pointpred.replaying.pacing import due
 from pointpred.replaying.trials import playable_trials

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Skip
+from pointpred.records import EventColumns
 
 
 def trial_name(recording: Recording, k: int) -> str:

@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from pointpred.accelerations import Accelerations
-from pointpred.columns import FloatArray
 from pointpred.extras import require
 from pointpred.parameter import Parameter, check
+from pointpred.records import FloatArray
 from pointpred.simulation.movement import Movement
 
 GRAVITY_M_S2 = 9.81

@@ -13,8 +13,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv as pacsv
 
-from pointpred.columns import FloatArray
-from pointpred.events import PHASES
+from pointpred.records import PHASES, FloatArray
 from pointpred.sources.own.appended import SAMPLES, TRIALS
 from pointpred.sources.tables.arrow_tables import MARK
 

@@ -7,8 +7,8 @@ import io
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.server.uploads.receiving import UploadError
 from pointpred.sources.files.encodings import DAMAGED, GZIP, HEAD_BYTES, UTF_16
+from pointpred_server.uploads.receiving import UploadError
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000

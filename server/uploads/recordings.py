@@ -18,10 +18,10 @@ from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.scoring import Document, document, score
-from pointpred.server.uploads.limits import NO_TEXT, PARQUET, check_most, check_unpacked
 from pointpred.sources import Reading, read_any
 from pointpred.sources.known_formats import format_of
 from pointpred.sources.reading import columns_of
+from pointpred_server.uploads.limits import NO_TEXT, PARQUET, check_most, check_unpacked
 
 NAME = "recording"
 NOTHING: Mapping[str, str] = {}

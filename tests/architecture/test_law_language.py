@@ -15,7 +15,7 @@ from translation.javascript import Law
 from translation.source import UntranslatableError, module, parse
 
 EXEMPT = {
-    "pointpred.protocol.records": "it reads numpy records off the wire; another language has its own way"
+    "pointpred.protocol.packed": "it reads numpy records off the wire; another language has its own way"
 }
 """Modules whose laws are not translated, and why."""
 WITH_LAWS = [
@@ -76,7 +76,7 @@ def test_what_the_language_has_is_translated() -> None:
     source = """
 from math import hypot, nan
 import numpy as np
-from pointpred.rows import MotionRow
+from pointpred.records import MotionRow
 TABLE = (1.0, 2.0)
 @law
 def step(memory, motion):

@@ -7,12 +7,11 @@ import pickle
 import pytest
 
 from pointpred import build
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import Predictor
-from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import REFUSED, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 
 @law

@@ -17,14 +17,13 @@ import pytest
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import ParameterError
-from pointpred.events import Pair
 from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray, Pair, PredictionColumns
 from pointpred.scoring.replay import answers_to
 from pointpred.scoring.trials import prepare
 from pointpred.sources import read, write

@@ -20,10 +20,10 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.records import PREDICTION, pack_events, pack_predictions
+from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
+from pointpred.records import FloatArray
 from pointpred.sources import read
 from tests.server.running import PATIENCE_S
 

@@ -17,7 +17,7 @@ from websockets.exceptions import ConnectionClosed
 
 from benchmarks.soak.client import upgrade
 from benchmarks.soak.frames import PING, PONG, TEXT, frame, split
-from pointpred.protocol.records import PREDICTION
+from pointpred.protocol.packed import PREDICTION
 from tests.faults.service import Client, service, wait_until_ready
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S

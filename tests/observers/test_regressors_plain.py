@@ -15,8 +15,8 @@ import numpy as np
 import pointpred.compiled
 from pointpred import EventColumns
 from pointpred.differentiators import ReducedOrderDifferentiator
-from pointpred.observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
-from pointpred.observers.examples import UNMEASURED, two_masses
+from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
+from pointpred_observers.examples import UNMEASURED, two_masses
 
 def answers(seed):
     random = np.random.default_rng(seed)

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read, write
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)

@@ -6,8 +6,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import EventColumns
 from pointpred.recording import IN_MEMORY
+from pointpred.records import EventColumns
 from pointpred.sources.reading import Cut, Reading
 from pointpred.sources.trials.segmentation import cut, cut_at_clicks, cut_at_pauses, trials_of_stream
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from pointpred import EventColumns
 from pointpred.accelerations import Accelerations
-from pointpred.columns import FloatArray
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, FloatArray
 
 CPI = 2000.0
 COUNT_M = METRES_PER_INCH / CPI

@@ -10,12 +10,11 @@ from scipy.linalg import expm, solve_continuous_are
 
 from pointpred import EventColumns, Pipeline, build, run
 from pointpred.accelerations import Accelerations
-from pointpred.columns import FloatArray
 from pointpred.differentiators import KalmanDifferentiator, fused_path, inertial
 from pointpred.differentiators.inertial import InertialDifferentiator
 from pointpred.errors import EventError
-from pointpred.events import METRES_PER_INCH
 from pointpred.predictors import SwitchedPredictor
+from pointpred.records import METRES_PER_INCH, FloatArray
 from tests.reference.inertial_bench import Bench, path
 
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PointerEvent
-from pointpred.columns import FloatArray
 from pointpred.differentiators import (
     HomogeneousDifferentiator,
     InertialDifferentiator,
     KalmanDifferentiator,
 )
+from pointpred.records import FloatArray
 from tests.reference.inertial_bench import Bench, path
 
 

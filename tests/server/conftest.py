@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
+from pointpred.recorder.writer import Recorder
 from pointpred.replaying import Page as DevTools
-from pointpred.server.recorder.writer import Recorder
 from tests.server import browser, page_browser
 from tests.server.browser import Chromium
 from tests.server.listener import Listener

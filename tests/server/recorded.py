@@ -8,12 +8,12 @@ from datetime import UTC, datetime
 import numpy as np
 
 from pointpred import build, run
-from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
+from pointpred.recorder.session_recorder import SessionRecorder
+from pointpred.recorder.writer import Recorder
 from pointpred.recording import Recording
-from pointpred.server.recorder.session_recorder import SessionRecorder
-from pointpred.server.recorder.writer import Recorder
+from pointpred.records import EventColumns, PredictionColumns
 
 HELLO = Hello(1, "switched", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
 BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Error, Page
 
-from pointpred.columns import EventColumns
 from pointpred.protocol.server_messages import Limits
+from pointpred.records import EventColumns
 from pointpred.replaying import Page as DevTools
 from pointpred.replaying import drive_mouse
 from tests.server import browser

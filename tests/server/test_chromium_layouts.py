@@ -15,9 +15,9 @@ import pytest
 from playwright.sync_api import Page
 
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from tests.server import browser

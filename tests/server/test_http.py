@@ -22,8 +22,8 @@ from websockets.sync.client import ClientConnection, connect
 from pointpred.cli.serve import serve
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
-from pointpred.server.settings import Settings
 from pointpred.sources import read, write
+from pointpred_server.settings import Settings
 from tests import building
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 

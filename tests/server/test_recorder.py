@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
+from pointpred.recorder.recordings import listing
 from pointpred.recording import Recording
+from pointpred.records import EventColumns
 from pointpred.scoring import score
-from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 

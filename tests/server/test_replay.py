@@ -23,8 +23,8 @@ from pointpred.replaying import replay_to
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
 from pointpred.replaying.trials import select_trials
-from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns
 from pointpred.accelerations import Accelerations
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray
 from pointpred.scoring.trials import prepare
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read_any
 from pointpred.sources.own import recordings as own
 from tests import building

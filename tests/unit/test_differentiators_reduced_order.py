@@ -9,7 +9,7 @@ from scipy import linalg
 from pointpred import EventColumns
 from pointpred.differentiators import ReducedOrderDifferentiator
 from pointpred.differentiators import reduced_order as law
-from pointpred.observers import Persidskii, certify_convergence, invariant_observer, invariant_stage
+from pointpred_observers import Persidskii, certify_convergence, invariant_observer, invariant_stage
 
 PX_M = 0.0254 / 96.0
 HAND = Persidskii([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0, 0.0])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pointpred import build, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import durations as clock
+from pointpred.records import FloatArray
 from tests.building import reach
 
 LEFT = 6

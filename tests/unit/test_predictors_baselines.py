@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.predictors import (
     KalmanPredictor,
@@ -18,6 +17,7 @@ from pointpred.predictors import (
     MinimumJerkPredictor,
     Predictor,
 )
+from pointpred.records import FloatArray, MotionColumns
 
 MAKERS: dict[str, Callable[[], Predictor]] = {
     "linear": LinearPredictor,

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.records import FloatArray
 from pointpred.scoring import prepare
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)

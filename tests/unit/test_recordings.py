@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read, write
 
 DATA = Path(__file__).parents[1] / "data" / "sources"

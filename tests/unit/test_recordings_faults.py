@@ -7,9 +7,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources import read, write
 from tests.building import text_file
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.protocol.frames import prediction_text
-from pointpred.protocol.records import (
+from pointpred.protocol.packed import (
     EVENT,
     PREDICTION,
     pack_prediction,

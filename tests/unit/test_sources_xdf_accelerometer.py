@@ -11,8 +11,8 @@ import pytest
 from pointpred import build, run
 from pointpred.batch.digests import digest
 from pointpred.batch.plan import plan
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording
+from pointpred.records import EventColumns
 from pointpred.scoring import score
 from pointpred.sources import Reading, convert, read_any
 from pointpred.sources.trials.samples import samples_of_trials

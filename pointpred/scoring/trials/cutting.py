@@ -7,10 +7,9 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.rows import EventRow, event_at
+from pointpred.records import EventRow, FloatArray, event_at
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""

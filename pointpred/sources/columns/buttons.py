@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.records import FloatArray
 from pointpred.sources.columns.names import VAGUE, words_of
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.trials.assembly import MOST_BUTTONS

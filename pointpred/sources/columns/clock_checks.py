@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.sources.columns.clock_units import LONGEST_S, SHORTEST_S, forwards, units_by_rate
 from pointpred.sources.trials.keys import codes_of
 

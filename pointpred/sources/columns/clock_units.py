@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.sources.columns.list_rows import holds_lists, steps_of
 from pointpred.sources.columns.names import has_other_unit, unit_in
 from pointpred.sources.columns.time_units import PER_SECOND, clock, is_stamps

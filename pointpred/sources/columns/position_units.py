@@ -8,9 +8,8 @@ from typing import Any, get_args
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, FloatArray
 from pointpred.sources.reading import Reading, Unit
 
 LEAST_PX = 2.0

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.sources.columns.names import parts_of_study
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray

@@ -11,9 +11,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording
+from pointpred.records import EventColumns, FloatArray
 from pointpred.sources.columns import time_units
 from pointpred.sources.columns.buttons import buttons_of
 from pointpred.sources.columns.clock_checks import clock_notes, only_whole_seconds

@@ -10,8 +10,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns, FloatArray
 from pointpred.sources.columns.restarts import without_restarts
 from pointpred.sources.files.encodings import stem_of
 from pointpred.sources.reading import Cut, Reading

@@ -9,9 +9,9 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
+from pointpred.records import EventColumns
 from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.files.encodings import read_text, stem_of
 from pointpred.sources.reading import Reading

@@ -9,9 +9,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
+from pointpred.records import EventColumns, FloatArray
 from pointpred.sources.files.encodings import stem_of
 from pointpred.sources.reading import AS_IS, Reading, user_of
 from pointpred.sources.tables import arrow_tables

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.events import METRES_PER_INCH
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import METRES_PER_INCH
 from pointpred.sources.files.encodings import stem_of
 from pointpred.sources.reading import AS_IS, Reading, user_of
 from pointpred.sources.tables import arrow_tables

@@ -15,9 +15,9 @@ import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv as pacsv
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources.files.arrow_files import in_memory
 from pointpred.sources.files.encodings import read_unpacked, stem_of
 from pointpred.sources.reading import AS_IS, Reading

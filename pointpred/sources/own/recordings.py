@@ -11,9 +11,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
+from pointpred.records import FloatArray
 from pointpred.sources.columns import time_units
 from pointpred.sources.files.encodings import head_of, stem_of
 from pointpred.sources.files.write_together import write_together

@@ -15,9 +15,9 @@ from xml.etree import ElementTree
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.extras import require
+from pointpred.records import FloatArray
 from pointpred.sources.files.encodings import open_unpacked
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.table_files import xdf_accelerometer

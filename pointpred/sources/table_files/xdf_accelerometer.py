@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 KINDS = ("acc", "accel", "accelerometer", "acceleration")
 LABEL = re.compile(r"acc(el(eration|erometer)?)?[ _.:-]*([xyz])\b", re.IGNORECASE)

@@ -15,8 +15,8 @@ import pyarrow.csv as pacsv
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.records import FloatArray
 from pointpred.sources.files.arrow_files import open_file
 from pointpred.sources.files.encodings import UTF_8, head_of, is_ended, open_utf8
 from pointpred.sources.reading import row_name

@@ -10,8 +10,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.recording import Skip
+from pointpred.records import FloatArray
 
 IntArray = NDArray[np.int64]
 

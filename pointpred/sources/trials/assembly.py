@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.accelerations import Accelerations
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import LARGEST, LATEST_S
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
+from pointpred.records import LARGEST, LATEST_S, EventColumns, FloatArray
 from pointpred.sources.tables.column_table import IntArray
 
 T, X, Y, DX, DY, BUTTONS = range(6)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.keys import codes_of

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import FloatArray
 from pointpred.sources.trials.assembly import assemble
 
 WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.sources.tables.column_table import IntArray
 
 BEFORE_S = 10.0

@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.sources.reading import Cut, Reading
 from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.assembly import BUTTONS, DX, DY, T, X, Y, assemble
