@@ -6,11 +6,10 @@ from typing import Any
 
 import msgspec
 
-from evidence import ROOT
 from evidence.data import Table, Tables, file_of, read, stored
 from pointpred_server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
+from tests.fuzz.corpus import corpus
 
-CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 COLUMNS = (
     "parser",
     "inputs",
@@ -60,5 +59,4 @@ def fuzzed() -> Tables:
 
 def _numbers(name: str, run: Run) -> tuple[int, ...]:
     """One line of the table, without its name."""
-    kept = len(list((CORPUS / name).glob("*")))
-    return run.executions, run.seconds, run.edges, run.most_mib, kept, run.breaches
+    return run.executions, run.seconds, run.edges, run.most_mib, len(corpus(name)), run.breaches

@@ -21,7 +21,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import NamedTuple
 
-from pointpred.live.devtools import Page
+from pointpred.live.devtools import Page, open_page
 from tests.server import browser
 
 WEB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web"
@@ -134,8 +134,8 @@ def costs(in_view: int) -> dict[str, Costs]:
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with (
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
-        browser.running(Path(profile)) as devtools,
-        browser.tab(devtools) as page,
+        browser.running(Path(profile)) as chromium,
+        open_page(chromium.devtools, timeout_s=browser.PATIENCE_S) as page,
     ):
         page.call("Performance.enable")
         size = {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False}

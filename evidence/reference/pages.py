@@ -23,12 +23,13 @@ from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, app
 from pointpred.cli.help_text import VALUES
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.logs import EVERY_ENTRY, FIELDS
+from pointpred.logs import FIELDS
 from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.scoring import FLOOR
 from pointpred_server.app import create_app
+from pointpred_server.logs import EVERY_ENTRY
 from pointpred_server.metrics import Metrics
 from pointpred_server.settings import Settings
 from pointpred_server.workers.families import OF_PROCESS

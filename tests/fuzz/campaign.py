@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import datetime
-import hashlib
 import os
 import re
 import shutil
@@ -22,13 +21,11 @@ from pathlib import Path
 from evidence.attacks.page import Run
 from evidence.data import file_of, read, write
 from evidence.machine import computer
+from tests.fuzz.corpus import corpora, smallest, write_corpora
 from tests.fuzz.targets import TARGETS
 
-CORPUS = Path(__file__).parent / "corpus"
 BROKEN = Path(__file__).parent / "broken"
 FILE = file_of("attacks", "fuzz")
-KEPT_BYTES = 2**15
-"""Of a corpus; the repository holds them all."""
 TIMEOUT_S, MEMORY_MIB = 20, 2048
 """An input that takes longer, or a process that takes more, is a breach."""
 REACHED = re.compile(r"cov: (\d+)")
@@ -77,7 +74,8 @@ def fuzz(name: str, seconds: int) -> Run:
             print(f"{name}: {BROKEN / f'{name}-{one.name}'}\n{log[-3000:]}", file=sys.stderr)
         if not broken:
             atheris(name, "-merge=1", str(small), str(reached))
-            keep(name, small)
+            kept = {**corpora(), name: smallest(one.read_bytes() for one in small.iterdir())}
+            write_corpora({one: kept[one] for one in TARGETS if one in kept})
         return Run(
             seconds,
             executions,
@@ -93,19 +91,6 @@ def atheris(name: str, *options: str) -> str:
     """Run the fuzzer in a process of its own; returns what it wrote."""
     command = [sys.executable, "-m", "tests.fuzz.run", name, *options]
     return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False).stderr
-
-
-def keep(name: str, small: Path) -> None:
-    """Replace the corpus of a target by the smallest inputs of a folder."""
-    corpus = CORPUS / name
-    inputs = sorted((one.read_bytes() for one in small.iterdir()), key=len)
-    shutil.rmtree(corpus, ignore_errors=True)
-    corpus.mkdir(parents=True)
-    total = 0
-    for data in inputs:
-        total += len(data)
-        if total <= KEPT_BYTES:
-            (corpus / hashlib.sha1(data).hexdigest()[:16]).write_bytes(data)
 
 
 def _statistic(log: str, name: str) -> int:

@@ -11,7 +11,7 @@ import random
 
 from evidence.arguments import parse
 from evidence.costs.soak.verdicts import usage_of
-from tests.fuzz.campaign import CORPUS
+from tests.fuzz.corpus import corpus
 from tests.fuzz.targets import TARGETS
 
 INPUTS, EACH = 20_000, 2_000
@@ -19,7 +19,7 @@ INPUTS, EACH = 20_000, 2_000
 
 def main(name: str) -> None:
     target, chance = TARGETS[name], random.Random(1)
-    known = [*target.seeds(), *(file.read_bytes() for file in sorted((CORPUS / name).glob("*")))]
+    known = [*target.seeds(), *corpus(name)]
     for number in range(INPUTS + 1):
         data = bytearray(chance.choice(known))
         for _ in range(min(len(data), chance.randint(0, 4))):

@@ -17,9 +17,8 @@ from typing import Any
 
 import atheris
 
+from tests.fuzz.corpus import corpus
 from tests.fuzz.targets import TARGETS, Target
-
-CORPUS = Path(__file__).parent / "corpus"
 
 
 def instrument(target: Target) -> None:
@@ -54,15 +53,15 @@ def main() -> None:
         for place, seed in enumerate(target.seeds()):
             target.check(seed)  # compiles what it needs: a first run takes longer than any input may
             (Path(folder) / f"seed{place}").write_bytes(seed)
-        own = CORPUS / name
-        folders = [folder, *([str(own)] if own.is_dir() else [])]
+        for place, kept in enumerate(corpus(name)):
+            (Path(folder) / f"kept{place}").write_bytes(kept)
         sizes = (
             [] if any(one.startswith("-max_len") for one in options) else [f"-max_len={target.most_bytes}"]
         )
         command = (
             f"{sys.executable} -m tests.fuzz.run {name}"  # libFuzzer runs it again to make a corpus small
         )
-        atheris.Setup([command, *sizes, *options, *folders], partial(one, target))
+        atheris.Setup([command, *sizes, *options, folder], partial(one, target))
         atheris.Fuzz()
 
 

@@ -98,7 +98,7 @@ def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
     )
 
     def remaining() -> int:
-        page.visitor.page.call("HeapProfiler.collectGarbage")
+        page.visitor.hand.call("HeapProfiler.collectGarbage")
         return int(page.value("references.filter((one) => one.deref()).length"))
 
     until(lambda: remaining() <= 1, "the elements to be collected")

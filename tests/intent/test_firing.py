@@ -99,8 +99,8 @@ def test_stopping_leaves_no_listener(page: IntentPage) -> None:
     """The browser itself is asked."""
 
     def listeners() -> list[str]:
-        thing = page.visitor.page.call("Runtime.evaluate", expression="window")["result"]["objectId"]
-        found = page.visitor.page.call("DOMDebugger.getEventListeners", objectId=thing)["listeners"]
+        thing = page.visitor.hand.call("Runtime.evaluate", expression="window")["result"]["objectId"]
+        found = page.visitor.hand.call("DOMDebugger.getEventListeners", objectId=thing)["listeners"]
         return sorted(one["type"] for one in found)
 
     before = listeners()

@@ -55,9 +55,7 @@ def test_prerender_and_other_origins_are_choices(page: IntentPage) -> None:
 
 
 def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:
-    page.visitor.page.call(
-        "Page.addScriptToEvaluateOnNewDocument", source="HTMLScriptElement.supports = () => false"
-    )
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
     again = IntentPage(page.visitor, host)
     again.make(f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk' }})")
     again.move((40, 40), (650, 530), 0.4)

@@ -14,7 +14,7 @@ pytestmark = browser.needed
 
 @pytest.fixture
 def phone(page: IntentPage) -> Iterator[IntentPage]:
-    call = page.visitor.page.call
+    call = page.visitor.hand.call
     call("Emulation.setTouchEmulationEnabled", enabled=True)
     call("Emulation.setEmitTouchEventsForMouse", enabled=False)
     yield page
@@ -22,7 +22,7 @@ def phone(page: IntentPage) -> Iterator[IntentPage]:
 
 
 def touch(page: IntentPage, kind: str, *points: tuple[float, float]) -> None:
-    page.visitor.page.call(
+    page.visitor.hand.call(
         "Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points]
     )
     page.settle()

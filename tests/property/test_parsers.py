@@ -13,10 +13,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.fuzz.corpus import ARCHIVE, KEPT_BYTES, corpora, corpus, smallest, write_corpora
 from tests.fuzz.targets import TARGETS
 from tests.property.damage import damaged, edits
-
-CORPUS = Path(__file__).parents[1] / "fuzz" / "corpus"
 
 
 @cache
@@ -27,8 +26,7 @@ def seeds(name: str) -> list[bytes]:
 @pytest.mark.parametrize("name", TARGETS)
 def test_the_corpus_and_the_seeds_are_read_or_refused(name: str) -> None:
     check = TARGETS[name].check
-    corpus = [file.read_bytes() for file in sorted((CORPUS / name).glob("*"))]
-    came = {check(data) for data in [*seeds(name), *corpus]}
+    came = {check(data) for data in [*seeds(name), *corpus(name)]}
     assert came - {"refused", "another format"}, "some are read"
 
 
@@ -43,6 +41,17 @@ def test_damaged_seeds_and_any_bytes_are_read_or_refused(name: str, data: st.Dat
 
 
 def test_every_corpus_is_of_a_target_and_small() -> None:
-    for folder in CORPUS.iterdir():
-        assert folder.name in TARGETS
-        assert sum(file.stat().st_size for file in folder.iterdir()) <= 1 << 15
+    assert corpora().keys() <= TARGETS.keys()
+    assert sum(map(len, corpora().values())) > 1500
+    for inputs in corpora().values():
+        assert sum(map(len, inputs)) <= KEPT_BYTES
+
+
+def test_the_same_corpora_make_the_same_archive(tmp_path: Path) -> None:
+    again = tmp_path / "corpus.tar.xz"
+    write_corpora({name: inputs[::-1] for name, inputs in reversed(corpora().items())}, again)
+    assert again.read_bytes() == ARCHIVE.read_bytes()
+
+
+def test_the_smallest_inputs_are_kept() -> None:
+    assert smallest([b"abc", b"", bytes(KEPT_BYTES), b"b", b"a"]) == [b"", b"a", b"b", b"abc"]

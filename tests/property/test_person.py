@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from pointpred import EventColumns, build, run
+from pointpred import build, run
 from pointpred import person as persons
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
@@ -18,6 +18,7 @@ from pointpred.predictors.adaptation import distances, places, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.records import FloatArray
 from pointpred.stage import Slot
+from tests.building import reach
 
 NAME = "kinematic-adaptive"
 SLOTS = AdaptiveKinematicPredictor.slots
@@ -73,13 +74,6 @@ MOVES = st.lists(
 )
 
 
-def way(x: float, y: float, seconds: float) -> EventColumns:
-    t = np.arange(0.0, seconds + 0.1, 0.02)
-    share = np.minimum(t / seconds, 1.0)
-    done = 10 * share**3 - 15 * share**4 + 6 * share**5
-    return EventColumns.of(t, x * done, y * done)
-
-
 @settings(max_examples=100)
 @given(KNOWN, MOVES)
 @example(consistent([slot.high for slot in SLOTS for _ in range(slot.count)]), [(500.0, 0.0, 0.5)] * 3)
@@ -88,8 +82,9 @@ def test_an_accepted_person_never_breaks_the_law(
 ) -> None:
     pipeline = build(NAME, person=persons.packed(SLOTS, known))
     for one in moves:
-        table = run(pipeline, way(*one)).table
-        plain = run(build("kinematic"), way(*one)).table
+        *end, seconds = one
+        path = reach((0.0, 0.0), end, seconds, rest_s=0.1, rate_hz=50.0)
+        table, plain = run(pipeline, path).table, run(build("kinematic"), path).table
         assert np.array_equal(np.isnan(table), np.isnan(plain))  # it answers where `kinematic` does
         assert np.isfinite(table[~np.isnan(plain)]).all()
         pipeline.reset()

@@ -1,16 +1,19 @@
-"""A browser of its own for tests, where there is one."""
+"""The system's Chromium for tests, where there is one, driven by Playwright."""
 
 from __future__ import annotations
 
 import shutil
-import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import NamedTuple
+from urllib.parse import urlsplit
 
 import pytest
+from playwright.sync_api import BrowserContext, CDPSession, Page, Playwright, sync_playwright
+from websockets.sync.client import connect as dial
 
-from pointpred.live.devtools import Page, open_page
+from pointpred.live.devtools import Page as DevTools
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = (
@@ -31,26 +34,69 @@ PATIENCE_S = 120.0
 needed = pytest.mark.skipif(BROWSER is None, reason="no chromium on this machine")
 
 
+def move_at(protocol: CDPSession, x: float, y: float, t: float) -> None:
+    """Move the mouse of a tab, with a time that the event gives, s since 1970."""
+    event = {"type": "mouseMoved", "x": x, "y": y, "timestamp": t}
+    protocol.send("Input.dispatchMouseEvent", event)
+
+
+_started: list[Playwright] = []
+"""The one of this process: Playwright cannot be started twice at a time in a thread."""
+
+
+class Chromium(NamedTuple):
+    """A running browser, and the address of its DevTools."""
+
+    context: BrowserContext
+    devtools: str
+
+    @contextmanager
+    def tab(self, url: str = "about:blank") -> Iterator[Page]:
+        """A tab at an address."""
+        page = self.context.new_page()
+        page.goto(url)
+        yield page
+        page.close()
+
+    @contextmanager
+    def hand(self, page: Page) -> Iterator[DevTools]:
+        """A connection of its own to a tab, which moves its mouse without waiting, as Playwright cannot."""
+        session = self.context.new_cdp_session(page)
+        target = session.send("Target.getTargetInfo")["targetInfo"]["targetId"]
+        session.detach()
+        address = f"ws://{urlsplit(self.devtools).netloc}/devtools/page/{target}"
+        with dial(address, max_size=None, max_queue=None, compression=None, proxy=None) as socket:
+            yield DevTools(socket, PATIENCE_S)
+
+
 @contextmanager
-def running(profile: Path, *further: str) -> Iterator[str]:
-    """A browser, with further flags; yields the address of its DevTools."""
-    assert BROWSER is not None
-    flags = [*QUIET, *further, f"--user-data-dir={profile}", "--remote-debugging-port=0"]
-    command = [BROWSER, *flags, "about:blank"]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        assert process.stderr is not None
+def running(profile: Path, *further: str) -> Iterator[Chromium]:
+    """A browser, with further flags."""
+    with _playwright() as playwright:
+        context = playwright.chromium.launch_persistent_context(
+            profile,
+            executable_path=BROWSER,
+            args=[*QUIET, *further, "--remote-debugging-port=0"],
+            ignore_default_args=["--hide-scrollbars"],
+            viewport={"width": 1280, "height": 720},
+        )
+        context.set_default_timeout(1000.0 * PATIENCE_S)
+        port = (profile / "DevToolsActivePort").read_text(encoding="utf-8").split()[0]
         try:
-            for line in process.stderr:
-                if line.startswith("DevTools listening on "):
-                    yield f"http://{line.split('/')[2]}"
-                    break
-            else:
-                pytest.fail("the browser left before it listened")
+            yield Chromium(context, f"http://127.0.0.1:{port}")
         finally:
-            process.terminate()
-            process.stderr.read()
+            context.close()
 
 
-def tab(devtools: str, url: str | None = None) -> Page:
-    """A tab of a browser, as ``open_page`` gives it, with the patience of tests."""
-    return open_page(devtools, url, timeout_s=PATIENCE_S)
+@contextmanager
+def _playwright() -> Iterator[Playwright]:
+    """Playwright until the last browser ends: meanwhile this thread can run no other event loop."""
+    if _started:
+        yield _started[0]
+        return
+    with sync_playwright() as playwright:
+        _started.append(playwright)
+        try:
+            yield playwright
+        finally:
+            _started.clear()

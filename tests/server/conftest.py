@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
+from pointpred.live.devtools import Page as DevTools
 from pointpred.recorder.writer import Recorder
 from tests.server import browser, page_browser
+from tests.server.browser import Chromium
 from tests.server.listener import Listener
 from tests.server.page_browser import Visitor
-from tests.server.running import PATIENCE_S
+from tests.server.recorded import BEGUN, Opened
+from tests.server.running import PATIENCE_S, Running, running
 
 
 @pytest.fixture(autouse=True)
@@ -19,6 +23,13 @@ def patient_recorders(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a recorder holds is written to the end, however long a busy disk takes."""
     close = Recorder.close
     monkeypatch.setattr(Recorder, "close", lambda self, timeout_s=PATIENCE_S: close(self, timeout_s))
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    """A service of this module's own, in a thread."""
+    with running() as here:
+        yield here
 
 
 @pytest.fixture(scope="module")
@@ -36,10 +47,16 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 
 
 @pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The address of the DevTools of a browser of this module's own."""
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
+def chromium(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
+    """A browser of this module's own."""
+    with browser.running(tmp_path_factory.mktemp("profile")) as started:
+        yield started
+
+
+@pytest.fixture
+def devtools(chromium: Chromium) -> str:
+    """The address of its DevTools."""
+    return chromium.devtools
 
 
 @pytest.fixture
@@ -50,8 +67,28 @@ def listener() -> Iterator[Listener]:
 
 
 @pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
+def page(chromium: Chromium, listener: Listener) -> Iterator[Page]:
     """A tab at that service."""
-    with browser.tab(devtools, listener.url) as tab:
+    with chromium.tab(listener.url) as tab:
         yield tab
-        tab.call("Page.close")
+
+
+@pytest.fixture
+def hand(chromium: Chromium, page: Page) -> Iterator[DevTools]:
+    """A hand for the mouse of that tab."""
+    with chromium.hand(page) as connection:
+        yield connection
+
+
+@pytest.fixture
+def opened(tmp_path: Path) -> Iterator[Opened]:
+    """Recorders into one folder, closed in the end."""
+    made: list[Recorder] = []
+
+    def make(**options: object) -> Recorder:
+        made.append(Recorder(tmp_path / "kept", today=lambda: BEGUN, **options))  # type: ignore[arg-type]
+        return made[-1]
+
+    yield make
+    for recorder in made:
+        assert recorder.close()

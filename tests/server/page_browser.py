@@ -8,13 +8,15 @@ import sys
 import time
 import urllib.error
 import urllib.request
-from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
-from pointpred.live.devtools import Page
+from playwright.sync_api import ConsoleMessage, Error, Page, Request, WebSocket
+
+from pointpred.errors import SourceError
+from pointpred.live.devtools import Page as DevTools
 from tests.server import browser
 
 SHIFTS = """
@@ -39,9 +41,13 @@ COLOURS = """{
   }).observe(scene, { attributeFilter: ["data-drawn"] });
 }"""
 """Gathers the colours of a picture whenever an endpoint is drawn that does not fade: it soon goes."""
+VALUE = """async (expression) => {
+  const found = await (0, eval)(expression);
+  try { return JSON.stringify(found); } catch { return null; }  // what holds itself, as Vue's objects do
+}"""
+"""Playwright itself would call a function that comes out of an expression."""
 PATIENCE_S = 120.0
 WARMING_S = 600.0
-KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Tab": 9, "Escape": 27}
 
 
 @contextmanager
@@ -76,8 +82,8 @@ def ready(address: str) -> bool:
 @contextmanager
 def visitor(profile: Path, size: tuple[int, int] = (1280, 720)) -> Iterator[Visitor]:
     """Somebody with a browser of his own, on an empty page."""
-    with browser.running(profile) as devtools, browser.tab(devtools) as page:
-        yield Visitor(page, size)
+    with browser.running(profile) as chromium, chromium.tab() as page, chromium.hand(page) as hand:
+        yield Visitor(page, hand, size)
 
 
 def until(asked: Callable[[], Any], words: str, patience_s: float = PATIENCE_S) -> Any:
@@ -92,32 +98,56 @@ def until(asked: Callable[[], Any], words: str, patience_s: float = PATIENCE_S) 
 class Visitor:
     """Looks at the page, moves its mouse and presses its keys."""
 
-    def __init__(self, page: Page, size: tuple[int, int]) -> None:
+    def __init__(self, page: Page, hand: DevTools, size: tuple[int, int]) -> None:
         self.page = page
-        page.events = deque()  # nothing is forgotten, however many frames a slow machine needs
-        for domain in ("Page", "Runtime", "Network", "Log"):
-            page.call(f"{domain}.enable")
-        page.call("Page.addScriptToEvaluateOnNewDocument", source=SHIFTS)
+        self.hand = hand
+        """Commands of the browser's own protocol, without waiting for the page."""
+        self.sockets: list[WebSocket] = []
+        """Those that the page has made since it was opened."""
+        self._said: list[str] = []
+        self._asked: set[str] = set()
+        page.on("console", self._hear)
+        page.on("pageerror", self._hear)
+        page.on("request", self._note)
+        page.on("websocket", self._note)
+        page.add_init_script(SHIFTS)
         self.resize(*size)
+
+    def _hear(self, said: ConsoleMessage | Error) -> None:
+        if isinstance(said, Error) or said.type in ("error", "warning"):
+            self._said.append(str(said if isinstance(said, Error) else said.text))
+
+    def _note(self, asked: Request | WebSocket) -> None:
+        self._asked.add(asked.url)
+        if isinstance(asked, WebSocket):
+            self.sockets.append(asked)
 
     def resize(self, width: int, height: int) -> None:
         """Give the page a size in CSS px."""
-        size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-        self.page.call("Emulation.setDeviceMetricsOverride", **size)
+        self.page.set_viewport_size({"width": width, "height": height})
 
-    def prefer(self, **features: str) -> None:
-        """Set media features, such as ``prefers_color_scheme="dark"``."""
-        told = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
-        self.page.call("Emulation.setEmulatedMedia", features=told)
+    def prefer(
+        self,
+        color_scheme: Literal["light", "dark"] = "light",
+        reduced_motion: Literal["reduce", "no-preference"] = "no-preference",
+    ) -> None:
+        """Set media features."""
+        self.page.emulate_media(color_scheme=color_scheme, reduced_motion=reduced_motion)
 
     def open(self, url: str) -> None:
         """Go to an address in a new document, and wait until it has loaded."""
-        self.page.go("about:blank")
-        self.page.go(url)
+        self.page.goto("about:blank")
+        for heard in (self.sockets, self._said, self._asked):
+            heard.clear()
+        self.page.goto(url)
 
     def value(self, expression: str) -> Any:
-        """What an expression yields in the page."""
-        return self.page.evaluate(expression)
+        """What an expression yields in the page, as JSON has it; raises SourceError where it throws."""
+        try:
+            found = self.page.evaluate(VALUE, expression)
+        except Error as error:
+            raise SourceError(f"the page threw: {error}") from error
+        return None if found is None else json.loads(found)
 
     def wait(self, expression: str, patience_s: float = PATIENCE_S) -> Any:
         """Wait until an expression is true; returns its value."""
@@ -125,7 +155,7 @@ class Visitor:
 
     def text(self, part: str) -> str:
         """The words in the first element that a selector finds."""
-        return str(self.value(f"document.querySelector({part!r}).textContent"))
+        return self.page.text_content(part) or ""
 
     def gather_colours(self, part: str) -> None:
         """Gather from now on what colours a live picture has while an endpoint is drawn."""
@@ -137,31 +167,17 @@ class Visitor:
 
     def choose(self, part: str, value: str) -> None:
         """Choose an option of a select."""
-        self.value(
-            f"{{ const found = document.querySelector({part!r}); found.value = {value!r};"
-            "found.dispatchEvent(new Event('change')); }"
-        )
-
-    def choose_files(self, part: str, files: Sequence[Path]) -> None:
-        """Choose files in the browser's own dialogue."""
-        root = self.page.call("DOM.getDocument")["root"]["nodeId"]
-        node = self.page.call("DOM.querySelector", nodeId=root, selector=part)["nodeId"]
-        self.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file) for file in files])
+        self.page.select_option(part, value)
 
     def enter(self, name: str, value: object) -> None:
         """Type into the field of a form."""
-        self.value(
-            f"{{ const field = document.querySelector('[name={name}]'); field.value = {str(value)!r};"
-            "field.dispatchEvent(new Event('input', { bubbles: true })); }"
-        )
+        self.page.fill(f"[name={name}]", str(value))
 
     def give_files(self, texts: dict[str, str]) -> None:
         """Give files with these texts to the replay view, by their names."""
-        self.value(
-            "{ const files = new DataTransfer(); const input = document.querySelector('#replay-file');"
-            f"for (const [name, text] of Object.entries({json.dumps(texts)}))"
-            "files.items.add(new File([text], name));"
-            "input.files = files.files; input.dispatchEvent(new Event('change')); }"
+        self.page.set_input_files(
+            "#replay-file",
+            [{"name": name, "mimeType": "text/csv", "buffer": text.encode()} for name, text in texts.items()],
         )
 
     def corner(self, part: str) -> tuple[float, float, float, float]:
@@ -174,7 +190,7 @@ class Visitor:
         """Move, press or release the mouse without waiting for the page, as a hand does."""
         pressed = kind in ("mousePressed", "mouseReleased")
         about = {"button": "left" if pressed else "none", "clickCount": int(pressed)}
-        self.page.send(
+        self.hand.send(
             "Input.dispatchMouseEvent",
             **{"type": kind, "x": x, "y": y, "buttons": int(kind == "mousePressed"), **about, **more},
         )
@@ -183,7 +199,7 @@ class Visitor:
         """Press and release, and wait until the page has seen it."""
         self.mouse("mousePressed", x, y)
         self.mouse("mouseReleased", x, y)
-        self.page.wait_for_results()
+        self.hand.wait_for_results()
 
     def reach(
         self,
@@ -209,12 +225,11 @@ class Visitor:
             self.mouse("mouseMoved", place[0], place[1], **planned)
             if paced and i % a_frame == 0:
                 self.value("new Promise((done) => requestAnimationFrame(() => done()))")
-        self.page.wait_for_results()
+        self.hand.wait_for_results()
 
     def press(self, key: str) -> None:
         """Press and release a key."""
-        for kind in ("keyDown", "keyUp"):
-            self.page.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=KEYS[key])
+        self.page.keyboard.press(key)
 
     def shift(self) -> float:
         """The sum of the layout shifts that no input explains; 0.1 is called good on the web."""
@@ -223,23 +238,8 @@ class Visitor:
     def complaints(self) -> list[str]:
         """Errors and warnings of the page and of the browser about it, since it was opened."""
         self.value("0")
-        said = []
-        for event in self.page.events:
-            about = event["params"]
-            if event["method"] == "Runtime.exceptionThrown":
-                said.append(str(about["exceptionDetails"]))
-            elif event["method"] == "Runtime.consoleAPICalled" and about["type"] in ("error", "warning"):
-                said.append(str(about["args"]))
-            elif event["method"] == "Log.entryAdded" and about["entry"]["level"] in ("error", "warning"):
-                said.append(str(about["entry"]))
-        return said
+        return self._said
 
     def asked(self) -> set[str]:
         """Every address that the page has asked for since it was opened, sockets included."""
-        found = set()
-        for event in self.page.events:
-            if event["method"] == "Network.requestWillBeSent":
-                found.add(event["params"]["request"]["url"])
-            elif event["method"] == "Network.webSocketCreated":
-                found.add(event["params"]["url"])
-        return found
+        return self._asked

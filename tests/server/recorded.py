@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import UTC, datetime
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from pointpred.recording import Recording
 from pointpred.records import EventColumns, PredictionColumns
 
 HELLO = Hello(1, "switched", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
+BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
+"""The day of the recorders that ``opened`` makes."""
 Opened = Callable[..., Recorder]
 
 

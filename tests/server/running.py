@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import threading
 from collections.abc import Callable, Iterator
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
@@ -24,6 +26,28 @@ HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
 PATIENCE_S = 600.0
 """A service answers hello once its code is warm, which in a fresh clone means compiled: a minute of work,
 and many where others share the processors."""
+
+
+def event(t: float) -> str:
+    """A message of one event."""
+    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
+
+
+def told(socket: ClientConnection) -> dict[str, Any]:
+    """The next message of a service."""
+    answer: dict[str, Any] = json.loads(socket.recv(PATIENCE_S))
+    return answer
+
+
+def ends(socket: ClientConnection, code: str, close: int) -> None:
+    """An error that ends the session comes next, then the close with its reason."""
+    answer = told(socket)
+    assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", code, False)
+    with pytest.raises(ConnectionClosed) as closed:
+        socket.recv(PATIENCE_S)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == close
+    assert closed.value.rcvd.reason
 
 
 @dataclass

@@ -12,6 +12,7 @@ import pytest
 from tests.architecture.tree import ROOT
 from tests.hosts import file_host
 from tests.server import browser
+from tests.server.browser import move_at
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -41,11 +42,11 @@ def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal:
     with (
         file_host(tmp_path / "site") as origin,
         running(allow_origin=(origin,)) as service,
-        browser.running(tmp_path / "profile") as devtools,
+        browser.running(tmp_path / "profile") as chromium,
     ):
         soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         (tmp_path / "site/cards.html").write_text(page_text.replace(USUAL, service.url))
-        with browser.tab(devtools, f"{origin}/cards.html") as page:
+        with chromium.tab(f"{origin}/cards.html") as page:
             places = page.evaluate(f"({WATCH})()")
             assert len(places) == 4
             sessions = service.service.metrics.text
@@ -53,19 +54,12 @@ def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal:
             x, y = (places[goal][a] + places[goal][b] / 2 for a, b in (("x", "width"), ("y", "height")))
             s = np.linspace(0.0, 1.0, 60)
             way = 10 * s**3 - 15 * s**4 + 6 * s**5
-            began = time.time()
+            began, protocol = time.time(), page.context.new_cdp_session(page)
             for share, step in zip(way.tolist(), s.tolist(), strict=True):
-                page.call(
-                    "Input.dispatchMouseEvent",
-                    type="mouseMoved",
-                    x=x - 150 * (1 - share),
-                    y=y + 400 * (1 - share),
-                    timestamp=began + step,
-                )
+                move_at(protocol, x - 150 * (1 - share), y + 400 * (1 - share), began + step)
             soon(lambda: page.evaluate("lit.length") > 0, "a card lights up")
             names = ("One", "Two", "Three", "Four")
             soon(lambda: names[goal] in page.evaluate("lit"), f"{names[goal]} lights up")
-            page.call("Page.close")
 
 
 def test_the_command_allows_the_usual_origins() -> None:

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import Any
-from urllib.request import urlopen
 
 import pytest
-from websockets.sync.client import connect as dial
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
 from tests.server import browser
+from tests.server.browser import Chromium
 from tests.server.listener import soon
 from tests.server.pages_elsewhere import page_elsewhere
-from tests.server.running import Running, running
+from tests.server.running import Running
 
 pytestmark = browser.needed
 EVIL, REBOUND = "evil.example", "rebound.example"
@@ -29,33 +27,26 @@ FETCH = """fetch("{url}", {options}).then(
 
 
 @pytest.fixture(scope="module")
-def service() -> Iterator[Running]:
-    with running() as here:
-        yield here
-
-
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile"), RESOLVE) as address:
-        yield address
+def chromium(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
+    with browser.running(tmp_path_factory.mktemp("profile"), RESOLVE) as running_browser:
+        yield running_browser
 
 
 @pytest.fixture
-def evil(devtools: str) -> Iterator[Page]:
+def evil(chromium: Chromium) -> Iterator[Page]:
     """A tab at a page of another site."""
-    with page_elsewhere() as origin, browser.tab(devtools, origin.replace("127.0.0.1", EVIL)) as page:
+    with page_elsewhere() as origin, chromium.tab(origin.replace("127.0.0.1", EVIL)) as page:
         yield page
-        page.call("Page.close")
 
 
 @pytest.fixture
-def rebound(devtools: str, service: Running) -> Iterator[Page]:
+def rebound(chromium: Chromium, service: Running) -> Iterator[Page]:
     """A tab at the service under a foreign name that resolves to this machine, as after DNS rebinding."""
-    with browser.tab(devtools, "about:blank") as page:
-        page.call("Page.setBypassCSP", enabled=True)  # as if the name had meant a page of its own before
-        page.go(f"http://{REBOUND}:{service.port}/")
+    with chromium.tab() as page:
+        protocol = page.context.new_cdp_session(page)  # as if the name had meant a page of its own before
+        protocol.send("Page.setBypassCSP", {"enabled": True})
+        page.goto(f"http://{REBOUND}:{service.port}/")
         yield page
-        page.call("Page.close")
 
 
 def refused(service: Running) -> float:
@@ -98,12 +89,14 @@ def test_another_sites_post_is_refused(service: Running, evil: Page, mode: str) 
 
 def test_another_sites_form_is_refused(service: Running, evil: Page) -> None:
     before = refused(service)
-    evil.evaluate(
-        f"""document.body.innerHTML = '<form method=post enctype=text/plain action="{service.url}/v1/score">'
-          + '<input name=t value=1></form>'; document.forms[0].submit()"""
-    )
-    soon(lambda: refused(service) == before + 1, "the form is refused")
-    soon(lambda: "unauthorized" in evil.evaluate("document.body.textContent"), "the refusal is shown")
+    with evil.expect_navigation():
+        evil.evaluate(
+            f"""document.body.innerHTML = '<form method=post enctype=text/plain'
+              + ' action="{service.url}/v1/score"><input name=t value=1></form>';
+            document.forms[0].submit()"""
+        )
+    assert refused(service) == before + 1
+    assert "unauthorized" in (evil.text_content("body") or "")
 
 
 def test_a_request_of_another_site_that_asks_first_is_not_allowed(service: Running, evil: Page) -> None:
@@ -125,9 +118,7 @@ def test_a_rebound_name_gets_nothing(service: Running, rebound: Page) -> None:
 
 
 @pytest.mark.parametrize("path", ["/", "/healthz", "/web/page.js"])
-def test_another_site_shows_nothing_in_a_frame(
-    service: Running, devtools: str, evil: Page, path: str
-) -> None:
+def test_another_site_shows_nothing_in_a_frame(service: Running, evil: Page, path: str) -> None:
     evil.evaluate(
         f"""new Promise((resolve) => {{
           const frame = document.createElement("iframe");
@@ -136,15 +127,12 @@ def test_another_site_shows_nothing_in_a_frame(
           document.body.append(frame);
         }}).then(() => 0)"""
     )
-    with urlopen(f"{devtools}/json/list", timeout=10) as listed:
-        (frame,) = (one for one in json.load(listed) if one["type"] == "iframe")
-    with dial(frame["webSocketDebuggerUrl"], proxy=None) as opened:
-        assert Page(opened, browser.PATIENCE_S).evaluate("location.href") == "chrome-error://chromewebdata/"
+    (frame,) = evil.main_frame.child_frames
+    assert frame.evaluate("location.href") == "chrome-error://chromewebdata/"
 
 
 def test_another_site_that_opens_the_page_has_no_hold_on_it(service: Running, evil: Page) -> None:
-    opening = f'window.opened = window.open("{service.url}/"); 0'
-    evil.call("Runtime.evaluate", expression=opening, userGesture=True)
+    evil.evaluate(f'window.opened = window.open("{service.url}/"); 0')
     soon(lambda: evil.evaluate("opened.closed"), "the page is cut off from the one that opened it")
 
 

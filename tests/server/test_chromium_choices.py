@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 
@@ -30,14 +30,14 @@ BOTH = """[document.getElementById("box"), "goal"].map((named) => connection.pro
 
 @pytest.fixture
 def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as devtools, browser.tab(devtools) as tab:
+    with browser.running(tmp_path_factory.mktemp("profile")) as chromium, chromium.tab() as tab:
         yield tab
 
 
 @pytest.mark.parametrize("encoding", ["binary", "json"])
 def test_a_choice_names_its_element_and_ends_with_the_session(page: Page, encoding: str) -> None:
     with Listener() as listener:
-        page.go(listener.url)
+        page.goto(listener.url)
         page.evaluate(CONNECT.replace("ENCODING", encoding))
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
         soon(lambda: bool(listener.messages("targets")[-1:]), "the element is a target")
@@ -58,11 +58,11 @@ def test_a_choice_names_its_element_and_ends_with_the_session(page: Page, encodi
 def test_choices_about_the_past_wait_for_the_next_movement(page: Page) -> None:
     """What waited for a connection is sent, but a proposal it makes is announced by a later event only."""
     with Listener() as listener:
-        page.go(listener.url)
+        page.goto(listener.url)
         page.evaluate(CONNECT.replace("ENCODING", "binary"))
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
     soon(lambda: page.evaluate("connection.state") == "waiting", "the loss was noticed")
-    page.evaluate("connection.on('prediction', ({ t }) => { window.last = t; })")
+    page.evaluate("connection.on('prediction', ({ t }) => { window.last = t; }); 0")
     page.evaluate(MOVE)
     with Listener(listener.port) as again:
         soon(lambda: len(again.events()) == 40, "what waited was sent")

@@ -6,8 +6,8 @@ import socket
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
 from pointpred_server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon
@@ -40,8 +40,8 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
     with (
         page_elsewhere(**headers) as origin,
         running(allow_origin=(origin,)) as service,
-        browser.running(tmp_path / "profile") as devtools,
-        browser.tab(devtools, origin) as page,
+        browser.running(tmp_path / "profile") as chromium,
+        chromium.tab(origin) as page,
     ):
         soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(USE.format(url=service.url))
@@ -69,8 +69,8 @@ def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: P
     with (
         page_elsewhere() as origin,
         running() as service,
-        browser.running(tmp_path / "profile") as devtools,
-        browser.tab(devtools, origin) as page,
+        browser.running(tmp_path / "profile") as chromium,
+        chromium.tab(origin) as page,
     ):
         page.evaluate(REFUSED.format(url=service.url))
         soon(lambda: page.evaluate("connection.state") == "refused", "the refusal")
@@ -112,8 +112,8 @@ def test_a_service_that_cannot_be_reached_is_warned_of_once(tmp_path: Path) -> N
         with (
             page_elsewhere() as origin,
             running() as service,
-            browser.running(tmp_path / "profile") as devtools,
-            browser.tab(devtools, origin) as page,
+            browser.running(tmp_path / "profile") as chromium,
+            chromium.tab(origin) as page,
         ):
             page.evaluate(UNREACHABLE.format(url=service.url, port=port))
             soon(lambda: page.evaluate("waits") >= 3, "three tries")
@@ -129,8 +129,8 @@ def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:
     with (
         page_elsewhere() as origin,
         running(allow_origin=(origin,)) as service,
-        browser.running(tmp_path / "profile") as devtools,
-        browser.tab(devtools, origin) as page,
+        browser.running(tmp_path / "profile") as chromium,
+        chromium.tab(origin) as page,
     ):
         soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         assert "http://127.0.0.1:8765" in lines
@@ -142,7 +142,7 @@ def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:
         soon(lambda: sessions in service.service.metrics.text().decode(), "the page has a session")
         box = page.evaluate("document.querySelectorAll('.card')[1].getBoundingClientRect().toJSON()")
         place = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
-        page.call("Input.dispatchMouseEvent", type="mouseMoved", **place)
+        page.mouse.move(**place)
         soon(lambda: page.evaluate(lit) == ["Two"], "the card is lit")
-        page.call("Input.dispatchMouseEvent", type="mouseMoved", x=place["x"], y=place["y"] + 300)
+        page.mouse.move(place["x"], place["y"] + 300)
         soon(lambda: "Two" not in page.evaluate(lit), "the mouse has left")

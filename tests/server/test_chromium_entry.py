@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 
@@ -43,25 +43,15 @@ def connected(page: Page, url: str = "undefined", options: str = "{}") -> None:
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
 
 
-def mouse(page: Page, x: float, y: float) -> None:
-    page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
-
-
 def heard(page: Page) -> list[list[Any]]:
     return [row[:3] for row in page.evaluate("heard")]
-
-
-def tab_key(page: Page) -> None:
-    key = {"key": "Tab", "code": "Tab", "windowsVirtualKeyCode": 9}
-    for kind in ("rawKeyDown", "keyUp"):
-        page.call("Input.dispatchKeyEvent", type=kind, **key)
 
 
 @pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
 def test_the_keyboards_focus_proposes_an_element(page: Page, url: str) -> None:
     connected(page, url)
     for _ in range(4):  # first, the button inside it, second, the button that nobody observes
-        tab_key(page)
+        page.keyboard.press("Tab")
     assert page.evaluate("heard") == [
         ["propose", "first", "focus", "first", 1],
         ["retract", "first", None, "first", 0],
@@ -73,21 +63,22 @@ def test_the_keyboards_focus_proposes_an_element(page: Page, url: str) -> None:
 
 def test_a_click_is_no_focus_of_the_keyboard(page: Page) -> None:
     connected(page, NOWHERE, "{ pointer: false }")
-    for kind in ("mousePressed", "mouseReleased"):
-        page.call("Input.dispatchMouseEvent", type=kind, x=150, y=120, button="left", clickCount=1, buttons=1)
+    page.mouse.click(150, 120)
     assert page.evaluate("document.activeElement.id") == "first"
     assert heard(page) == []
 
 
 @pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
 def test_a_finger_proposes_an_element_and_lifting_it_ends_that(page: Page, url: str) -> None:
-    page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    protocol = page.context.new_cdp_session(page)
+    protocol.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
     connected(page, url)
     if url == "undefined":
         soon(lambda: page.evaluate("known") == 2, "the service knows both")
-    page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": 400, "y": 150}])
+    points = [{"x": 400, "y": 150}]
+    protocol.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points})
     assert heard(page)[:1] == [["propose", "second", "touch"]]
-    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    protocol.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     said: list[list[Any]] = []
 
     def ended() -> bool:
@@ -139,12 +130,12 @@ def test_fingers_whose_end_is_never_heard_are_bounded(page: Page) -> None:
 
 def test_without_a_service_the_mouse_proposes_what_it_enters(page: Page) -> None:
     connected(page, NOWHERE)
-    mouse(page, 50, 50)
+    page.mouse.move(50, 50)
     assert heard(page) == []
-    mouse(page, 150, 120)
-    mouse(page, 130, 190)  # over the button inside it
+    page.mouse.move(150, 120)
+    page.mouse.move(130, 190)  # over the button inside it
     assert heard(page) == [["propose", "first", "entered"]]
-    mouse(page, 400, 150)
+    page.mouse.move(400, 150)
     assert heard(page)[1:] == [["retract", "first", None], ["propose", "second", "entered"]]
     page.evaluate("connection.unobserve(document.getElementById('second'))")
     assert heard(page)[3:] == [["retract", "second", None]]
@@ -153,7 +144,7 @@ def test_without_a_service_the_mouse_proposes_what_it_enters(page: Page) -> None
     assert heard(page)[4:] == [["propose", "second", "entered"]]
     page.evaluate("connection.close()")
     assert heard(page)[5:] == [["retract", "second", None]]
-    mouse(page, 150, 120)
+    page.mouse.move(150, 120)
     assert len(heard(page)) == 6
 
 
@@ -162,14 +153,14 @@ def test_entry_goes_on_when_the_service_goes_and_comes_back(page: Page, listener
     connected(page)
     page.evaluate("connection.configure({ precision: 1 })")  # nothing is predicted
     soon(lambda: len(listener.messages("targets")[-1:]) == 1, "both are targets")
-    mouse(page, 50, 50)  # of a mouse that first appears in a target the page itself says so
-    mouse(page, 150, 120)
+    page.mouse.move(50, 50)  # of a mouse that first appears in a target the page itself says so
+    page.mouse.move(150, 120)
     soon(lambda: heard(page) == [["propose", "first", "entered"]], "the service says so")
     assert page.evaluate("heard")[0][4] < 1.0  # its share: the page itself would say 1
     listener.stop()
     soon(lambda: page.evaluate("connection.state") == "waiting", "the loss")
     assert page.evaluate("connection.proposed") == "first"
-    mouse(page, 400, 150)
+    page.mouse.move(400, 150)
     assert heard(page) == [
         ["propose", "first", "entered"],
         ["retract", "first", None],
@@ -179,9 +170,9 @@ def test_entry_goes_on_when_the_service_goes_and_comes_back(page: Page, listener
         soon(lambda: page.evaluate("connection.state") == "open", "the session is opened again")
         soon(lambda: len(again.messages("targets")[-1:]) == 1, "both are targets again")
         before = len(again.events())
-        mouse(page, 410, 150)
+        page.mouse.move(410, 150)
         soon(lambda: len(again.events()) > before, "the service knows where the mouse is")
-        mouse(page, 600, 300)
+        page.mouse.move(600, 300)
         soon(lambda: page.evaluate("connection.proposed") is None, "the mouse has left")
         assert heard(page)[3:] == [["retract", "second", None]]
 
@@ -191,13 +182,6 @@ def answered(page: Page) -> None:
     page.evaluate("connection.person()")
 
 
-def click(page: Page, x: float, y: float) -> None:
-    for kind, buttons in (("mousePressed", 1), ("mouseReleased", 0)):
-        page.call(
-            "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1, buttons=buttons
-        )
-
-
 @pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
 def test_what_is_entered_stays_until_it_is_left_by_the_mouse_or_by_scrolling(page: Page, url: str) -> None:
     page.evaluate("document.body.style.padding = '9px 3000px'")
@@ -205,24 +189,24 @@ def test_what_is_entered_stays_until_it_is_left_by_the_mouse_or_by_scrolling(pag
     if url == "undefined":
         page.evaluate("connection.configure({ precision: 1 })")  # nothing is predicted
         soon(lambda: page.evaluate("known") == 2, "the service knows both")
-    mouse(page, 150, 120)
+    page.mouse.move(150, 120)
     answered(page)
     entered = ["propose", "first", "entered"]
     assert heard(page) == [entered]
-    click(page, 150, 120)
-    mouse(page, 151, 120)
+    page.mouse.click(150, 120)
+    page.mouse.move(151, 120)
     answered(page)
     assert heard(page) == [entered]
     page.evaluate("scrollTo(224, 0)")  # the second comes to where the mouse rests
     there = [entered, ["retract", "first", None], ["propose", "second", "entered"]]
     soon(lambda: len(heard(page)) >= 3, "the change of targets")
-    mouse(page, 152, 120)
+    page.mouse.move(152, 120)
     answered(page)
     assert heard(page) == there
-    mouse(page, 152, 20)
+    page.mouse.move(152, 20)
     answered(page)
     assert heard(page)[3:] == [["retract", "second", None]]
-    mouse(page, 152, 120)
+    page.mouse.move(152, 120)
     answered(page)
     assert heard(page)[4:] == [["propose", "second", "entered"]]
 
@@ -255,13 +239,13 @@ def test_a_prediction_is_retracted_while_the_pointer_is_elsewhere(page: Page) ->
     page.evaluate(SAY)
     connected(page)
     page.evaluate("connection.configure({ precision: 1 })")
-    mouse(page, 50, 50)
+    page.mouse.move(50, 50)
     page.evaluate(PREDICT)
-    mouse(page, 51, 50)
+    page.mouse.move(51, 50)
     answered(page)
-    mouse(page, 480, 210)  # the frame inside the second
+    page.mouse.move(480, 210)  # the frame inside the second
     assert heard(page) == [["propose", "second", "predicted"]]
-    mouse(page, 52, 50)
+    page.mouse.move(52, 50)
     answered(page)
     assert page.evaluate("connection.proposed") == "second"
     for way in OUTSIDE.values():
@@ -269,14 +253,14 @@ def test_a_prediction_is_retracted_while_the_pointer_is_elsewhere(page: Page) ->
         if way:
             page.evaluate(f"{way} && 0")
         else:
-            mouse(page, 620, 120)
+            page.mouse.move(620, 120)
         assert heard(page)[before:] == [["retract", "second", None]], way
-        mouse(page, 51, 50)
+        page.mouse.move(51, 50)
         answered(page)
         assert heard(page)[before + 1 :] == [["propose", "second", "predicted"]], way
 
 
 def test_pointer_false_hears_no_mouse(page: Page) -> None:
     connected(page, NOWHERE, "{ pointer: false }")
-    mouse(page, 150, 120)
+    page.mouse.move(150, 120)
     assert heard(page) == []

@@ -8,27 +8,28 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from playwright.sync_api import Page
 
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.live.devtools import Page
 from pointpred.targets import Chooser, Target
 from tests.server import browser
+from tests.server.browser import Chromium, move_at
 from tests.server.listener import Listener, soon
 
 pytestmark = browser.needed
 
 
 @pytest.fixture
-def devtools(tmp_path: Path) -> Iterator[str]:
-    with browser.running(tmp_path / "profile") as address:
-        yield address
+def chromium(tmp_path: Path) -> Iterator[Chromium]:
+    with browser.running(tmp_path / "profile") as running:
+        yield running
 
 
 def stamped(page: Page, events: EventColumns) -> None:
     """Move a page's mouse along events at their own times, one sample a dispatch on any machine."""
-    began = time.time()
+    began, protocol = time.time(), page.context.new_cdp_session(page)
     for t, x, y in events.table[:, :3].tolist():
-        page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, timestamp=began + t)
+        move_at(protocol, x, y, began + t)
 
 
 def proposed(events: EventColumns, listener: Listener) -> set[str]:
@@ -40,9 +41,9 @@ def proposed(events: EventColumns, listener: Listener) -> set[str]:
     return {str(change.id) for change in changes if change.action == "propose"}
 
 
-def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
+def test_the_example_prefetches_before_the_cursor_is_there(chromium: Chromium, listener: Listener) -> None:
     """It prefetches what a batch of the same events says that the mouse is heading for."""
-    with browser.tab(devtools, f"{listener.url}/web/example.html") as page:
+    with chromium.tab(f"{listener.url}/web/example.html") as page:
         place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
         places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
         goal = places["/v1/predictors"]
@@ -65,4 +66,3 @@ def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listen
         wanted = proposed(EventColumns.of(heard["t"], heard["x"], heard["y"]), listener)
         soon(lambda: wanted <= set(listener.requests), f"{wanted} were prefetched")
         assert set(listener.requests) & set(places) == wanted
-        page.call("Page.close")

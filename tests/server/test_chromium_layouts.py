@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import time
 from collections.abc import Iterator
@@ -11,15 +12,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from playwright.sync_api import Page
 
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.datasets import sample
-from pointpred.live.devtools import Page
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from tests.server import browser
+from tests.server.browser import Chromium, move_at
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_chromium_elsewhere import page_elsewhere
@@ -128,11 +130,14 @@ def moved(page: Page, way: FloatArray, began: float) -> float:
 
     Begins at a time in s, and returns when the next movement may begin.
     """
+    protocol = page.context.new_cdp_session(page)
     for t, x, y in way.tolist():
-        page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, timestamp=began + t)
+        move_at(protocol, x, y, began + t)
     click: dict[str, Any] = {"x": x, "y": y, "button": "left", "clickCount": 1}
-    page.call("Input.dispatchMouseEvent", type="mousePressed", timestamp=began + t + 0.02, buttons=1, **click)
-    page.call("Input.dispatchMouseEvent", type="mouseReleased", timestamp=began + t + 0.1, **click)
+    for kind, later_s, buttons in (("mousePressed", 0.02, 1), ("mouseReleased", 0.1, 0)):
+        about = {"type": kind, "timestamp": began + t + later_s, "buttons": buttons, **click}
+        protocol.send("Input.dispatchMouseEvent", about)
+    protocol.detach()
     return float(began + t + 1.0)
 
 
@@ -162,10 +167,10 @@ def by_target(choices: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
     "recorded", [sample, pytest.param(people, marks=RECORDED)], ids=["generated", "people"]
 )
 def test_a_movement_has_its_choice_at_entry_at_the_latest(
-    devtools: str, service: Running, site: str, layout: str, recorded: Any
+    chromium: Chromium, service: Running, site: str, layout: str, recorded: Any
 ) -> None:
     """The page hears what a batch of its own events decides; each goal was proposed when it was entered."""
-    with browser.tab(devtools, site) as page:
+    with chromium.tab(site) as page:
         page.evaluate(f"document.body.innerHTML = {LAYOUTS[layout]!r}")
         page.evaluate(CONNECT.format(url=service.url))
         places = [Target(*row) for row in page.evaluate(RECTANGLES)]
@@ -184,12 +189,11 @@ def test_a_movement_has_its_choice_at_entry_at_the_latest(
         decided = [{"id": one.id, "action": one.action, "reason": one.reason, "t": t} for t, one in changes]
         wanted = until_left(decided, page.evaluate("over"))
         soon(lambda: len(page.evaluate("heard.choice")) >= len(wanted), "every choice")
-        heard = page.evaluate("heard.choice")
+        heard = json.loads(page.evaluate("JSON.stringify(heard.choice)"))  # what is not said is left out
         assert page.evaluate("heard.error") == []
         assert all(one.pop("named") == one["id"] for one in heard)
         assert by_target(heard) == by_target(wanted)
         page.evaluate("connection.close()")
-        page.call("Page.close")
     reasons = []
     for goal, (first, stop) in zip(goals, pairwise(counts), strict=True):
         (place,) = (one for one in on_grid if one.id == goal)

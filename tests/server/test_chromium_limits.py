@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator
 
 import pytest
+from playwright.sync_api import Page
 
-from pointpred.live.devtools import Page
 from pointpred.protocol.server_messages import Limits
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -86,7 +86,7 @@ def test_what_is_sent_while_the_connection_ends_is_kept(page: Page, listener: Li
     """The browser takes events for a closing socket, and lets them fall."""
     page.evaluate(
         "const Plain = WebSocket; window.WebSocket ="
-        "class extends Plain { constructor(...given) { super(...given); window.socket = this; } }"
+        "class extends Plain { constructor(...given) { super(...given); window.socket = this; } }; 0"
     )
     connected(page, "{ pointer: false }")
     said = f"socket.close(); connection.send({ROWS.format(7)}); connection.trial('start');"
@@ -100,7 +100,7 @@ def test_what_is_sent_while_the_connection_ends_is_kept(page: Page, listener: Li
 def test_what_waits_in_the_browser_is_bounded(page: Page, listener: Listener) -> None:
     page.evaluate(
         "const Plain = WebSocket; window.WebSocket = class extends Plain {"
-        "get bufferedAmount() { return window.stuck ? 2 ** 24 : super.bufferedAmount; } }"
+        "get bufferedAmount() { return window.stuck ? 2 ** 24 : super.bufferedAmount; } }; 0"
     )
     connected(page, "{ pointer: false }")
     page.evaluate(f"window.stuck = true; connection.send({ROWS.format(7)})")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from playwright.sync_api import Page
+
 from pointpred import EventColumns, Pipeline, build, run
-from pointpred.live.devtools import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 from tests.server.test_chromium_client import CONNECT

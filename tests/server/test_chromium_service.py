@@ -41,12 +41,16 @@ def test_the_service_counts_every_event_of_a_page(url: str, tmp_path: Path) -> N
       window.connection = connect(undefined, { reply: "event" });
       connection.on("prediction", (prediction) => heard.push(prediction.t));
     })"""
-    with browser.running(tmp_path / "profile") as devtools, browser.tab(devtools, f"{url}healthz") as page:
+    with (
+        browser.running(tmp_path / "profile") as chromium,
+        chromium.tab(f"{url}healthz") as page,
+        chromium.hand(page) as hand,
+    ):
         soon(lambda: page_browser.ready(url), "the service is warm", page_browser.WARMING_S)
         page.evaluate(connect)
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
         i = np.arange(500.0)
-        drive_mouse(page, EventColumns.of(i / 1000, 100 + i, 100 + i / 4), speed=math.inf)
+        drive_mouse(hand, EventColumns.of(i / 1000, 100 + i, 100 + i / 4), speed=math.inf)
         soon(lambda: page.evaluate("connection.sent") == 500, "500 events were sent")
         soon(lambda: counted() == 500.0, "500 events were counted")
         soon(lambda: page.evaluate("heard.length") > 0, "predictions came back")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from playwright.sync_api import Page
 
 from pointpred import RECOMMENDED
-from pointpred.live.devtools import Page
 from tests.server import browser
+from tests.server.browser import Chromium
 from tests.server.listener import Listener, soon
 from tests.server.running import PATIENCE_S, running
 from tests.server.test_chromium_client import CONNECT, connected
@@ -32,11 +33,11 @@ def wishes(listener: Listener) -> list[dict]:
 
 def test_a_change_between_hello_and_welcome_is_asked_for(page: Page, listener: Listener) -> None:
     change = "() => { greeting = null; connection.configure({ predictor: 'hold' }); }"
-    page.evaluate(f"{AFTER_HELLO} window.greeting = {change}")
+    page.evaluate(f"{AFTER_HELLO} window.greeting = {change}; 0")
     connected(page)
     soon(lambda: wishes(listener) == [{"predictor": "hold"}], "the change was sent")
     soon(lambda: page.evaluate("connection.welcome.predictor") == "hold", "it holds")
-    page.evaluate(f"window.greeting = {change.replace('hold', 'linear')}")
+    page.evaluate(f"window.greeting = {change.replace('hold', 'linear')}; 0")
     listener.stop()
     with Listener(listener.port) as again:
         soon(lambda: wishes(again) == [{"predictor": "linear"}], "the same in a session opened again")
@@ -46,7 +47,7 @@ def test_a_change_between_hello_and_welcome_is_asked_for(page: Page, listener: L
 
 def test_a_refused_change_before_welcome_is_not_repeated(page: Page, listener: Listener) -> None:
     change = "() => { greeting = null; connection.configure({ predictor: 'nobody' }); }"
-    page.evaluate(f"{AFTER_HELLO} window.greeting = {change}")
+    page.evaluate(f"{AFTER_HELLO} window.greeting = {change}; 0")
     connected(page)
     soon(lambda: page.evaluate("heard.error.length") == 1, "the refusal")
     listener.stop()
@@ -96,8 +97,8 @@ def test_a_listener_may_close_whatever_it_hears(page: Page, listener: Listener, 
     assert page.evaluate("thrown") == []
 
 
-def test_another_token_is_tried(devtools: str) -> None:
-    with running(token="the right words") as service, browser.tab(devtools, f"{service.url}/healthz") as page:
+def test_another_token_is_tried(chromium: Chromium) -> None:
+    with running(token="the right words") as service, chromium.tab(f"{service.url}/healthz") as page:
         soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(CONNECT.replace("OPTIONS", "{ token: 'guess' }"))
         soon(lambda: page.evaluate("connection.state") == "refused", "the token was refused")
@@ -105,7 +106,6 @@ def test_another_token_is_tried(devtools: str) -> None:
         soon(lambda: page.evaluate("connection.state") == "open", "another was tried")
         assert page.evaluate("connection.welcome.predictor") == "hold"
         assert page.evaluate("heard.error.map(({ code }) => code)") == ["unauthorized"]
-        page.call("Page.close")
 
 
 def test_options_that_are_undefined_are_as_if_not_given(page: Page, listener: Listener) -> None:

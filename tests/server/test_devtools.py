@@ -30,7 +30,7 @@ for (const name of ["pointermove", "pointerdown", "pointerup", "click", "auxclic
 
 @pytest.fixture
 def page(devtools: str) -> Iterator[Page]:
-    with Listener() as listener, browser.tab(devtools, listener.url) as tab:
+    with Listener() as listener, open_page(devtools, listener.url, timeout_s=browser.PATIENCE_S) as tab:
         tab.evaluate(WATCH)
         yield tab
         tab.call("Page.close")

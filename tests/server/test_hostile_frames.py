@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import socket as socket_module
 from contextlib import suppress
 from functools import partial
@@ -15,16 +14,7 @@ from websockets.sync.client import ClientConnection
 import pointpred_server.websocket_protocol
 from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
-from tests.server.running import PATIENCE_S, running
-
-
-def event(t: float) -> str:
-    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
-
-
-def told(socket: ClientConnection) -> dict[str, object]:
-    answer: dict[str, object] = json.loads(socket.recv(PATIENCE_S))
-    return answer
+from tests.server.running import PATIENCE_S, ends, event, running, told
 
 
 def raw(opcode: Opcode, data: bytes, fin: bool = True) -> bytes:
@@ -71,12 +61,7 @@ def test_is_told_why_and_closed_while_others_go_on(
             socket.send(event(1.0))
             assert told(socket)["t"] == 1.0
             throw(socket, frames)
-            answer = told(socket)
-            assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", code, False)
-            with pytest.raises(ConnectionClosed) as closed:
-                socket.recv(PATIENCE_S)
-            assert closed.value.rcvd is not None
-            assert closed.value.rcvd.code == close
+            ends(socket, code, close)
         other.send(event(2.0))
         assert told(other)["t"] == 2.0
         value = here.service.metrics.registry.get_sample_value

@@ -16,11 +16,7 @@ from pointpred.recorder.recordings import delete, listing
 from pointpred.recorder.writer import Recorder
 from tests.server.listener import soon
 from tests.server.recorded import begin
-from tests.server.running import PATIENCE_S, running
-
-
-def event(t: float) -> str:
-    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
+from tests.server.running import PATIENCE_S, event, running
 
 
 def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(

@@ -7,23 +7,13 @@ import struct
 from functools import partial
 
 import pytest
-from websockets.sync.client import ClientConnection
 
 import pointpred_server.connection
 from tests.server.listener import RECORD, soon
-from tests.server.running import HELLO, PATIENCE_S, running
+from tests.server.running import HELLO, PATIENCE_S, event, running, told
 
 DELAY = "pointpred_event_to_prediction_seconds"
 PACKED = HELLO[:-1] + ',"encoding":"binary","reply":"event"}'
-
-
-def told(socket: ClientConnection) -> dict[str, object]:
-    answer: dict[str, object] = json.loads(socket.recv(PATIENCE_S))
-    return answer
-
-
-def event(t: float) -> str:
-    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
 
 
 def packed(first: int, count: int) -> bytes:

@@ -14,38 +14,25 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import msgspec
-import numpy as np
 import pytest
 from httpx2 import get, post
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
-from pointpred.recording import Recording, Trial
-from pointpred.records import EventColumns
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
 from pointpred.sources import read, write
 from pointpred_server.cli.serve import serve
 from pointpred_server.settings import Settings
+from tests import building
 from tests.server.running import HELLO, PATIENCE_S, Running, running
-
-
-@pytest.fixture(scope="module")
-def service() -> Iterator[Running]:
-    with running() as here:
-        yield here
 
 
 @pytest.fixture
 def recording(tmp_path: Path) -> Path:
     """Three reaches of one person, as our CSV."""
-    t = np.arange(0.0, 0.8, 0.01)
-    s = np.clip(t / 0.6, 0.0, 1.0)
-    way = 10 * s**3 - 15 * s**4 + 6 * s**5
-    parts = [EventColumns.of(t, np.round(way * x), np.round(way * 90)) for x in (300, 500, -400)]
-    trials = [Trial("ann", str(i)) for i in range(3)]
-    write(Recording.of("study", parts, trials), tmp_path / "study_samples.csv")
-    return tmp_path / "study_samples.csv"
+    parts = [building.reach((0.0, 0.0), (x, 90.0), rest_s=0.2) for x in (300.0, 500.0, -400.0)]
+    return write(building.recording(parts, "study"), tmp_path / "study_samples.csv")[0]
 
 
 def test_predictors_are_those_of_the_registry(service: Running) -> None:

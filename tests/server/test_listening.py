@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import socket
 import subprocess
@@ -56,14 +57,10 @@ def test_a_port_that_pointpred_holds_is_told_from_others(service: subprocess.Pop
         listen("127.0.0.1", port)
 
 
-def test_an_address_of_another_machine_is_refused_in_words() -> None:
-    with pytest.raises(SourceError, match=r"cannot listen on 192\.0\.2\.1 port 0"):
-        listen("192.0.2.1", 0)
-
-
-def test_a_name_that_does_not_exist_is_refused_in_words() -> None:
-    with pytest.raises(SourceError, match=r"cannot listen on no\.such\.name\.invalid port 0"):
-        listen("no.such.name.invalid", 0)
+@pytest.mark.parametrize("host", ["192.0.2.1", "no.such.name.invalid"])
+def test_where_it_cannot_listen_is_said(host: str) -> None:
+    with pytest.raises(SourceError, match=f"cannot listen on {re.escape(host)} port 0"):
+        listen(host, 0)
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "0.0.0.0"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import io
 from collections.abc import Iterator
 
@@ -36,7 +35,7 @@ LIGHT = {"endpoint": (194, 65, 12), "second": (126, 34, 206), "past": (37, 99, 1
 @pytest.fixture
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Whatever a test does: no complaint, no other host, nothing moves by itself."""
-    one.prefer(prefers_color_scheme="light")
+    one.prefer(color_scheme="light")
     one.resize(1280, 720)
     yield one
     assert one.complaints() == []
@@ -48,8 +47,7 @@ def pixels(visitor: Visitor, part: str) -> set[tuple[int, int, int]]:
     """The colours in an element, as it is drawn now."""
     from matplotlib.image import imread
 
-    shot = visitor.page.call("Page.captureScreenshot")
-    picture = imread(io.BytesIO(base64.b64decode(shot["data"])))
+    picture = imread(io.BytesIO(visitor.page.screenshot()))
     left, top, width, height = (round(value) for value in visitor.corner(part))
     shown = (picture[top : top + height, left : left + width, :3] * 255).round().astype(int)
     return {(r, g, b) for r, g, b in shown.reshape(-1, 3).tolist()}
@@ -69,7 +67,7 @@ def test_a_replayed_movement_invites_while_nobody_moves(visitor: Visitor, url: s
     live(visitor, url)
     visitor.wait("document.querySelector('#live-scene').dataset.shows === 'demo'")
     assert "Move your mouse here" in visitor.text("#live-invitation")
-    visitor.prefer(prefers_reduced_motion="reduce", prefers_color_scheme="light")
+    visitor.prefer(reduced_motion="reduce", color_scheme="light")
     until(lambda: LIGHT["endpoint"] in pixels(visitor, "#live-scene"), "half of it with its prediction")
 
 
@@ -129,15 +127,7 @@ def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> Non
 def sockets(visitor: Visitor) -> int:
     """How many connections the page holds."""
     visitor.value("0")
-    made, ended = (
-        {
-            event["params"]["requestId"]
-            for event in visitor.page.events
-            if event["method"] == f"Network.{what}"
-        }
-        for what in ("webSocketCreated", "webSocketClosed")
-    )
-    return len(made - ended)  # the end of one of the page before may be heard as well
+    return sum(not one.is_closed() for one in visitor.sockets)
 
 
 def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None:
@@ -193,11 +183,11 @@ def test_views_fit_their_window_and_nothing_shifts(
 
 def touch(visitor: Visitor, kind: str, *places: tuple[float, float]) -> None:
     points = [{"x": x, "y": y} for x, y in places]
-    visitor.page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+    visitor.hand.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
 
 
 def test_a_finger_selects_by_lifting(visitor: Visitor, url: str) -> None:
-    visitor.page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    visitor.hand.call("Emulation.setTouchEmulationEnabled", enabled=True)
     visitor.open(f"{url}#circle")
     visitor.wait("!document.querySelector('#circle-start').disabled")
     for name, value in (("targets", 3), ("blocks", 1)):
@@ -218,7 +208,7 @@ def test_a_finger_selects_by_lifting(visitor: Visitor, url: str) -> None:
             )
         touch(visitor, "touchEnd")
         place = (end[0], end[1])
-    visitor.page.call("Emulation.setTouchEmulationEnabled", enabled=False)
+    visitor.hand.call("Emulation.setTouchEmulationEnabled", enabled=False)
     visitor.wait("document.querySelector('#circle-result').dataset.state === 'done'")
     assert visitor.value("document.querySelector('#circle-status').dataset.state") == "done"
     assert "3 of 3 movements, 0 missed" in visitor.text("#circle-status")

@@ -111,7 +111,7 @@ def test_every_control_is_reached_by_tab_and_shows_its_focus(visitor: Visitor, u
 @browser.needed
 def test_every_control_has_a_name(visitor: Visitor, url: str) -> None:
     visitor.open(url)
-    tree = visitor.page.call("Accessibility.getFullAXTree")["nodes"]
+    tree = visitor.hand.call("Accessibility.getFullAXTree")["nodes"]
     wanted = {
         "button",
         "combobox",
@@ -169,12 +169,12 @@ def test_the_page_says_when_the_service_is_gone(visitor: Visitor) -> None:
 
 @browser.needed
 def test_less_motion_is_respected(visitor: Visitor, url: str) -> None:
-    visitor.prefer(prefers_reduced_motion="reduce")
+    visitor.prefer(reduced_motion="reduce")
     visitor.open(f"{url}#live")
     visitor.wait("document.querySelector('#live-scene').dataset.shows === 'demo'")
     same = "document.querySelector('#live-scene').toDataURL()"
     first = visitor.value(same)
     visitor.value("new Promise((done) => setTimeout(done, 400))")
     assert visitor.value(same) == first
-    visitor.prefer(prefers_reduced_motion="no-preference")
+    visitor.prefer(reduced_motion="no-preference")
     visitor.wait(f"{same} !== {first!r}")

@@ -46,7 +46,7 @@ ANSWERED = f"{FRAMES}.then(() => {LAST}?.t === sentAt && {SHOWN})"
 @pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
+        opened.page.add_init_script(HEARD)
         yield opened
 
 
@@ -145,11 +145,8 @@ def test_the_keyboard_reaches_everything_and_captures_the_mouse(visitor: Visitor
     wanted = {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate", "assist-capture"}
     assert wanted | {"assist-clear"} <= stops
     visitor.value("document.querySelector('#assist-capture').focus()")
-    visitor.page.call("Page.bringToFront")
-    visitor.page.call("Emulation.setFocusEmulationEnabled", enabled=True)
-    key = {"key": "Enter", "windowsVirtualKeyCode": 13, "text": "\r"}
-    for kind in ("keyDown", "keyUp"):
-        visitor.page.call("Input.dispatchKeyEvent", type=kind, **key)
+    visitor.page.bring_to_front()
+    visitor.press("Enter")
     visitor.wait(CAPTURED)
 
 
@@ -170,9 +167,10 @@ def test_wrong_numbers_are_marked_and_nothing_is_captured(visitor: Visitor) -> N
 
 def test_a_browser_without_pointer_lock_is_named(visitor: Visitor, url: str) -> None:
     without = "delete Element.prototype.requestPointerLock;"
-    script = visitor.page.call("Page.addScriptToEvaluateOnNewDocument", source=without)
+    visitor.hand.call("Page.enable")
+    script = visitor.hand.call("Page.addScriptToEvaluateOnNewDocument", source=without)
     visitor.open(f"{url}#assist")
-    visitor.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+    visitor.hand.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
     visitor.wait(f"{STATE} === 'unsupported'")
     assert visitor.value("document.querySelector('#assist-capture').disabled")
 

@@ -43,8 +43,8 @@ PAINT = """new Promise((done) => requestAnimationFrame(() => requestAnimationFra
 def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     """Somebody who began a run with the prediction shown."""
     with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
-        opened.prefer(prefers_color_scheme="light")
+        opened.page.add_init_script(HEARD)
+        opened.prefer(color_scheme="light")
         opened.open(f"{url}?by=service#circle")
         opened.wait("!document.querySelector('#circle-start').disabled")
         opened.value("document.querySelector('[name=shown]').checked = true")

@@ -17,7 +17,7 @@ from pointpred.cli.app import app
 from pointpred.registry import REGISTRY
 from pointpred.sources import read
 from tests.server import browser, page_browser
-from tests.server.page_browser import Visitor, until
+from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
@@ -53,10 +53,10 @@ def run_blocks(visitor: Visitor) -> int:
 
 def download(visitor: Visitor, folder: Path) -> Path:
     """Save both files by their links; returns the samples file."""
-    visitor.page.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
     for part in ("samples", "trials"):
-        visitor.value(f"document.querySelector('#circle-{part}').click()")
-        until(lambda part=part: list(folder.glob(f"circle-*_{part}.csv")), f"the {part} are saved")
+        with visitor.page.expect_download() as saved:
+            visitor.value(f"document.querySelector('#circle-{part}').click()")
+        saved.value.save_as(folder / saved.value.suggested_filename)
     return next(folder.glob("circle-*_samples.csv"))
 
 

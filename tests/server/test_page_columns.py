@@ -19,7 +19,7 @@ def test_a_table_whose_columns_cannot_be_guessed_is_asked_about_and_opened(
     one.wait("!document.querySelector('#replay-play').disabled")
     file = tmp_path / "mine.csv"
     file.write_text("clock,across,upwards,who\n" + ROWS)
-    one.choose_files("#replay-file", [file])
+    one.page.set_input_files("#replay-file", [file])
     one.wait("!document.querySelector('#replay-columns').hidden")
     options = "[...document.querySelector('#replay-column-x').options].map(({ value }) => value)"
     assert one.value(options) == ["", "clock", "across", "upwards", "who"]
@@ -48,7 +48,7 @@ def test_a_file_that_is_no_table_is_refused_and_what_was_open_stays(
     one.wait("!document.querySelector('#replay-play').disabled")
     file = tmp_path / "letter.txt"
     file.write_text("Dear Ann,\nthere is nothing to predict here.\n")
-    one.choose_files("#replay-file", [file])
+    one.page.set_input_files("#replay-file", [file])
     one.wait("document.querySelector('#replay-source').dataset.state === 'failed'")
     assert one.value("document.querySelector('#replay-columns').hidden")
     assert "Movement 1 of" in one.text("#replay-readout")

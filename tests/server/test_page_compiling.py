@@ -40,9 +40,10 @@ LABELS = "[...document.querySelector('#view-live select').options].map(({label})
 
 @pytest.fixture
 def visitor(one: Visitor) -> Iterator[Visitor]:
-    script = one.page.call("Page.addScriptToEvaluateOnNewDocument", source=STUB % json.dumps(LEFT))
+    one.hand.call("Page.enable")
+    script = one.hand.call("Page.addScriptToEvaluateOnNewDocument", source=STUB % json.dumps(LEFT))
     yield one
-    one.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+    one.hand.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
 
 
 def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, url: str) -> None:

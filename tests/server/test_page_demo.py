@@ -122,7 +122,7 @@ def test_assist_moves_its_cursor(visitor: Visitor, address: str) -> None:
     before = visitor.value(cursor)
     for step in range(1, 31):
         visitor.mouse("mouseMoved", place[0] - 5 * step, place[1])
-    visitor.page.wait_for_results()
+    visitor.hand.wait_for_results()
     visitor.wait(f"{cursor} < {before} - 10")
     visitor.press("Escape")
     visitor.wait("document.querySelector('#assist-status').dataset.state === 'released'")

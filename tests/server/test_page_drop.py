@@ -47,7 +47,7 @@ def drag(
     items = [] if words is None else [{"mimeType": "text/plain", "data": words}]
     data: dict[str, Any] = {"items": items, "files": [str(file) for file in files], "dragOperationsMask": 1}
     at = {"x": left + width / 2, "y": top + height / 2}
-    visitor.page.call("Input.dispatchDragEvent", type=kind, data=data, **at)
+    visitor.hand.call("Input.dispatchDragEvent", type=kind, data=data, **at)
 
 
 def drop(visitor: Visitor, files: list[Path], part: str = "#replay-scene") -> None:

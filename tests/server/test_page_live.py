@@ -51,7 +51,7 @@ TILES = """import("/web/live/tiles.js").then(({ row }) => {
 @pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
+        opened.page.add_init_script(HEARD)
         yield opened
 
 
@@ -59,7 +59,7 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody at a live view that is connected."""
     one.resize(1280, 720)
-    one.prefer(prefers_reduced_motion="no-preference", prefers_color_scheme="light")
+    one.prefer(reduced_motion="no-preference", color_scheme="light")
     one.open(f"{url}?by=service#live")
     one.wait(CONNECTED)
     yield one
@@ -212,7 +212,7 @@ def test_known_is_what_stays_known_until_the_arrival(
 
 def test_the_demo_shows_everything_before_anybody_moves(visitor: Visitor, url: str) -> None:
     """Where less motion is asked for it stands in the middle of a movement."""
-    visitor.prefer(prefers_reduced_motion="reduce", prefers_color_scheme="light")
+    visitor.prefer(reduced_motion="reduce", color_scheme="light")
     visitor.open(f"{url}?by=service#live")
     visitor.wait(f"{SCENE}.dataset.shows === 'demo'")
     visitor.wait("document.querySelector('#live-card-0 [data-of=region]').dataset.px !== ''")
@@ -238,7 +238,7 @@ def test_the_demo_shows_everything_before_anybody_moves(visitor: Visitor, url: s
 def test_the_demo_lights_and_frames_a_tile_at_every_size(
     visitor: Visitor, size: tuple[int, int], motion: str
 ) -> None:
-    visitor.prefer(prefers_reduced_motion=motion)
+    visitor.prefer(reduced_motion=motion)
     visitor.resize(*size)
     tile = visitor.wait(f"{SCENE}.dataset.shows === 'demo' && {MARKS}[0] && {SCENE}.dataset.ahead")
     assert tile in [one["id"] for one in visitor.value(TILES)]

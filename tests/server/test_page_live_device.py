@@ -44,7 +44,7 @@ def service() -> Iterator[tuple[Running, Attachment]]:
 @pytest.fixture
 def visitor(one: Visitor, service: tuple[Running, Attachment]) -> Iterator[Visitor]:
     """Somebody who looks at the attached device; nothing is complained of, and nothing moves by itself."""
-    one.prefer(prefers_color_scheme="light")
+    one.prefer(color_scheme="light")
     one.resize(1280, 720)
     one.open(f"{service[0].url}#live")
     one.wait(f"{STATE} === 'attached'")
@@ -154,7 +154,7 @@ def test_keys_lead_to_it(visitor: Visitor) -> None:
 def test_nothing_is_wider_than_the_window_or_covers_anything(
     visitor: Visitor, size: tuple[int, int], theme: str
 ) -> None:
-    visitor.prefer(prefers_color_scheme=theme)
+    visitor.prefer(color_scheme=theme)
     visitor.resize(*size)
     to_the_device(visitor)
     assert visitor.value("document.documentElement.scrollWidth <= document.documentElement.clientWidth")

@@ -35,7 +35,7 @@ def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
     parts = [whole.rows(i) for i in (3, 4, 5)]
     own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4, 5)], provenance=whole.provenance)
     files = write(own, tmp_path / "study_samples.csv")
-    visitor.choose_files("#replay-file", files)
+    visitor.page.set_input_files("#replay-file", files)
     visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
     predicted = visitor.value(
         "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"

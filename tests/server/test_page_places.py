@@ -61,7 +61,7 @@ def test_the_page_predicts_unless_the_service_is_chosen_which_the_address_keeps(
     says(visitor, "live", THERE)
     assert len(sockets(visitor)) == 1
     assert visitor.value("location.search + location.hash") == "?by=service#live"
-    visitor.page.go(visitor.value("location.href"))
+    visitor.page.goto(visitor.value("location.href"))
     says(visitor, "live", THERE)
     visitor.value("location.hash = 'circle'")
     says(visitor, "circle", THERE)
@@ -140,7 +140,7 @@ def test_an_opened_file_is_predicted_in_the_page_as_in_python(
     whole = sample()
     parts = [whole.rows(i) for i in (3, 4)]
     own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4)], provenance=whole.provenance)
-    visitor.choose_files("#replay-file", write(own, tmp_path / "study_samples.csv"))
+    visitor.page.set_input_files("#replay-file", write(own, tmp_path / "study_samples.csv"))
     visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 1 of 2')")
     predicted = visitor.value(
         "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"
@@ -192,13 +192,14 @@ def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: 
 
 
 def test_live_predicts_before_the_other_views_are_there(visitor: Visitor, url: str) -> None:
-    visitor.page.call("Network.setCacheDisabled", cacheDisabled=True)
-    visitor.page.call("Fetch.enable", patterns=[{"urlPattern": "*/web/circle/view.js"}])
-    visitor.page.go("about:blank")
-    visitor.page.send("Page.navigate", url=url)
+    part, held = "**/web/circle/view.js", []
+    visitor.page.route(part, lambda route: held.append(route))
+    visitor.page.goto("about:blank")
+    visitor.page.goto(url, wait_until="commit")
     visitor.wait("document.querySelector('#live-scene')?.dataset.shows === 'demo'")
     says(visitor, "live", HERE)
     assert visitor.value("document.title") != "pointpred: live", "the tabs wait for the other views"
-    visitor.page.call("Fetch.disable")
+    for route in held:
+        route.continue_()
+    visitor.page.unroute(part)
     visitor.wait("document.title === 'pointpred: live'")
-    visitor.page.call("Network.setCacheDisabled", cacheDisabled=False)

@@ -57,8 +57,8 @@ CLAIMS = [(900.0, 0.0, 900.0, None), (2500.0, 1300.0, 1600.0, 5.0), (400.0, -300
 @pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=WRITTEN)
-        opened.prefer(prefers_color_scheme="light")
+        opened.page.add_init_script(WRITTEN)
+        opened.prefer(color_scheme="light")
         yield opened
 
 

@@ -41,7 +41,7 @@ READOUT = "document.querySelector('#replay-readout').textContent"
 @pytest.fixture(scope="module")
 def watched(one: Visitor) -> Visitor:
     """Somebody whose ellipses are kept."""
-    one.page.call("Page.addScriptToEvaluateOnNewDocument", source=DRAWN)
+    one.page.add_init_script(DRAWN)
     return one
 
 

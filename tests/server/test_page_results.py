@@ -49,7 +49,7 @@ def give(visitor: Visitor, folder: Path, trials: range) -> None:
 @pytest.fixture(scope="module")
 def scored(one: Visitor, url: str, tmp_path_factory: pytest.TempPathFactory) -> Visitor:
     """The replay view with the scores of four movements."""
-    one.prefer(prefers_color_scheme="light")
+    one.prefer(color_scheme="light")
     one.open(f"{url}#replay")
     one.wait("!document.querySelector('#replay-play').disabled")
     give(one, tmp_path_factory.mktemp("study"), range(30, 34))
@@ -136,10 +136,8 @@ def test_the_keyboard_switches_a_line_and_stays_where_it_is(visitor: Visitor) ->
         f"[...document.querySelectorAll('#replay-legend button')].find((one) => one.textContent === {last!r})"
     )
     visitor.value(f"{find}.focus()")
-    key = {"key": "Enter", "windowsVirtualKeyCode": 13, "text": "\r"}
     for pressed in ("true", "false"):
-        for kind in ("keyDown", "keyUp"):
-            visitor.page.call("Input.dispatchKeyEvent", type=kind, **key)
+        visitor.press("Enter")
         assert visitor.value(f"{find}.getAttribute('aria-pressed')") == pressed
         assert visitor.value(f"document.activeElement === {find}")
 

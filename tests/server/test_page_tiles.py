@@ -34,8 +34,8 @@ SCENE = """(async (message) => {
 @pytest.fixture
 def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
-        opened.prefer(prefers_color_scheme="light")
+        opened.page.add_init_script(HEARD)
+        opened.prefer(color_scheme="light")
         opened.open(f"{url}?by=service#live")
         opened.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
         opened.wait('answered.includes(\'{"type":"targets","count":5}\')')

@@ -43,7 +43,7 @@ pen.lineTo = function (x, y) {
 
 @pytest.fixture(scope="module")
 def opened(one: Visitor, url: str) -> Visitor:
-    one.page.call("Page.addScriptToEvaluateOnNewDocument", source=DRAWN)
+    one.page.add_init_script(DRAWN)
     one.open(f"{url}#replay")
     one.wait("!document.querySelector('#replay-play').disabled")
     return one

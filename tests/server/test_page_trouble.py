@@ -36,7 +36,7 @@ window.setTimeout = (act, ms = 0) => (ms < 10_000 ? plain(act, ms) : 0);
 @pytest.fixture
 def visitor(one: Visitor) -> Iterator[Visitor]:
     """Somebody whose page is laid out as before whatever went wrong."""
-    one.prefer(prefers_color_scheme="light")
+    one.prefer(color_scheme="light")
     one.resize(1280, 720)
     yield one
     refuse(one)
@@ -45,7 +45,8 @@ def visitor(one: Visitor) -> Iterator[Visitor]:
 
 def refuse(visitor: Visitor, *addresses: str) -> None:
     """Let requests for these addresses fail, and no others."""
-    visitor.page.call("Network.setBlockedURLs", urls=list(addresses))
+    visitor.hand.call("Network.enable")
+    visitor.hand.call("Network.setBlockedURLs", urls=list(addresses))
 
 
 def press(visitor: Visitor, part: str) -> None:
@@ -60,7 +61,7 @@ def circle(visitor: Visitor, url: str) -> None:
 def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: Visitor, url: str) -> None:
     visitor.open(f"{url}healthz")
     refuse(visitor, "*/v1/*")
-    visitor.page.call("Network.setCacheDisabled", cacheDisabled=True)
+    visitor.hand.call("Network.setCacheDisabled", cacheDisabled=True)
     visitor.open(f"{url}?by=service#live")
     refuse(visitor, "*/v1/*", "*/web/circle*")
     press(visitor, "#tab-circle")
@@ -206,7 +207,7 @@ def test_a_page_that_is_left_gives_up_its_uploads(visitor: Visitor) -> None:
         visitor.open(f"{here.url}/#live")
         visitor.value(UPLOAD)
         soon(lambda: here.service.uploads == 2, "the page's recording waits")
-        visitor.page.go("about:blank")
+        visitor.page.goto("about:blank")
         soon(lambda: here.service.uploads == 1, "the page has given up its place")
         process.send_signal(signal.SIGCONT)
         assert answer.result(PATIENCE_S).status_code == 200

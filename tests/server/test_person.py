@@ -9,21 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, build, client, run
+from pointpred import build, client, run
 from pointpred.client import ServiceError
 from pointpred.records import FloatArray
+from tests.building import reach
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S, running
 
 connect = partial(client.connect, timeout_s=PATIENCE_S)
 connect_async = partial(client.connect_async, timeout_s=PATIENCE_S)
 NAME = "kinematic-adaptive"
-
-
-def reach(px: float) -> EventColumns:
-    t = np.arange(60) / 100.0
-    share = np.minimum(t / 0.5, 1.0)
-    return EventColumns.of(t, px * (10 * share**3 - 15 * share**4 + 6 * share**5), np.zeros(60))
 
 
 WAYS = [300.0, 420.0, 360.0, 500.0, 390.0, 310.0]
@@ -33,7 +28,7 @@ def wanted() -> list[FloatArray]:
     """What one pipeline says that nobody interrupts."""
     pipeline, tables = build(NAME), []
     for px in WAYS:
-        tables.append(run(pipeline, reach(px)).table)
+        tables.append(run(pipeline, reach((0.0, 0.0), (px, 0.0), 0.5, rest_s=0.1)).table)
         pipeline.reset()
     return tables
 
@@ -52,7 +47,7 @@ def test_a_second_service_goes_on_where_the_first_stopped() -> None:
         ):
             assert connection.person() == known
             for px, table in zip(WAYS[first : first + 3], tables[first : first + 3], strict=True):
-                connection.send(reach(px))
+                connection.send(reach((0.0, 0.0), (px, 0.0), 0.5, rest_s=0.1))
                 assert same(connection.columns().table, table)
                 connection.reset()
             known = connection.person()
@@ -64,7 +59,7 @@ def test_the_asynchronous_client_says_the_same() -> None:
     async def learn(url: str) -> str:
         async with await connect_async(url, predictor=NAME, reply="event") as connection:
             for px in WAYS:
-                await connection.send(reach(px))
+                await connection.send(reach((0.0, 0.0), (px, 0.0), 0.5, rest_s=0.1))
                 await connection.columns()
                 await connection.reset()
             known = await connection.person()
@@ -76,7 +71,7 @@ def test_the_asynchronous_client_says_the_same() -> None:
         known = asyncio.run(learn(service.url))
     pipeline = build(NAME)
     for px in WAYS:
-        run(pipeline, reach(px))
+        run(pipeline, reach((0.0, 0.0), (px, 0.0), 0.5, rest_s=0.1))
         pipeline.reset()
     assert known == pipeline.person
 
@@ -89,20 +84,20 @@ def test_a_person_that_is_refused_names_the_field_and_breaks_nothing() -> None:
         with connect(service.url, predictor=NAME, reply="event") as connection:
             with pytest.raises(ServiceError):
                 connection.person("1.nobody")
-            connection.send(reach(300.0))
+            connection.send(reach((0.0, 0.0), (300.0, 0.0), 0.5, rest_s=0.1))
             assert same(connection.columns().table, wanted()[0])
 
 
 def test_nothing_of_the_person_is_recorded(tmp_path: Path) -> None:
     pipeline = build(NAME)
     for px in WAYS:
-        run(pipeline, reach(px))
+        run(pipeline, reach((0.0, 0.0), (px, 0.0), 0.5, rest_s=0.1))
         pipeline.reset()
     with (
         running(record=tmp_path) as service,
         connect(service.url, predictor=NAME, person=pipeline.person) as connection,
     ):
-        connection.send(reach(300.0))
+        connection.send(reach((0.0, 0.0), (300.0, 0.0), 0.5, rest_s=0.1))
         connection.columns()
         assert connection.person(pipeline.person) == pipeline.person
     written = [path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()]

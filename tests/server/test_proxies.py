@@ -277,8 +277,8 @@ def test_the_browser_client_goes_on_at_another_service(tmp_path: Path) -> None:
     options = {"token": TOKEN, "predictor": PERSON, "reply": "event", "pointer": False}
     with (
         proxied("nginx", tmp_path, tls=False) as here,
-        browser.running(tmp_path / "profile") as devtools,
-        browser.tab(devtools, f"{here.origin}/healthz") as page,
+        browser.running(tmp_path / "profile") as chromium,
+        chromium.tab(f"{here.origin}/healthz") as page,
     ):
         page.evaluate(CONNECT.replace("OPTIONS", json.dumps(options)))
         heard = []

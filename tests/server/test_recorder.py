@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import csv
 import stat
-from collections.abc import Iterator
-from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -14,28 +12,11 @@ import pytest
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
 from pointpred.recorder.recordings import listing
-from pointpred.recorder.writer import Recorder
 from pointpred.recording import Recording
 from pointpred.records import EventColumns
 from pointpred.scoring import score
 from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
-
-BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
-
-
-@pytest.fixture
-def opened(tmp_path: Path) -> Iterator[Opened]:
-    """Recorders into one folder, closed in the end."""
-    made: list[Recorder] = []
-
-    def make(**options: object) -> Recorder:
-        made.append(Recorder(tmp_path / "kept", today=lambda: BEGUN, **options))  # type: ignore[arg-type]
-        return made[-1]
-
-    yield make
-    for recorder in made:
-        assert recorder.close()
 
 
 def test_a_marked_session_comes_back_bit_for_bit_and_scores_the_same(opened: Opened, tmp_path: Path) -> None:

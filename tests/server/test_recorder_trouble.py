@@ -6,8 +6,6 @@ import errno
 import logging
 import os
 import threading
-from collections.abc import Iterator
-from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -22,22 +20,6 @@ from pointpred.sources import read
 from tests.server.listener import soon
 from tests.server.recorded import HELLO, Opened, begin, feed, record
 from tests.server.running import PATIENCE_S
-
-BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
-
-
-@pytest.fixture
-def opened(tmp_path: Path) -> Iterator[Opened]:
-    """Recorders into one folder, closed in the end."""
-    made: list[Recorder] = []
-
-    def make(**options: object) -> Recorder:
-        made.append(Recorder(tmp_path / "kept", today=lambda: BEGUN, **options))  # type: ignore[arg-type]
-        return made[-1]
-
-    yield make
-    for recorder in made:
-        assert recorder.close()
 
 
 class FullDisk:

@@ -14,7 +14,6 @@ from contextlib import suppress
 import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.frames import Opcode
-from websockets.sync.client import ClientConnection
 
 import pointpred_server.connection
 import pointpred_server.websocket_protocol
@@ -30,20 +29,11 @@ from pointpred_server.sessions.pointing import PointingSession
 from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
-from tests.server.running import HELLO, PATIENCE_S, Running, running
+from tests.server.running import HELLO, PATIENCE_S, Running, ends, event, running, told
 from tests.server.test_hostile_frames import raw
 
 EACH = HELLO.replace('"switched"', '"switched","reply":"event"')
 SECRET = 7315.25
-
-
-def event(t: float) -> str:
-    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
-
-
-def told(socket: ClientConnection) -> dict[str, object]:
-    answer: dict[str, object] = json.loads(socket.recv(PATIENCE_S))
-    return answer
 
 
 def histogram(here: Running, what: str) -> float:
@@ -70,12 +60,7 @@ def test_what_breaks_in_a_session_ends_that_session_only(
     monkeypatch.setattr(PointingSession, "receive", broken)
     with running() as here, here.greeted() as other, here.greeted() as socket:
         socket.send('{"type":"reset"}')
-        answer = told(socket)
-        assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", "internal", False)
-        with pytest.raises(ConnectionClosed) as closed:
-            socket.recv(PATIENCE_S)
-        assert closed.value.rcvd is not None
-        assert closed.value.rcvd.code == 1011
+        ends(socket, "internal", 1011)
         other.send(event(1.0))
         assert told(other)["t"] == 1.0
         # The end is counted last of all, by another thread.
@@ -252,17 +237,6 @@ def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.Monke
             socket.recv(PATIENCE_S)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 1008
-
-
-def test_events_before_hello_are_out_of_place_and_hello_still_works() -> None:
-    with running() as here, here.connect() as socket:
-        for early in (event(1.0), b"\0" * 30):
-            socket.send(early)
-            assert told(socket)["code"] == "out_of_place"
-        socket.send(HELLO)
-        assert told(socket)["type"] == "welcome"
-        socket.send(event(1.0))
-        assert told(socket)["t"] == 1.0
 
 
 def test_a_slow_client_that_still_sends_gets_the_bye(

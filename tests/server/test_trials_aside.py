@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import threading
 from collections.abc import Iterator
 
 import pytest
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import ClientConnection
 
 import pointpred_server.sessions.trials
 from pointpred_server.compiling.compiler import Compiler
 from pointpred_server.compiling.parts import predict, score_trial
 from pointpred_server.service import Service
 from tests.server.listener import soon
-from tests.server.running import PATIENCE_S, Running, running
+from tests.server.running import PATIENCE_S, Running, running, told
 
 START = '{"type":"trial","action":"start"}'
 END = '{"type":"trial","action":"end"}'
@@ -23,11 +21,6 @@ END = '{"type":"trial","action":"end"}'
 
 def event(t: float) -> str:
     return f'{{"type":"events","events":[[{t},{10 * t},6,null,null,0]]}}'
-
-
-def told(socket: ClientConnection) -> dict[str, object]:
-    answer: dict[str, object] = json.loads(socket.recv(PATIENCE_S))
-    return answer
 
 
 class Held:

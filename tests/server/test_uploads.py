@@ -10,7 +10,6 @@ import socket as socket_module
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -34,12 +33,6 @@ from tests.server.running import PATIENCE_S, Running, running
 CSV = b"user,trial,t_s,x_px,y_px\n" + b"".join(
     b"ann,%d,%.2f,%d,0\n" % (trial, i / 100, 7 * i) for trial in range(3) for i in range(60)
 )
-
-
-@pytest.fixture(scope="module")
-def service() -> Iterator[Running]:
-    with running() as here:
-        yield here
 
 
 def parquet(**columns: Any) -> bytes:

@@ -13,6 +13,7 @@ import pytest
 import typer
 
 from pointpred.console import plain
+from tests.building import text_file
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 ROWS = "u,1,0,0,0\nu,1,0.1,1,0\nu,1,0.2,60,0\nu,1,0.3,101,0\n"
@@ -20,18 +21,14 @@ COMMAND = (sys.executable, "-m", "pointpred", "score", "--predictors", "hold")
 
 
 def named(folder: Path, file: str, name: str) -> Path:
-    path = folder / file
     header = json.dumps({"version": 1, "name": name})
-    path.write_text(f"# pointpred:{header}\n{HEADER}{ROWS}", encoding="utf-8")
-    return path
+    return text_file(folder / file, f"# pointpred:{header}\n{HEADER}{ROWS}")
 
 
 @pytest.fixture
 def good(tmp_path: Path) -> Path:
-    path = tmp_path / "good.csv"
-    path.write_text(HEADER + ROWS)
-    (tmp_path / "good_trials.csv").write_text("user,trial,target_x\nu,1,100\n")
-    return path
+    text_file(tmp_path / "good_trials.csv", "user,trial,target_x\nu,1,100\n")
+    return text_file(tmp_path / "good.csv", HEADER + ROWS)
 
 
 @pytest.mark.parametrize("option", ["--json", "--report"])
@@ -130,7 +127,7 @@ def test_a_pipe_is_refused_in_words(command, tmp_path: Path) -> None:
 
 
 def test_simulate_refuses_an_unknown_ending_before_it_works(command, tmp_path: Path) -> None:
-    left = command("simulate", "--out", tmp_path / "x.txt")
+    left = command("simulate", "--people", "1000", "--out", tmp_path / "x.txt")
     assert (left.code, left.out) == (2, "")
     assert "cannot write .txt, expected .parquet or .csv" in left.err
 

@@ -14,11 +14,12 @@ from pointpred.cli import tables
 from pointpred.cli.doctor import Finding
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
-from pointpred.recording import Recording, Trial
+from pointpred.recording import Recording
 from pointpred.records import EventColumns
 from pointpred.registry import REGISTRY
 from pointpred.scoring import HEADINGS, rows, score, summarise
 from pointpred.sources import write
+from tests import building
 
 COLUMNS = 80
 
@@ -38,7 +39,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
 def recording(trials: int) -> Recording:
     t = [0.0, 0.1, 0.2, 0.3]
     parts = [EventColumns.of(t=t, x=[0.0, 1.0, 60.0, 101.0 + i], y=[0.0] * 4) for i in range(trials)]
-    return Recording.of("walk", parts, [Trial("ann", str(i)) for i in range(trials)])
+    return building.recording(parts, "walk")
 
 
 def lines_of(text: str) -> list[str]:

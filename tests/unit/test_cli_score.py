@@ -11,6 +11,7 @@ from pointpred.recording import Recording, Trial
 from pointpred.records import EventColumns
 from pointpred.sources import read_any
 from pointpred.sources.own import recordings as own
+from tests import building
 
 T = [0.0, 0.1, 0.2, 0.3]
 X = [0.0, 1.0, 60.0, 101.0]
@@ -26,9 +27,7 @@ def good(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def bad(tmp_path: Path) -> Path:
-    path = tmp_path / "bad_samples.csv"
-    path.write_text("user,trial,t_s,x_px\nann,1,0.0,1.0\n")
-    return path
+    return building.text_file(tmp_path / "bad_samples.csv", "user,trial,t_s,x_px\nann,1,0.0,1.0\n")
 
 
 def test_json_is_the_published_document(command, good: Path) -> None:
@@ -53,11 +52,8 @@ def test_json_is_the_published_document(command, good: Path) -> None:
 
 
 def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path) -> None:
-    s = [min(i / 60, 1.0) for i in range(80)]
-    x = [400.0 * (10 * one**3 - 15 * one**4 + 6 * one**5) for one in s]
-    reach = EventColumns.of(t=[0.01 * i for i in range(80)], x=x, y=[0.0] * 80)
-    recording = Recording.of("reach", [reach], [Trial("ann", "1")])
-    good = own.write(recording, tmp_path / "reach_samples.csv")[0]
+    reach = building.reach((0.0, 0.0), (400.0, 0.0), rest_s=0.2)
+    good = own.write(building.recording([reach], "reach"), tmp_path / "reach_samples.csv")[0]
     errors = []
     for more in ((), ("--differentiator", "kalman")):
         left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)

@@ -21,38 +21,41 @@ def test_a_list_of_rows_is_a_table() -> None:
     assert [event.dx for event in columns.events()] == [None, 5.0]
 
 
-@pytest.mark.parametrize("table", [[], [1.0] * 6, [[1.0] * 5], np.zeros((2, 6, 1))])
-def test_another_shape_is_refused(table: Any) -> None:
-    with pytest.raises(EventError, match=r"EventColumns needs shape \(rows, 6\), received"):
-        EventColumns(table)
+SHAPE = r"EventColumns needs shape \(rows, 6\), received"
+NO_NUMBERS = ([["a"] * 6], [[1.0] * 6, [1.0]], [[1j] * 6], np.zeros((1, 6), "M8[s]"), [[{}] * 6], None)
 
 
 @pytest.mark.parametrize(
-    "table", [[["a"] * 6], [[1.0] * 6, [1.0]], [[1j] * 6], np.zeros((1, 6), "M8[s]"), [[{}] * 6], None]
+    ("table", "words"),
+    [
+        *((table, SHAPE) for table in ([], [1.0] * 6, [[1.0] * 5], np.zeros((2, 6, 1)))),
+        *((table, None) for table in NO_NUMBERS),
+    ],
 )
-def test_what_is_no_number_is_refused(table: Any) -> None:
-    with pytest.raises(EventError):
+def test_what_is_no_table_of_numbers_is_refused(table: Any, words: str | None) -> None:
+    with pytest.raises(EventError, match=words):
         EventColumns(table)
 
 
-@pytest.mark.parametrize("name", ["x", "y", "dx", "dy", "buttons"])
-@pytest.mark.parametrize(("values", "shape"), [([1.0], r"\(1,\)"), ([1.0, 2.0], r"\(2,\)"), (3.0, r"\(\)")])
-def test_a_field_of_another_length_is_refused_and_not_stretched(name: str, values: Any, shape: str) -> None:
-    fields: dict[str, Any] = {"t": THREE, "x": THREE, "y": THREE} | {name: values}
-    with pytest.raises(EventError, match=f"^{name} needs 3 rows as t has, received shape {shape}"):
-        EventColumns.of(**fields)
+LENGTHS = (([1.0], r"\(1,\)"), ([1.0, 2.0], r"\(2,\)"), (3.0, r"\(\)"))
 
 
-def test_times_are_one_a_row_and_fields_are_numbers() -> None:
-    with pytest.raises(EventError, match=r"t needs one number a row, received shape \(\)"):
-        EventColumns.of(0.0, THREE, THREE)
-    with pytest.raises(EventError, match="x needs numbers"):
-        EventColumns.of(THREE, ["left", "right", "left"], THREE)
-
-
-def test_begin_has_a_mark_a_row() -> None:
-    with pytest.raises(EventError, match="begin needs 3 rows"):
-        EventColumns.of(THREE, THREE, THREE, begin=np.array([True]))
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        *(
+            ({name: values}, f"^{name} needs 3 rows as t has, received shape {shape}")
+            for name in ("x", "y", "dx", "dy", "buttons")
+            for values, shape in LENGTHS
+        ),
+        ({"t": 0.0}, r"t needs one number a row, received shape \(\)"),
+        ({"x": ["left", "right", "left"]}, "x needs numbers"),
+        ({"begin": np.array([True])}, "begin needs 3 rows"),
+    ],
+)
+def test_a_field_that_does_not_fit_is_refused_and_not_stretched(fields: dict[str, Any], words: str) -> None:
+    with pytest.raises(EventError, match=words):
+        EventColumns.of(**{"t": THREE, "x": THREE, "y": THREE} | fields)
 
 
 NONE = float("nan")

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler
 from pathlib import Path
+from urllib.parse import urljoin
 
 import pytest
 
@@ -75,19 +76,17 @@ def test_a_file_arrives_whole_and_is_checked(server: str, tmp_path: Path) -> Non
         ("short.csv", DIGEST, 10**6, "cut short"),
         ("moves.csv", DIGEST, 1000, "larger than the bound of 1000 bytes"),
         ("endless.csv", DIGEST, 70000, "larger than the bound of 70000 bytes"),
+        ("http://127.0.0.1:9/moves.csv", DIGEST, 10**6, r"127\.0\.0\.1:9/"),
+        ("elsewhere.csv", DIGEST, 10**6, r"only https.*example\.org"),
     ],
 )
 def test_what_is_wrong_leaves_nothing_behind(
     server: str, tmp_path: Path, path: str, sha256: str, most: int, says: str
 ) -> None:
-    with pytest.raises(SourceError, match=says):
-        fetch(entry(f"{server}/{path}", sha256), tmp_path, most_bytes=most, say=lambda _: None)
+    wanted = entry(urljoin(f"{server}/", path), sha256)
+    with pytest.raises((SourceError, ParameterError), match=says):
+        fetch(wanted, tmp_path, most_bytes=most, timeout_s=20.0, say=lambda _: None)
     assert not list(tmp_path.iterdir())
-
-
-def test_no_answer_is_a_source_error(tmp_path: Path) -> None:
-    with pytest.raises(SourceError, match=r"127\.0\.0\.1:9/"):
-        fetch(entry("http://127.0.0.1:9/moves.csv"), tmp_path, timeout_s=2.0, say=lambda _: None)
 
 
 def test_an_unrecorded_digest_is_refused_before_anything_is_fetched(tmp_path: Path) -> None:
@@ -113,12 +112,6 @@ def test_a_file_already_there_is_checked_and_never_replaced(server: str, tmp_pat
     place.write_bytes(BODY)
     (done,) = fetch(entry("http://127.0.0.1:9/moves.csv"), tmp_path, say=lambda _: None)
     assert done.verified
-
-
-def test_a_redirect_away_from_https_is_not_followed(server: str, tmp_path: Path) -> None:
-    with pytest.raises(ParameterError, match=r"only https.*example\.org"):
-        fetch(entry(f"{server}/elsewhere.csv"), tmp_path, say=lambda _: None)
-    assert not list(tmp_path.iterdir())
 
 
 def test_a_failure_leaves_no_folder_that_it_made(server: str, tmp_path: Path) -> None:
@@ -177,10 +170,14 @@ def test_pickles_are_fetched_and_never_opened() -> None:
     assert "never opens it" in find("freihaut2021").note
 
 
-def test_unknown_and_unfetchable_sets_are_told(tmp_path: Path) -> None:
-    with pytest.raises(ParameterError, match="did you mean 'balabit'"):
-        fetch("balabitt", tmp_path)
-    with pytest.raises(ParameterError, match=r"sapimouse cannot be fetched.*https://ms\.sapientia\.ro"):
-        fetch("sapimouse", tmp_path)
-    with pytest.raises(ParameterError, match=r"freihaut2021: no digest is recorded"):
-        fetch("freihaut2021", tmp_path)
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("balabitt", "did you mean 'balabit'"),
+        ("sapimouse", r"sapimouse cannot be fetched.*https://ms\.sapientia\.ro"),
+        ("freihaut2021", r"freihaut2021: no digest is recorded"),
+    ],
+)
+def test_unknown_and_unfetchable_sets_are_told(name: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(ParameterError, match=words):
+        fetch(name, tmp_path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import pickle
 from typing import Any
 
 import numpy as np
@@ -72,16 +71,6 @@ def test_every_default_lies_within_its_bounds_and_is_documented(name: str) -> No
         assert value is None or parameter.low <= value <= parameter.high
         assert parameter.name in (kind.__doc__ or "")
         assert parameter.meaning
-
-
-@pytest.mark.parametrize("name", DIFFERENTIATORS)
-def test_it_goes_on_after_pickling(name: str) -> None:
-    differentiator = DIFFERENTIATORS[name]()
-    events = EventColumns.of(np.arange(60) * 0.008, np.arange(60.0) ** 2, -np.arange(60.0))
-    differentiator.run(events.rows(0, 30))
-    twin = pickle.loads(pickle.dumps(differentiator))
-    rest = events.rows(30, 60)
-    assert np.array_equal(twin.run(rest).table, differentiator.run(rest).table)
 
 
 @pytest.mark.parametrize("order", range(2, 9))

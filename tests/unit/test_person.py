@@ -244,19 +244,15 @@ def test_a_person_made_by_hand_is_refused_or_predicts_finite_numbers(
     assert build(NAME, person=pipeline.person).person == pipeline.person
 
 
-@pytest.mark.parametrize("total", [0.9, 1.1])
-def test_belief_sums_to_one(total: float) -> None:
+@pytest.mark.parametrize(
+    "shares",
+    [np.full(7, 0.9), np.full(7, 1.1), np.array([1.0] * 6 + [0.0])],
+    ids=["sum below one", "sum above one", "nothing left for nothing known"],
+)
+def test_belief_sums_to_one_and_leaves_something_for_nothing_known(shares: np.ndarray) -> None:
     values = known()
     belief = place_of("belief")
-    values[belief : belief + 7] *= total
-    with pytest.raises(ParameterError, match="belief"):
-        build(NAME, person=persons.packed(SLOTS, values))
-
-
-def test_some_belief_that_nothing_is_known_always_stays() -> None:
-    values = known()
-    belief = place_of("belief")
-    values[belief + 6] = 0.0
+    values[belief : belief + 7] *= shares
     with pytest.raises(ParameterError, match="belief"):
         build(NAME, person=persons.packed(SLOTS, values))
 

@@ -22,6 +22,7 @@ from pointpred.records import FloatArray
 from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay
+from tests import building
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
 NAME = "kinematic-adaptive"
@@ -34,10 +35,8 @@ SUDDEN = (
 
 def reach(px: float, duration: float = 0.7, angle: float = 0.3, rate: float = 125.0) -> EventColumns:
     """A minimum-jerk reach, then a rest."""
-    t = np.arange(0.0, duration + 0.2, 1.0 / rate)
-    s = np.clip(t / duration, 0.0, 1.0)
-    way = px * (10 * s**3 - 15 * s**4 + 6 * s**5)
-    return EventColumns.of(t, way * cos(angle), way * sin(angle))
+    end = (px * cos(angle), px * sin(angle))
+    return building.reach((0.0, 0.0), end, duration, rest_s=0.2, rate_hz=rate)
 
 
 def session(pipeline: Pipeline, movements: Iterable[EventColumns]) -> list[FloatArray]:

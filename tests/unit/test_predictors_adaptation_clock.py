@@ -7,9 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, build, run
+from pointpred import build, run
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.records import FloatArray
+from tests.building import reach
 
 LEFT = 6
 SHARES, KEEP, LEAST, KEPT = (0.0, 0.25, 0.5, 0.75, 1.0), 0.97, 0.05, 12
@@ -80,13 +81,6 @@ def test_some_time_is_always_left() -> None:
     assert clock.mix(np.zeros(clock.LEARNED), 0, 5.0, 1.5) == 1.5
 
 
-def slow_reach(px: float, duration: float) -> EventColumns:
-    """A minimum-jerk reach, then a rest."""
-    t = np.arange(0.0, duration + 0.2, 0.008)
-    s = np.clip(t / duration, 0.0, 1.0)
-    return EventColumns.of(t, px * (10 * s**3 - 15 * s**4 + 6 * s**5), np.zeros(len(t)))
-
-
 @pytest.mark.parametrize("tempo", [0.35, 1.4])
 def test_a_person_who_is_fast_or_slow_is_timed_better_than_by_what_holds_for_anybody(tempo: float) -> None:
     """Distances vary, durations hardly: the cursor is near its end at 85 % of the way's time or later."""
@@ -95,7 +89,9 @@ def test_a_person_who_is_fast_or_slow_is_timed_better_than_by_what_holds_for_any
     errors: dict[str, list[float]] = {name: [] for name in pipelines}
     for n in range(25):
         duration = tempo * float(np.exp(0.05 * random.standard_normal()))
-        events = slow_reach(float(random.uniform(200.0, 700.0)), duration)
+        events = reach(
+            (0.0, 0.0), (float(random.uniform(200.0, 700.0)), 0.0), duration, rest_s=0.2, rate_hz=125.0
+        )
         near = np.abs(events.x - events.x[-1]) > np.maximum(8.0, 0.03 * events.x[-1])
         arrival = events.t[int(np.flatnonzero(near)[-1]) + 1]
         for name, pipeline in pipelines.items():

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred import Motion
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import ParameterError
 from pointpred.predictors import (
     KalmanPredictor,
     KinematicEndpointPredictor,
@@ -83,18 +82,6 @@ def test_turning_and_mirroring_the_screen_turns_the_endpoints(
     agree(answers(name, moved(motions, matrix, np.zeros(2))), expected)
 
 
-@EVERY
-@given(x=st.integers(-5000, 5000), y=st.integers(-5000, 5000))
-@settings(max_examples=15, deadline=None)
-def test_shifting_the_screen_shifts_the_endpoints(name: str, x: int, y: int) -> None:
-    motions = reach()
-    motions.table[:, 1:3] = np.round(motions.table[:, 1:3])
-    shift = np.array([float(x), float(y)])
-    expected = answers(name, motions)
-    expected[:, 1:3] += shift
-    agree(answers(name, moved(motions, np.eye(2), shift)), expected)
-
-
 @pytest.mark.parametrize("name", [name for name in MAKERS if name != "kalman"])
 @pytest.mark.parametrize("factor", [1 / 16, 3.0, 64.0])
 def test_enlarging_the_screen_enlarges_the_predictions(name: str, factor: float) -> None:
@@ -105,29 +92,6 @@ def test_enlarging_the_screen_enlarges_the_predictions(name: str, factor: float)
     expected = answers(name, motions)
     expected[:, 1:3] *= factor
     agree(answers(name, MotionColumns(larger)), expected)
-
-
-@EVERY
-@pytest.mark.parametrize(
-    "bad",
-    [
-        {"t": float("nan")},
-        {"t": 0.1},
-        {"x": float("inf")},
-        {"y": float("nan")},
-        {"vx": float("nan")},
-        {"vy": float("-inf")},
-    ],
-)
-def test_a_refused_motion_leaves_the_memory_as_it_was(name: str, bad: dict[str, float]) -> None:
-    predictor = MAKERS[name]()
-    for motion in list(reach().motions())[:40]:
-        predictor.update(motion)
-    before = predictor._memory.tobytes()
-    good = {"t": 9.0, "x": 0.0, "y": 0.0, "vx": 0.0, "vy": 0.0, "ax": 0.0, "ay": 0.0}
-    with pytest.raises(EventError, match="must be finite and not before"):
-        predictor.update(Motion(**{**good, **bad}, settled=True))
-    assert predictor._memory.tobytes() == before
 
 
 @EVERY

@@ -11,9 +11,8 @@ import pytest
 
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
 from pointpred.datasets import sample
-from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor
-from pointpred.predictors.kinematic import coefficient_file, features
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.records import FloatArray
 from pointpred.scoring import prepare
 
@@ -134,29 +133,6 @@ def test_other_coefficients_say_other_things(tmp_path: Path) -> None:
     given = Pipeline("kinematic", build("hold").differentiator, KinematicPredictor(coefficients=path))
     assert not np.allclose(run(given, reach()).table[5:, X], table(reach())[5:, X])
     assert pickle.loads(pickle.dumps(given)).predictor.__dict__["_source"] == path
-
-
-@pytest.mark.parametrize(
-    ("changed", "message"),
-    [
-        ({"version": np.int64(1)}, "is of version 1"),
-        ({"mean": None}, "mean"),
-        ({"offset1": np.zeros(3)}, "offset1 must hold"),
-        ({"scale": np.full(features.FEATURES, np.nan)}, "scale must hold"),
-    ],
-)
-def test_a_file_that_does_not_fit_is_refused(
-    tmp_path: Path, changed: dict[str, object], message: str
-) -> None:
-    with pytest.raises(ParameterError, match=message):
-        KinematicPredictor(coefficients=other_file(tmp_path / "bad.npz", **changed))
-
-
-def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "text.npz").write_text("no archive")
-    for name in ("text.npz", "missing.npz"):
-        with pytest.raises(ParameterError, match="coefficients must be a file of version 2"):
-            KinematicPredictor(coefficients=tmp_path / name)
 
 
 def test_the_card_says_what_the_file_is() -> None:

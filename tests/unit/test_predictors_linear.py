@@ -100,16 +100,6 @@ def test_a_reversal_shows_after_half_the_window() -> None:
     assert 5 <= turned - 50 <= 7
 
 
-def test_a_new_movement_forgets_the_old_one() -> None:
-    predictor = LinearPredictor()
-    for i in range(10):
-        predictor.update(at(i / 100.0, 10.0 * i))
-    assert predictor.update(at(0.1, 500.0, start=True)) is None
-    prediction = predictor.update(at(0.12, 500.0))
-    assert prediction is not None
-    assert prediction.x == 500.0
-
-
 def test_the_pipeline_needs_no_knowledge_of_the_device() -> None:
     """Counts and resolution change what the hand did, not where the cursor goes."""
     plain, counted = build("linear"), build("linear", cpi=400.0, dpi=220.0)

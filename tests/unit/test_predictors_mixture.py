@@ -5,20 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, Pipeline, PointerEvent, build, run
+from pointpred import Pipeline, PointerEvent, build, run
 from pointpred.predictors.adaptation import correction, levels, mixed_region, region_widening
 from pointpred.predictors.adaptation import predictor as adaptive
+from tests.building import reach
 
 NAME = "kinematic-adaptive"
 ENDS = ((500.0, 100.0), (-300.0, 350.0), (120.0, -420.0), (0.0, 0.0))
-
-
-def way(start: tuple[float, float], end: tuple[float, float]) -> EventColumns:
-    """A minimum-jerk movement that then rests."""
-    t = np.arange(0.0, 0.75, 0.01)
-    s = np.minimum(t / 0.6, 1.0)
-    done = 10 * s**3 - 15 * s**4 + 6 * s**5
-    return EventColumns.of(t, start[0] + (end[0] - start[0]) * done, start[1] + (end[1] - start[1]) * done)
 
 
 def session(
@@ -40,7 +33,7 @@ def goal(random: np.random.Generator, here: tuple[float, float]) -> tuple[float,
 
 def moved(pipeline: Pipeline, random: np.random.Generator, here: tuple[float, float]) -> tuple[float, float]:
     end = goal(random, here)
-    run(pipeline, way(here, end))
+    run(pipeline, reach(here, end))
     pipeline.reset()
     return end
 
@@ -49,7 +42,7 @@ def test_the_parts_are_the_likeliest_places_and_elsewhere() -> None:
     pipeline = build(NAME)
     random, here = session(pipeline, 15)
     end = goal(random, here)
-    run(pipeline, way(here, end).rows(0, 12))
+    run(pipeline, reach(here, end).rows(0, 12))
     mixture = pipeline.mixture
     assert mixture is not None
     assert sum(part.share for part in mixture.parts) == pytest.approx(1.0)
@@ -65,7 +58,7 @@ def test_asking_changes_nothing_and_streaming_says_the_same() -> None:
     whole, single = build(NAME), build(NAME)
     for one in (whole, single):
         random, here = session(one, 8)
-    events = way(here, goal(random, here)).rows(0, 25)
+    events = reach(here, goal(random, here)).rows(0, 25)
     run(whole, events)
     for k in range(25):
         single.advance(tuple(events.table[k].tolist()))
@@ -79,12 +72,12 @@ def test_there_is_none_where_nothing_is_claimed() -> None:
     for parameters in ({"places": 0}, {"adapt": 0}):
         pipeline = build(NAME, **parameters)
         session(pipeline, 3)
-        run(pipeline, way((0.0, 0.0), ENDS[0]).rows(0, 25))
+        run(pipeline, reach((0.0, 0.0), ENDS[0]).rows(0, 25))
         assert pipeline.mixture is None
     pipeline = build(NAME)
     session(pipeline, 3)
     assert pipeline.mixture is None
-    out = way((0.0, 0.0), ENDS[0]).rows(0, 25)
+    out = reach((0.0, 0.0), ENDS[0]).rows(0, 25)
     run(pipeline, out)
     assert pipeline.mixture is not None
     pipeline.update(PointerEvent(float(out.t[-1]) + 0.01, 0.0, 0.0))  # back where it began: no direction
@@ -93,7 +86,7 @@ def test_there_is_none_where_nothing_is_claimed() -> None:
 
 def test_of_a_stranger_it_is_the_law_that_is_stated() -> None:
     pipeline = build(NAME)
-    answer = run(pipeline, way((0.0, 0.0), ENDS[0]).rows(0, 25)).table[-1]
+    answer = run(pipeline, reach((0.0, 0.0), ENDS[0]).rows(0, 25)).table[-1]
     mixture = pipeline.mixture
     assert mixture is not None
     (part,) = mixture.parts
@@ -110,7 +103,7 @@ def test_it_stands_where_the_window_is() -> None:
         one.enter("editor", *origin)
         x, y = goal(random, here)
         start = here[0] + origin[0], here[1] + origin[1]
-        run(one, way(start, (x + origin[0], y + origin[1])).rows(0, 20))
+        run(one, reach(start, (x + origin[0], y + origin[1])).rows(0, 20))
     still, with_window = (one.mixture for one in pipelines)
     assert still is not None
     assert with_window is not None
@@ -127,7 +120,7 @@ def test_both_levels_hold_their_share_of_the_ends() -> None:
         random, here = session(pipeline, 20, seed)
         for _ in range(20):
             end = goal(random, here)
-            events = way(here, end)
+            events = reach(here, end)
             run(pipeline, events.rows(0, 20))
             mixture = pipeline.mixture
             assert mixture is not None
@@ -158,5 +151,5 @@ def test_what_is_known_of_the_levels_is_part_of_the_person() -> None:
     assert pipeline.predictor._memory[first : first + levels.OFFSETS].any()
     again = build(NAME, person=pipeline.person)
     for one in (pipeline, again):
-        run(one, way(ENDS[3], ENDS[0]).rows(0, 20))
+        run(one, reach(ENDS[3], ENDS[0]).rows(0, 20))
     assert again.mixture == pipeline.mixture

@@ -10,28 +10,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import optimize, stats
 
-from pointpred import EventColumns, Pipeline, build, run
+from pointpred import Pipeline, build, run
 from pointpred.errors import ParameterError
 from pointpred.predictors.adaptation import destination, distances, habits, places
 from pointpred.predictors.adaptation.destination import Heading
 from pointpred.records import FloatArray, Prediction, prediction_of
 from pointpred.scene import scene
+from tests.building import reach
 
 NAME = "kinematic-adaptive"
 Point = tuple[float, float]
 
 
-def way(start: Point, end: Point, seconds: float = 0.6) -> EventColumns:
-    """A minimum-jerk movement that then rests."""
-    t = np.arange(0.0, seconds + 0.15, 0.01)
-    s = np.minimum(t / seconds, 1.0)
-    done = 10 * s**3 - 15 * s**4 + 6 * s**5
-    return EventColumns.of(t, start[0] + (end[0] - start[0]) * done, start[1] + (end[1] - start[1]) * done)
-
-
 def move(pipeline: Pipeline, start: Point, end: Point) -> Prediction:
     """The prediction after a third of the time of a movement that is then finished."""
-    table = run(pipeline, way(start, end))
+    table = run(pipeline, reach(start, end))
     pipeline.reset()
     early = prediction_of(tuple(table.table[20].tolist()))
     assert early is not None
@@ -69,7 +62,7 @@ def test_the_places_say_where_and_how_likely() -> None:
     before = pipeline.places
     assert [(round(one.x), round(one.y)) for one in before] == [(400, 0), (0, 0)]
     assert all(one.p == one.before for one in before)
-    events = way((0.0, 0.0), (400.0, 0.0))
+    events = reach((0.0, 0.0), (400.0, 0.0))
     run(pipeline, events.rows(0, 20))
     now = pipeline.places
     assert now[0].p > 0.9 > now[0].before > 0.3
@@ -115,7 +108,7 @@ def test_a_movement_into_another_window_goes_on_and_ends_where_it_stops() -> Non
     crossing, other = build(NAME), build(NAME)
     for pipeline in (crossing, other):
         pipeline.enter("left", 0.0, 0.0)
-    events = way((100.0, 100.0), (900.0, 400.0))
+    events = reach((100.0, 100.0), (900.0, 400.0))
     answers = run(crossing, events.rows(0, 30)).table
     crossing.enter("right", 500.0, 0.0)
     answers = np.vstack([answers, run(crossing, events.rows(30, len(events))).table])
@@ -140,7 +133,7 @@ def test_before_a_movement_it_starts_where_the_last_one_in_this_window_ended() -
     pipeline.enter("a", 0.0, 0.0)
     there = {(round(one.x), round(one.y)): one.before for one in pipeline.places}
     assert here[0, 0] == there[0, 0] == 0.0  # the last movement of this window ended there
-    run(pipeline, way((401.0, 0.0), (0.0, 0.0)).rows(0, 1))
+    run(pipeline, reach((401.0, 0.0), (0.0, 0.0)).rows(0, 1))
     begun = {(round(one.x), round(one.y)): one.before for one in pipeline.places}
     assert begun[400, 0] == 0.0 < begun[0, 0]
 
@@ -151,7 +144,7 @@ def test_before_a_movement_it_starts_where_the_last_one_in_this_window_ended() -
 )
 def test_a_window_that_cannot_be_is_refused_and_nothing_changes(key: str, x: float, field: str) -> None:
     pipeline = build(NAME)
-    run(pipeline, way((0.0, 0.0), (300.0, 0.0)))
+    run(pipeline, reach((0.0, 0.0), (300.0, 0.0)))
     before = pipeline.predictor.remembered()
     with pytest.raises(ParameterError) as refused:
         pipeline.enter(key, x, 0.0)

@@ -11,15 +11,14 @@ from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
 from pointpred.records import EventColumns
 from pointpred.sources import read, write
+from tests.building import text_file
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 GOOD = "u,good,0,0,0\nu,good,1,3,4\n"
 
 
 def samples(folder: Path, text: str, name: str = "set_samples.csv") -> Path:
-    path = folder / name
-    path.write_text(text, encoding="utf-8")
-    return path
+    return text_file(folder / name, text)
 
 
 @pytest.mark.parametrize(

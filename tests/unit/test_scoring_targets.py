@@ -11,7 +11,7 @@ import pytest
 
 from pointpred import build
 from pointpred.datasets import sample
-from pointpred.recording import Recording, Trial
+from pointpred.recording import Recording
 from pointpred.records import EventColumns
 from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summarise_targets
 from pointpred.scoring.target_choice import decisions as replaying
@@ -19,6 +19,8 @@ from pointpred.scoring.target_choice.layouts import circle, grids, layouts
 from pointpred.scoring.trials import prepare
 from pointpred.simulation.circle import positions
 from pointpred.targets import Chooser, Target
+from tests.building import recording as recorded
+from tests.building import way
 from tests.conftest import Left
 
 
@@ -60,9 +62,9 @@ def free(count: int = 30) -> Recording:
     for _ in range(count):
         angle, far = generator.uniform(0.0, 6.28), generator.uniform(200.0, 800.0)
         s = np.linspace(0.0, 1.0, 60)
-        way = far * (10 * s**3 - 15 * s**4 + 6 * s**5)
-        parts.append(EventColumns.of(t=0.8 * s, x=way * np.cos(angle), y=way * np.sin(angle)))
-    return Recording.of("free", parts, [Trial("ann", str(i)) for i in range(count)])
+        gone = far * way(s)
+        parts.append(EventColumns.of(t=0.8 * s, x=gone * np.cos(angle), y=gone * np.sin(angle)))
+    return recorded(parts, "free")
 
 
 def test_the_end_of_a_free_movement_lies_in_the_right_cell_of_its_grid_and_the_seed_decides_which() -> None:

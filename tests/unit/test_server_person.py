@@ -9,23 +9,16 @@ import pytest
 
 from pointpred import RECOMMENDED
 from pointpred.person import LARGEST
+from tests.building import rows_of_reach
 from tests.unit.talking import Talk, events, hello
 
 NAME = "kinematic-adaptive"
 assert NAME == RECOMMENDED
 
 
-def reach(px: float) -> list[list[float]]:
-    """A minimum-jerk movement of 0.5 s and a rest."""
-    shares = [min(i / 50, 1.0) for i in range(60)]
-    return [
-        [i / 100, px * (10 * s**3 - 15 * s**4 + 6 * s**5), 0.0, None, None, 0] for i, s in enumerate(shares)
-    ]
-
-
 def move(talk: Talk, px: float) -> list[dict[str, Any]]:
     """A movement, finished; one prediction an event."""
-    said = talk.say(events(*reach(px)))
+    said = talk.say(events(*rows_of_reach(px)))
     talk.say({"type": "reset"})
     return said
 
@@ -60,7 +53,7 @@ def test_another_session_goes_on_bit_for_bit() -> None:
 def test_asking_changes_nothing_even_in_the_middle_of_a_movement() -> None:
     asked, plain = open_session(), open_session()
     for px in WAYS:
-        rows = reach(px)
+        rows = rows_of_reach(px)
         said = asked.say(events(*rows[:30]))
         before = person(asked)
         assert person(asked) == before
@@ -75,7 +68,7 @@ def test_a_person_may_be_set_and_forgotten_in_a_session() -> None:
     for px in WAYS[:3]:
         move(talk, px)
     known = person(talk)
-    talk.say(events(*reach(1000.0)[:20]))
+    talk.say(events(*rows_of_reach(1000.0)[:20]))
     assert person(talk, person="") == ""
     assert move(talk, 390.0) == move(open_session(), 390.0)  # of the movement before nothing is left
     assert person(talk, person=known) == known
@@ -156,7 +149,7 @@ def test_the_score_of_a_trial_knows_nobody() -> None:
 
     def score(talk: Talk) -> float:
         talk.say({"type": "trial", "action": "start"})
-        talk.say(events(*reach(380.0)))
+        talk.say(events(*rows_of_reach(380.0)))
         (answer,) = talk.say({"type": "trial", "action": "end"})
         return float(answer["time_averaged_px"])
 

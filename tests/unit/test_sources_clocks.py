@@ -11,14 +11,13 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.sources import read_any
+from tests.building import lines_file
 
 
 def table(folder: Path, header: str, times: list[str], *more: str) -> Path:
     """A table of these times, with x and y and what ``more`` adds to each row."""
-    path = folder / "clock.csv"
     rows = [",".join((time, str(3 * i), str(100 - i), *more)) for i, time in enumerate(times)]
-    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / "clock.csv", header, *rows)
 
 
 STAMPS = [f"2024-03-01T10:00:00.{20 * i:03d}" for i in range(20)]

@@ -230,8 +230,8 @@ def test_an_unknown_file_names_every_format(tmp_path: Path) -> None:
     [
         ("least_samples", 1),
         ("least_s", -1.0),
-        ("dpi", 0.0),
-        ("cpi", -1.0),
+        *(("dpi", dpi) for dpi in (0.0, 0.5, 1e6)),
+        *(("cpi", cpi) for cpi in (-1.0, 0.5, 1e8, float("nan"))),
         ("px_per_unit", (0.0, 5.0)),
     ],
 )

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import RecordingError
 from pointpred.recording import Skip
-from pointpred.sources import Reading, read, read_any
+from pointpred.sources import read, read_any
+from tests.building import text_file
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 ROWS = "u,1,0,0,0\nu,1,1,3,4\nu,2,0,0,0\nu,2,1,5,12\n"
 
 
 def written(folder: Path, text: str, name: str = "set_samples.csv") -> Path:
-    path = folder / name
-    path.write_text(text, encoding="utf-8")
-    return path
+    return text_file(folder / name, text)
 
 
 @pytest.mark.parametrize(
@@ -63,14 +61,6 @@ def test_a_file_of_an_impossible_resolution_is_left_out_and_the_others_are_score
     assert "left out" in left.err
     assert "bad.csv" in left.err
     assert "good: " in left.out
-
-
-@pytest.mark.parametrize(
-    "wrong", [{"cpi": 1e8}, {"cpi": 0.5}, {"dpi": 0.5}, {"dpi": 1e6}, {"cpi": float("nan")}]
-)
-def test_the_bounds_of_a_reading_are_those_of_the_stages(wrong: dict[str, Any]) -> None:
-    with pytest.raises(ParameterError, match=r"must be in \[1, "):
-        Reading(**wrong)
 
 
 @pytest.mark.parametrize("column", range(5))

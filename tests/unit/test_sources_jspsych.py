@@ -12,6 +12,7 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.sources import Reading, convert, format_of, read, read_any
+from tests.building import text_file
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 CONTAINER = {"x": 100, "y": 50, "width": 804, "height": 604}
@@ -25,9 +26,7 @@ def trial(index: int, **more: Any) -> dict[str, Any]:
 
 
 def written(folder: Path, text: str, name: str = "study.json") -> Path:
-    path = folder / name
-    path.write_text(text, encoding="utf-8")
-    return path
+    return text_file(folder / name, text)
 
 
 def targets(recording: Any) -> list[tuple[float, float, float]]:

@@ -11,6 +11,7 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.sources.device_logs import libinput
+from tests.building import text_file
 
 MOUSE = """# libinput record
 ndevices: 2
@@ -39,9 +40,7 @@ UNREAD = "events that cannot be read, left aside: 1"
 
 
 def written(folder: Path, text: str) -> Path:
-    path = folder / "devices.yml"
-    path.write_text(text, encoding="utf-8")
-    return path
+    return text_file(folder / "devices.yml", text)
 
 
 def generated(seed: int, frames: int) -> str:

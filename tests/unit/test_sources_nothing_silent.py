@@ -8,15 +8,14 @@ import pytest
 
 from pointpred.recording import Recording
 from pointpred.sources import Reading, read_any
+from tests.building import lines_file
 
 ROWS = [(10 * i, 3 * i, 100 - i) for i in range(30)]
 
 
 def read(folder: Path, names: str, rows: list[str], reading: Reading | None = None) -> Recording:
     """The recording in a table with these names of columns."""
-    path = folder / "study.csv"
-    path.write_text("\n".join([names, *rows]) + "\n", encoding="utf-8")
-    [recording] = read_any(path, reading or Reading())
+    [recording] = read_any(lines_file(folder / "study.csv", names, *rows), reading or Reading())
     return recording
 
 

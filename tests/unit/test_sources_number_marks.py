@@ -9,6 +9,7 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.sources import Reading, read_any
+from tests.building import lines_file
 
 COUNT = 40
 TIMES = [10 * i for i in range(COUNT)]
@@ -20,9 +21,7 @@ def table(folder: Path, separator: str, *columns: list[str]) -> Path:
     """A file with the columns t_ms, x and y."""
     quote = '"' if separator == "," else ""
     rows = [separator.join(f"{quote}{cell}{quote}" for cell in row) for row in zip(*columns, strict=True)]
-    path = folder / "numbers.csv"
-    path.write_text("\n".join([separator.join(("t_ms", "x", "y")), *rows]) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / "numbers.csv", separator.join(("t_ms", "x", "y")), *rows)
 
 
 def german(value: float) -> str:

@@ -13,15 +13,14 @@ from pointpred.errors import ColumnsError, ParameterError, RecordingError
 from pointpred.sources import Reading, read_any
 from pointpred.sources.columns.names import similar_names
 from pointpred.sources.table_files.delimited_layout import layout_of
+from tests.building import lines_file
 
 MOVES = [f"{10 * i};{3 * i};{100 - i}" for i in range(30)]
 
 
 def write(folder: Path, *lines: str) -> Path:
     """A file of these lines."""
-    path = folder / "odd.csv"
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / "odd.csv", *lines)
 
 
 def test_names_below_lines_that_a_spreadsheet_has_padded_are_found(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.sources import Reading, convert, read, read_any
+from tests.building import lines_file
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 TRACK = {
@@ -25,9 +26,7 @@ CLICKS = TRACK | {"mouse.leftButton": "[1, 1, 1]", "mouse.time": "[0.5, 1.25, 3.
 def written(folder: Path, *rows: dict[str, Any], separator: str = ",", name: str = "study.csv") -> Path:
     quoted = [[f'"{cell}"' if "[" in str(cell) else str(cell) for cell in row.values()] for row in rows]
     lines = [separator.join(rows[0]), *(separator.join(cells) for cells in quoted)]
-    path = folder / name
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / name, *lines)
 
 
 def test_pixels_are_assumed_with_a_note_and_taken_without_when_told(tmp_path: Path) -> None:

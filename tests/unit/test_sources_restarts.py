@@ -9,14 +9,13 @@ import pytest
 from pointpred.errors import ColumnsError
 from pointpred.recording import Recording
 from pointpred.sources import read, read_any, write
+from tests.building import lines_file
 
 
 def table(folder: Path, header: str, *runs: tuple[str, int]) -> Path:
     """A table of runs of five samples, each with its first cells and the time at which it begins."""
     lines = [f"{cells},{begin + 10 * i},{begin + i},{i}" for cells, begin in runs for i in range(5)]
-    path = folder / "study.csv"
-    path.write_text("\n".join([f"{header},t_ms,x,y", *lines, ""]), encoding="utf-8")
-    return path
+    return lines_file(folder / "study.csv", f"{header},t_ms,x,y", *lines)
 
 
 def trials(recording: Recording) -> list[tuple[str, str]]:

@@ -9,14 +9,13 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.sources import read_any
+from tests.building import lines_file
 
 
 def write(folder: Path, rows: Sequence[Sequence[object]], header: str = "") -> Path:
     """A table of these rows, with a header where there is one."""
-    path = folder / "which.csv"
     lines = [",".join(str(cell) for cell in row) for row in rows]
-    path.write_text("\n".join([header, *lines] if header else lines) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / "which.csv", *([header] if header else []), *lines)
 
 
 def test_columns_of_one_name_are_refused(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from pointpred import EventColumns
 from pointpred.errors import EventError
 from pointpred.records import LARGEST, LATEST_S
 from pointpred.transfer import AssistedTransfer, ConstantGain, PixelTransfer, PolynomialIdentifier
+from tests.building import lines_file
 
 NOW_S = 1.7e9
 DT_S = 2.0**-7
@@ -26,9 +27,7 @@ def written(folder: Path, name: str, origin: float) -> Path:
             s = min(i / 100.0, 1.0)
             way = round(500 * (10 * s**3 - 15 * s**4 + 6 * s**5))
             lines.append(f"ann,{trial},{origin + 4.0 * trial + i * DT_S!r},{way},{-way // 2}")
-    path = folder / f"{name}_samples.csv"
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return path
+    return lines_file(folder / f"{name}_samples.csv", *lines)
 
 
 def test_a_recording_of_now_scores_as_one_from_zero(command, tmp_path: Path) -> None:
