@@ -7,8 +7,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred_observers.matrices import matrix
 from pointpred_observers.persidskii import Persidskii
 

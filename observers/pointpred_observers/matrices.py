@@ -7,8 +7,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 
 Kind = TypeVar("Kind")

@@ -7,8 +7,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.matrices import TIMES, dimensions, matrix, one_of
 from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity

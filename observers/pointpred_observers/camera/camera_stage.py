@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import EventError, EventOrderError
+from pointpred.parameter import is_number
 from pointpred.records import LATEST_S, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, SampleRow

@@ -7,9 +7,8 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import Parameter, check, is_number
 from pointpred.records import Columns
 from pointpred_observers.camera.scenario import Scenario, Trajectory, trajectory
 

@@ -9,8 +9,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import balanced, form, inward
 from pointpred_observers.bounds import ErrorBound, eigenvalues

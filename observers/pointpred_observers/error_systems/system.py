@@ -10,8 +10,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.detectability import vertices
 from pointpred_observers.eigenvalues import require_decay

@@ -11,8 +11,8 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.equalities import allowed
 from pointpred_observers.inequalities.definite import LEAST_POSITIVE, least

@@ -7,8 +7,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import form, inward, outward
 from pointpred_observers.bounds import ErrorBound, interconnection_bound, region

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError, PointpredError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.matrices import instance
 from pointpred_observers.simulations.result import Simulation

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import balanced, form, inward, outward
 from pointpred_observers.bounds import eigenvalues

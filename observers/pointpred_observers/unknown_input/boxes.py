@@ -8,8 +8,8 @@ from math import isfinite
 
 import numpy as np
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 
 AXES_MOST = 12

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.differentiators.sampling import is_number
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import form, inward, outward
 from pointpred_observers.eigenvalues import number_text, perron_root
