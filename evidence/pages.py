@@ -66,7 +66,7 @@ DOCUMENTS: dict[str, Callable[[], str]] = {
 
 PARTS: dict[str, dict[str, tuple[str, Context]]] = {
     "README.md": {"scores": ("reference/scores.md", reference.readme_scores)},
-    "docs/guide/observers/example-7.md": {
+    "observers/docs/example-7.md": {
         "sniffer": ("observers/sniffer.md", partial(measured, "observers", "sniffer")),
     },
 }

@@ -1,4 +1,4 @@
-"""The figures of observers/docs/camera.md and of docs/evidence/camera.md."""
+"""The figures of observers/docs/camera.md and of docs/evidence/observers.md."""
 
 from __future__ import annotations
 
