@@ -14,7 +14,7 @@ import pytest
 from pointpred import extras
 from pointpred.reproduction import catalogue
 from pointpred.reproduction.catalogue import ENTRIES
-from pointpred.reproduction.people import CONDITION, novice_and_expert
+from pointpred.reproduction.trials import CONDITION, novice_and_expert
 from pointpred.simulation import simulate_circle
 from pointpred.sources import write
 
