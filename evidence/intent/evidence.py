@@ -15,7 +15,7 @@ from evidence.intent.movements import PAGES, Movement
 from evidence.intent.targets_fit import Cases
 from pointpred.records import FloatArray
 from pointpred.targets import cursor, posterior
-from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
+from pointpred.targets.posterior import FEATURES, Law, features, unclaimed
 
 CLAIMING, SILENT = "kinematic-adaptive", "minimum-jerk"
 """The predictors that it is fitted with: one that claims a law and one that does not."""
