@@ -1,10 +1,10 @@
-// Written by `make page` from predictor.py: change that and run it again.
-import { hypot } from "../../arithmetic.js";
-import * as $quartic from "./quartic.js";
-import * as $predictors_movement from "../movement.js";
-import * as $records from "../../records.js";
-import * as $least_squares from "../../regression/least_squares.js";
-import * as $stage from "../../stage.js";
+// Written by `make page` from kep.py: change that and run it again.
+import { hypot, larger, smaller } from "../arithmetic.js";
+import * as $predictors_movement from "./movement.js";
+import * as $records from "../records.js";
+import * as $least_squares from "../regression/least_squares.js";
+import * as $stage from "../stage.js";
+export const STEPS_MOST = 80;
 export const DEGREE = 0;
 export const REACH = 1;
 export const CHANGE_MOST = 2;
@@ -16,6 +16,77 @@ export const ACCEPTED = 56;
 export const ACCEPTED_X = 57;
 export const ACCEPTED_Y = 58;
 export const EXCITATION_LEAST = 1e-05;
+export function value(p, w) {
+  return p[0] + w * (p[1] + w * (p[2] + w * (p[3] + w * p[4])));
+}
+export function derivative(p) {
+  return [p[1], 2 * p[2], 3 * p[3], 4 * p[4], 0];
+}
+export function bends(p, far) {
+  const a = 6 * p[4];
+  const b = 3 * p[3];
+  const c = p[2];
+  const discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) {
+    return [far, far];
+  }
+  const half = -0.5 * (b + (b >= 0 ? Math.sqrt(discriminant) : -Math.sqrt(discriminant)));
+  let one = a !== 0 ? half / a : far;
+  let other = half !== 0 ? c / half : far;
+  one = 0 < one && one < far ? one : far;
+  other = 0 < other && other < far ? other : far;
+  return [smaller(one, other), larger(one, other)];
+}
+export function zero_between(p, low, high) {
+  const at_low = value(p, low);
+  if (!(at_low * value(p, high) < 0)) {
+    return high;
+  }
+  let w = 0.5 * (low + high);
+  for (let _ = 0; _ < STEPS_MOST; _++) {
+    const here = value(p, w);
+    if (here === 0) {
+      return w;
+    }
+    if ((here > 0) === (at_low > 0)) {
+      low = w;
+    } else {
+      high = w;
+    }
+    const slope = p[1] + w * (2 * p[2] + w * (3 * p[3] + w * 4 * p[4]));
+    let new_ = slope !== 0 ? w - here / slope : low;
+    if (!(low < new_ && new_ < high)) {
+      new_ = 0.5 * (low + high);
+    }
+    if (Math.abs(new_ - w) <= 1e-13 * Math.abs(w)) {
+      return new_;
+    }
+    w = new_;
+  }
+  return w;
+}
+export function first_zero(p, far) {
+  if (!(p[0] > 0)) {
+    return NaN;
+  }
+  const values_1 = bends(p, far);
+  const bend_1 = values_1[0];
+  const bend_2 = values_1[1];
+  const bounds = [bend_1, bend_2, far];
+  const slope = derivative(p);
+  let left = 0;
+  for (let i = 0; i < 3; i++) {
+    const turn = zero_between(slope, left, bounds[i]);
+    if (value(p, turn) <= 0) {
+      return zero_between(p, left, turn);
+    }
+    if (value(p, bounds[i]) <= 0) {
+      return zero_between(p, turn, bounds[i]);
+    }
+    left = bounds[i];
+  }
+  return NaN;
+}
 export function add(memory, distance, speed) {
   const terms = Math.trunc(memory[DEGREE]) + 1;
   let power = 1;
@@ -35,8 +106,8 @@ export function remaining(memory, travelled) {
   const c2 = memory[COEFFICIENTS + 2] * (travelled * travelled);
   const c3 = degree > 2 ? memory[COEFFICIENTS + 3] * Math.pow(travelled, 3) : 0;
   const c4 = degree > 3 ? memory[COEFFICIENTS + 4] * Math.pow(travelled, 4) : 0;
-  const here = [$quartic.value([c0, c1, c2, c3, c4], 1), c1 + 2 * c2 + 3 * c3 + 4 * c4, c2 + 3 * c3 + 6 * c4, c3 + 4 * c4, c4];
-  return $quartic.first_zero(here, memory[REACH]) * travelled;
+  const here = [value([c0, c1, c2, c3, c4], 1), c1 + 2 * c2 + 3 * c3 + 4 * c4, c2 + 3 * c3 + 6 * c4, c3 + 4 * c4, c4];
+  return first_zero(here, memory[REACH]) * travelled;
 }
 export function judge(memory, length, x, y) {
   const before = memory[LENGTH];

@@ -1,5 +1,5 @@
-// Written by `make page` from density.py: change that and run it again.
-import { matrix } from "../arithmetic.js";
+// Written by `make page` from mixture.py: change that and run it again.
+import { larger, matrix, smaller } from "../arithmetic.js";
 export const SHARE = 0;
 export const X = 1;
 export const Y = 2;
@@ -10,6 +10,10 @@ export const TAIL = 6;
 export const WIDTH = 7;
 export const TURN_COS = -0.7373688780783197;
 export const TURN_SIN = 0.6754902942615238;
+export const LEVELS = [0.5, 0.8];
+export const HEAVINESS_LEAST = 1e-06;
+export const HEAVINESS_MOST = 40;
+export const PROBABILITY_MOST = 0.999999999;
 export function squared_radius(share, tail) {
   const normal = -2 * Math.log1p(-share);
   return Number(tail === 0 ? normal : tail * Math.expm1(normal / tail));
@@ -74,4 +78,26 @@ export function content(parts, count, x, y, points) {
   const known = matrix(count, points);
   densities(parts, count, points, known);
   return share_above(parts, count, points, known, density(parts, count, x, y));
+}
+export function squared_radius_over_tail(level, heavy) {
+  return Math.exp(-heavy * Math.log(1 - level)) - 1;
+}
+export function corrected_radius(level, heavy, offset) {
+  const lower = Math.exp(smaller(offset, 0));
+  return Math.exp(larger(offset, 0)) * (Math.exp(-heavy * Math.log(1 - level) * lower) - 1);
+}
+export function heaviness(tail) {
+  return smaller(larger(2 / tail, HEAVINESS_LEAST), HEAVINESS_MOST);
+}
+export function corrected_probability(level, tail, near, far) {
+  const radius = Math.log(-Math.log(1 - level));
+  const half = Math.log(-Math.log(1 - LEVELS[0]));
+  const most = Math.log(-Math.log(1 - LEVELS[1]));
+  const part = smaller(larger((radius - half) / (most - half), 0), 1);
+  const heavy = heaviness(tail);
+  let own = corrected_radius(level, heavy, near + part * (far - near));
+  if (level > LEVELS[0]) {
+    own = larger(own, corrected_radius(LEVELS[0], heavy, near));
+  }
+  return smaller(1 - Math.exp(-Math.log(1 + own) / heavy), PROBABILITY_MOST);
 }
