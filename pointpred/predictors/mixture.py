@@ -119,7 +119,11 @@ def threshold_of(parts: FloatArray, count: int, level: float, points: int) -> fl
 
 
 LEVELS = (0.5, 0.8)
-"""The levels of the regions that are corrected."""
+"""The levels of the regions that are corrected for a person.
+
+Each has an offset, the logarithm of what its squared radius, or that of a normal law, is multiplied by; 0:
+what the law claims.
+"""
 HEAVINESS_LEAST, HEAVINESS_MOST = 1e-6, 40.0
 """Bounds on 2 / tail as a predictor states it: no exponential overflows."""
 PROBABILITY_MOST = 1.0 - 1e-9

@@ -73,7 +73,11 @@ def mix3(memory: FloatArray, a: int, y: int, out: int) -> float:
 
 @law
 def mix(memory: FloatArray, a: int, y: int, n: int, out: int, scratch: int) -> float:
-    """Write adj(A) y at ``out`` and return det A; A is the row-major n x n matrix at ``a``."""
+    """Write adj(A) y at ``out`` and return det A; A is the row-major n x n matrix at ``a``.
+
+    Entry i of adj(A) y is the determinant of A with column i replaced by y (Cramer), which holds, and is
+    smooth, for singular A as well: it is never formed from an inverse.
+    """
     if n == 3:
         return mix3(memory, a, y, out)
     for column in range(-1, n):

@@ -111,6 +111,7 @@ def evaluate(coefficients: FloatArray, values: FloatArray, out: FloatArray) -> i
     return layer(coefficients, at, second, out)
 
 
+# The calibration: factors on the network's regions, fitted to held-out people.
 KNOTS = 10
 """Of the share of the time that has passed, as predicted: 0.05, 0.15 ... 0.95."""
 WIDTH_FACTOR, TAIL_FACTOR, SPREAD_FACTOR, FACTORS = range(4)
