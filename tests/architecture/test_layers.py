@@ -145,7 +145,7 @@ def test_modules_have_an_order() -> None:
 
 LARGE = (
     *("pointpred.devices", "pointpred.report", "pointpred.scoring"),
-    *("pointpred.sources", "pointpred_server", "pointpred_observers"),
+    *("pointpred.recordings", "pointpred_server", "pointpred_observers"),
 )
 
 

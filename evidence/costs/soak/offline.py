@@ -17,7 +17,6 @@ from pointpred.protocol.packed import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
 from pointpred.recorder.files import PREDICTED
 from pointpred.records import PHASES, FloatArray
-from pointpred.sources.own.appended import VALUES
 
 CPI, DPI = 800.0, 96.0
 """The device and the screen that every client of the soak names."""

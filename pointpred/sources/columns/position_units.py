@@ -9,8 +9,8 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from pointpred.errors import RecordingError
+from pointpred.recordings.reading import Reading
 from pointpred.records import METRES_PER_INCH, FloatArray
-from pointpred.sources.reading import Reading
 
 Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 LEAST_PX = 2.0

@@ -11,11 +11,11 @@ import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.reading import AS_IS, Reading, user_of
+from pointpred.recordings.segmentation import trials_of_stream
 from pointpred.records import EventColumns, FloatArray
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.reading import AS_IS, Reading, user_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.segmentation import trials_of_stream
 
 TITLE = "Balabit or SapiMouse CSV"
 SAPIMOUSE = ("client timestamp", "button", "state", "x", "y")

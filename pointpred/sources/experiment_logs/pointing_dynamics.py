@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.reading import AS_IS, Reading, user_of
+from pointpred.recordings.trials import assemble
 from pointpred.records import METRES_PER_INCH
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.reading import AS_IS, Reading, user_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.assembly import assemble
 
 TITLE = "Pointing Dynamics Dataset CSV"
 NEEDED = ("time", "y", "target", "widthm")

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
+from pointpred.recordings.arrow_tables import IntArray
 from pointpred.records import LARGEST, LATEST_S, EventColumns, FloatArray
-from pointpred.sources.tables.column_table import IntArray
 
 T, X, Y, DX, DY, BUTTONS = range(6)
 FIELDS = ("t", "x", "y", "dx", "dy", "buttons")

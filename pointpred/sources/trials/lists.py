@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings.trials import assemble
 from pointpred.records import FloatArray
-from pointpred.sources.trials.assembly import assemble
 
 WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
 OPENING, CLOSING = "[({", "])}"
