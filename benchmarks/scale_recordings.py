@@ -15,7 +15,7 @@ import numpy as np
 from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.sources import write_in_parts
+from pointpred.recordings import write_in_parts
 
 PEOPLE_TRIALS = 1000
 """Trials of one person."""

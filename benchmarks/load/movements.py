@@ -14,7 +14,7 @@ from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.packed import NO_COUNTS
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
 
 SECONDS = 10.0
 """Movements of so many seconds are replayed; each client begins at another of them."""

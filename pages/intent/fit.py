@@ -26,7 +26,7 @@ from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement, movements
 from pages.intent.scores import Score, by_policy, by_rule, score, shares_of
 from pointpred.columns import FloatArray
-from pointpred.sources import read
+from pointpred.recordings import read
 from pointpred.targets import posterior, prefetch
 from pointpred.training.data import folder
 

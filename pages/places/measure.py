@@ -22,7 +22,7 @@ from pages.places.people import pipelines
 from pointpred import Pipeline, Place, PointerEvent
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.place_chooser import rectangle_of
 from pointpred.training.data import folder

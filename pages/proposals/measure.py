@@ -21,8 +21,8 @@ from pages.proposals.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.scoring import resolution
-from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from pointpred.targets.posterior import FITTED_NEAREST
 from pointpred.training.data import folder

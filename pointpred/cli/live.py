@@ -20,8 +20,8 @@ from pointpred.registry import RECOMMENDED
 if TYPE_CHECKING:
     from pointpred.live.page import PageService
     from pointpred.live.run import OutputOptions
+    from pointpred.recordings import Reading
     from pointpred.server.live_feed import LiveFeed
-    from pointpred.sources import Reading
 
 REPLAY = "Without a device"
 LSL = "Lab Streaming Layer (extra lsl)"

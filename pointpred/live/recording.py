@@ -14,10 +14,10 @@ from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.events import Pair
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
+from pointpred.recordings.own.appended import LIVE
 from pointpred.rows import prediction_row
 from pointpred.server.recorder.files import SessionFiles
 from pointpred.server.recorder.writer import Recorder, about_of
-from pointpred.sources.own.appended import LIVE
 
 TOGETHER_S = 0.05
 """Events of so much time go to the recorder together."""

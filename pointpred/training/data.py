@@ -122,7 +122,7 @@ def collect(one: Collection) -> Examples:
 
 def read_sets(where: Path) -> list[Recording]:
     """The known sets that a folder holds; raises ParameterError where it holds none."""
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     paths = {name: where / f"{name}_samples.parquet" for name in SETS}
     recordings = [read(path) for path in paths.values() if path.is_file()]

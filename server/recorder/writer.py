@@ -19,12 +19,12 @@ import msgspec
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
+from pointpred.recordings.own.appended import FORMAT
 from pointpred.server.logs import place_of
 from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder.recordings import name_of, prepare
 from pointpred.server.recorder.session_recorder import Item, SessionRecorder, rows_of
 from pointpred.server.sessions.pipelines import cpi_of, dpi_of
-from pointpred.sources.own.appended import FORMAT
 
 WRITE_S = 0.1
 SYNC_S = 0.3

@@ -58,21 +58,22 @@ MAY_IMPORT = {
     "scoring": PIPELINE | {"targets"},
     "report": PIPELINE | {"drawing", "scoring"},
     "reproduction": PIPELINE
-    | {"drawing", "observers", "camera", "simulation", "scoring", "report", "sources"},
+    | {"drawing", "observers", "camera", "simulation", "scoring", "report", "recordings"},
     "hid": {"errors"},
-    "sources": {
+    "recordings": {
         *("errors", "extras", "files", "events", "rows", "columns", "recording"),
         "hid",
     },
-    "devices": MATHS | {"hid", "sources"},
+    "devices": MATHS | {"hid", "recordings"},
     "console": set(),
-    "datasets": PIPELINE | {"simulation", "sources"},
-    "batch": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
-    "training": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
+    "datasets": PIPELINE | {"simulation", "recordings"},
+    "batch": PIPELINE | {"executors", "scoring", "recordings", "pointpred"},
+    "training": PIPELINE | {"executors", "scoring", "recordings", "pointpred"},
     "protocol": PIPELINE | {"targets", "scoring"},
-    "server": PIPELINE | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "pointpred"},
+    "server": PIPELINE
+    | {"protocol", "targets", "simulation", "scoring", "recordings", "datasets", "pointpred"},
     "client": {"errors", "events", "rows", "columns", "registry", "protocol"},
-    "live": PIPELINE | {"console", "devices", "sources", "scoring", "protocol", "client", "server"},
+    "live": PIPELINE | {"console", "devices", "recordings", "scoring", "protocol", "client", "server"},
     "cli": PIPELINE
     | {
         "targets",
@@ -80,7 +81,7 @@ MAY_IMPORT = {
         "scoring",
         "report",
         "reproduction",
-        "sources",
+        "recordings",
         "batch",
         "executors",
         "training",
@@ -130,7 +131,7 @@ def test_modules_have_an_order() -> None:
     assert list(TopologicalSorter(graph).static_order())
 
 
-@pytest.mark.parametrize("layer", ["devices", "observers", "report", "scoring", "server", "sources"])
+@pytest.mark.parametrize("layer", ["devices", "observers", "report", "scoring", "server", "recordings"])
 def test_rooms_of_a_layer_have_an_order(layer: str) -> None:
     """What holds between layers holds between the rooms of a large one, too; its door stands apart."""
     graph: dict[str, set[str]] = {}

@@ -24,7 +24,7 @@ from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
-from pointpred.sources import read
+from pointpred.recordings import read
 from tests.server.running import PATIENCE_S
 
 AT_ONCE = 50

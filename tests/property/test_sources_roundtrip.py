@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 words = st.text(st.characters(blacklist_categories=["Cs"], blacklist_characters="\x00\r"), max_size=8)

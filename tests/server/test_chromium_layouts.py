@@ -17,7 +17,7 @@ from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.live.devtools import Page
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import soon

@@ -23,10 +23,10 @@ from websockets.sync.client import ClientConnection, connect
 from pointpred.cli.serve import serve
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read, write
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
 from pointpred.server.settings import Settings
-from pointpred.sources import read, write
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 

@@ -15,10 +15,10 @@ from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Recording
+from pointpred.recordings import read, read_any
 from pointpred.scoring import score
 from pointpred.server.recorder.recordings import listing
 from pointpred.server.recorder.writer import Recorder
-from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 
 BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)

@@ -20,9 +20,9 @@ from pointpred.live.replay_trials import Pacing, select_trials
 from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
+from pointpred.recordings.own import recordings as own
 from pointpred.registry import REGISTRY
 from pointpred.server.sessions.pointing import PointingSession
-from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

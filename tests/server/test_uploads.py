@@ -21,13 +21,13 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
+from pointpred.recordings import Reading
 from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.uploads import limits, process, receiving, recordings
 from pointpred.server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
 from pointpred.server.uploads.process import UploadProcess
 from pointpred.server.uploads.receiving import UploadError
 from pointpred.server.uploads.recordings import score_body
-from pointpred.sources import Reading
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 

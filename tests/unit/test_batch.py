@@ -25,10 +25,10 @@ from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
+from pointpred.recordings import StoredRecording, read, write, write_in_parts
+from pointpred.recordings.own.stored import stored
 from pointpred.scoring import score, summarise
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources import StoredRecording, read, write, write_in_parts
-from pointpred.sources.own.stored import stored
 
 NAMES = ["switched", "minimum-jerk"]
 

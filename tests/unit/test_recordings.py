@@ -9,7 +9,7 @@ import pytest
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 NONE = float("nan")

@@ -9,9 +9,9 @@ import pytest
 
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read
 from pointpred.scoring import prepare
 from pointpred.scoring.trials.clean_trials import clean_trials
-from pointpred.sources import read
 
 
 def verdict(t: list[float], x: list[float], y: list[float]) -> bool:

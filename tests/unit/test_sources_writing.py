@@ -9,11 +9,11 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.files import beside
-from pointpred.sources import convert, read_any
-from pointpred.sources.files import write_together as module
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own import recordings
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import convert, read_any
+from pointpred.recordings.files import write_together as module
+from pointpred.recordings.files.write_together import write_together
+from pointpred.recordings.own import recordings
+from pointpred.recordings.tables import arrow_tables
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 FITTS = SOURCES / "gofitts.sd3"

@@ -1,0 +1,129 @@
+"""PsychoPy: a table with one trial per row, a mouse component's track as Python lists in its cells."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings.columns.position_units import check_pixels, gain_of, unit_of
+from pointpred.recordings.experiment_logs.row_conditions import people_of, row_conditions
+from pointpred.recordings.files.encodings import head_of, stem_of
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings.trials.lists import Lists, split
+
+TITLE = "PsychoPy CSV"
+SEPARATORS = (",", ";", "\t")
+USERS = ("participant",)
+BUTTONS = {"left": 1, "right": 2, "mid": 4}
+CLICKS_S = 0.1
+"""Samples that all have a button pressed and lie farther apart than this are clicks, not a track."""
+CLICKS_ONLY = "only clicks were saved (the mouse saves its state 'on click'), expected 'every frame'"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a PsychoPy table with a mouse component."""
+    return _separator(head) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` with several mouse components.
+
+    Assumes s, the origin in the centre of the screen and y up; y is negated, the origin stays. The unit has
+    ``reading.px_per_unit``; by default it is the one in a column ``units``, by ``reading.dpi`` for cm and m,
+    else pixels, with a note.
+    Cells are separated by commas, semicolons or tabs. Without a column of users, a file has one user.
+    Trials of which only clicks were saved are skipped. The other short cells of a row are conditions.
+    Raises RecordingError, also if pixels would have to be assumed and are implausible.
+    """
+    separator = _separator(head_of(path)) or ","
+    table, _ = arrow_tables.read_table(path, lambda column: True, separator)
+    names = table.column_names
+    mice = _mice(names)
+    arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
+    rows = table.to_pylist()
+    lists = Lists(path)
+    unit, unit_notes = unit_of(rows)
+    gain = gain_of(path, unit or "pix", reading)
+    users, column, more = people_of(path, rows, USERS)
+    own = tuple(f"{mouse}." for mouse in mice)
+    aside: set[str | None] = {name for name in names if name.startswith(own)}
+    conditions, column_notes = row_conditions(rows, aside | {column, "mouse"})
+    empty = 0
+    for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
+        for mouse in mice:
+            t, x, y = (split(cells[f"{mouse}.{part}"]) for part in ("time", "x", "y"))
+            trial = str(row) if len(mice) == 1 else f"{row} {mouse}"
+            if not (t or x or y):
+                empty += 1
+                continue
+            buttons = _held(cells, mouse, len(t))
+            if buttons is None:
+                lists.skip(Skip(trial, "buttons are not 0 or 1 for each time", row))
+                continue
+            if _are_clicks(t, buttons):
+                lists.skip(Skip(trial, CLICKS_ONLY, row, user))
+                continue
+            about = Trial(user, trial, condition=condition | {"mouse": mouse})
+            lists.add(about, row, t, x, y, buttons, scale=1.0, gain=(gain[0], -gain[1]))
+    if empty:
+        lists.notes.append(f"{empty} cells hold no track")
+    if unit is None and reading.px_per_unit is None:
+        unit_notes = check_pixels(path, [part[:, 1:3] for part in lists.tables])
+    lists.notes += [*more, *unit_notes, *column_notes]
+    provenance = Provenance(
+        "psychopy",
+        unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),
+        origin="centre of the screen",
+        y_axis="up",
+        clock="the component's clock, s",
+        dpi=reading.dpi,
+    )
+    return lists.recording(stem_of(path), provenance)
+
+
+def _separator(head: bytes) -> str | None:
+    """The column separator of a table with a mouse component; ``None`` without one."""
+    try:
+        first = head.split(b"\n", 1)[0].decode("utf-8-sig")
+        for separator in SEPARATORS:
+            if _mice(next(csv.reader([first], delimiter=separator), [])):
+                return separator
+    except (UnicodeDecodeError, csv.Error):
+        pass
+    return None
+
+
+def _mice(names: Sequence[str]) -> list[str]:
+    """The mouse components among the columns: those with a time, an x and a y."""
+    parts = [name.removesuffix(".time") for name in names if name.endswith(".time")]
+    return [part for part in parts if f"{part}.x" in names and f"{part}.y" in names]
+
+
+def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
+    """The buttons of each sample as in W3C pointer events; ``None`` if they do not match the times."""
+    buttons = [0.0] * count
+    for name, bit in BUTTONS.items():
+        pressed = split(cells.get(f"{mouse}.{name}Button"))
+        if not pressed:
+            continue
+        if len(pressed) != count or any(word not in ("0", "1") for word in pressed):
+            return None
+        buttons = [sum_ + bit * int(word) for sum_, word in zip(buttons, pressed, strict=True)]
+    return buttons
+
+
+def _are_clicks(t: Sequence[str], buttons: Sequence[float]) -> bool:
+    """Whether the samples of a trial are only clicks: all with a button pressed, and far apart."""
+    if not buttons or not all(buttons):
+        return False
+    try:
+        intervals = np.diff([float(cell) for cell in t])
+    except ValueError:
+        return False
+    return not len(intervals) or float(np.median(intervals)) > CLICKS_S
