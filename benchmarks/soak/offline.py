@@ -17,7 +17,7 @@ from pointpred.events import PHASES
 from pointpred.protocol.frames import row_of_prediction
 from pointpred.protocol.packed import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
-from pointpred.recordings.own.appended import VALUES
+from pointpred.recordings.appended import VALUES
 from pointpred.server.recorder.files import PREDICTED
 
 CPI, DPI = 800.0, 96.0

@@ -14,7 +14,7 @@ from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.events import Pair
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
-from pointpred.recordings.own.appended import LIVE
+from pointpred.recordings.appended import LIVE
 from pointpred.rows import prediction_row
 from pointpred.server.recorder.files import SessionFiles
 from pointpred.server.recorder.writer import Recorder, about_of

@@ -10,8 +10,13 @@ import msgspec
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.recordings.columns.table_recording import recording_of_table
-from pointpred.recordings.device_logs import evemu, evtest, hid_recorder, libinput
-from pointpred.recordings.experiment_logs import (
+from pointpred.recordings.formats import (
+    evemu,
+    evtest,
+    hid_recorder,
+    libinput,
+)
+from pointpred.recordings.formats import (
     balabit,
     gofitts,
     jspsych,
@@ -19,11 +24,19 @@ from pointpred.recordings.experiment_logs import (
     pointing_dynamics,
     psychopy,
 )
-from pointpred.recordings.files.encodings import head_of
-from pointpred.recordings.own import appended, recordings
+from pointpred.recordings.encodings import head_of
+from pointpred.recordings import appended
+from pointpred.recordings.own import recordings
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.table_files import delimited, json_records, matlab, parquet, xdf, xlsx
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings.formats import (
+    delimited,
+    json_records,
+    matlab,
+    parquet,
+    xdf,
+    xlsx,
+)
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import ColumnTable
 
 OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})

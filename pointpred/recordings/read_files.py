@@ -10,15 +10,15 @@ import msgspec
 
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
-from pointpred.recordings.files.addresses import address_in, local_copy
-from pointpred.recordings.files.encodings import encoding_of, head_of
+from pointpred.recordings.addresses import address_in, local_copy
+from pointpred.recordings.encodings import encoding_of, head_of
 from pointpred.recordings.files.folders import list_files
 from pointpred.recordings.files.names import readable_recording
 from pointpred.recordings.known_formats import FORMATS, Format, format_of
 from pointpred.recordings.own import recordings
-from pointpred.recordings.own.stored import StoredRecording, stored
+from pointpred.recordings.stored import StoredRecording, stored
 from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
-from pointpred.recordings.table_files import unsupported
+from pointpred.recordings.formats import unsupported
 from pointpred.recordings.trials.merge import join
 
 Progress = Callable[[str, int, int], None]

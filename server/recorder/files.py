@@ -15,8 +15,8 @@ import pyarrow.csv as pacsv
 
 from pointpred.columns import FloatArray
 from pointpred.events import PHASES
-from pointpred.recordings.own.appended import SAMPLES, TRIALS
-from pointpred.recordings.tables.arrow_tables import MARK
+from pointpred.recordings.appended import SAMPLES, TRIALS
+from pointpred.recordings.arrow_tables import MARK
 
 PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase", "tail")
 COLUMNS = {

@@ -19,7 +19,7 @@ import msgspec
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
-from pointpred.recordings.own.appended import FORMAT
+from pointpred.recordings.appended import FORMAT
 from pointpred.server.logs import place_of
 from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder.recordings import name_of, prepare

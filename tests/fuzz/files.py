@@ -12,7 +12,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.recordings.files.encodings import head_of
+from pointpred.recordings.encodings import head_of
 from pointpred.recordings.known_formats import Format, format_of
 from pointpred.recordings.reading import AS_IS
 from pointpred.server.uploads.recordings import as_file

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from pointpred.recording import Recording
 from pointpred.recordings import read_any
-from pointpred.recordings.columns.time_units import PER_SECOND
+from pointpred.recordings.columns.clocks import PER_SECOND
 
 FEW = settings(max_examples=60, deadline=None)
 NAMES = (

@@ -25,8 +25,13 @@ from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
-from pointpred.recordings import StoredRecording, read, write, write_in_parts
-from pointpred.recordings.own.stored import stored
+from pointpred.recordings import (
+    StoredRecording,
+    read,
+    write,
+    write_in_parts,
+)
+from pointpred.recordings.stored import stored
 from pointpred.scoring import score, summarise
 from pointpred.scoring.scorer import scoring_with
 

@@ -16,8 +16,8 @@ from scipy.io import loadmat, savemat
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
 from pointpred.recordings import Reading, read_any
-from pointpred.recordings.table_files import matlab, matlab_values, xdf
-from pointpred.recordings.table_files import xlsx as workbook
+from pointpred.recordings.formats import matlab, matlab_values, xdf
+from pointpred.recordings.formats import xlsx as workbook
 from tests.unit.writing_containers import (
     ROWS,
     TRIALS,

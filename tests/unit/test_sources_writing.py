@@ -9,11 +9,10 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.files import beside
-from pointpred.recordings import convert, read_any
+from pointpred.recordings import arrow_tables, convert, read_any
 from pointpred.recordings.files import write_together as module
 from pointpred.recordings.files.write_together import write_together
 from pointpred.recordings.own import recordings
-from pointpred.recordings.tables import arrow_tables
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 FITTS = SOURCES / "gofitts.sd3"

@@ -11,7 +11,7 @@ import pyarrow as pa
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recordings.columns.names import VAGUE, words_of
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.assembly import MOST_BUTTONS
 from pointpred.recordings.trials.keys import codes_of
 

@@ -8,7 +8,12 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.recordings.columns.clock_units import LONGEST_S, SHORTEST_S, forwards, units_by_rate
+from pointpred.recordings.columns.clock_units import (
+    LONGEST_S,
+    SHORTEST_S,
+    forwards,
+    units_by_rate,
+)
 from pointpred.recordings.trials.keys import codes_of
 
 FEW = 3

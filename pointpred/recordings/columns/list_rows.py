@@ -11,10 +11,15 @@ import numpy as np
 import pyarrow as pa
 
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
-from pointpred.recordings.files.encodings import stem_of
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.conditions import TARGET, condition_name
-from pointpred.recordings.trials.lists import CLOSING, Lists, is_list, split
+from pointpred.recordings.trials.lists import (
+    CLOSING,
+    Lists,
+    is_list,
+    split,
+)
 
 LONGEST_CONDITION = 200
 """Longer cells of other columns are not conditions."""

@@ -10,8 +10,18 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ColumnsError
-from pointpred.recordings.columns.clock_units import counts_frames, is_clock, is_numbers, units_of
-from pointpred.recordings.columns.names import Guess, guess, similar_names, words_of
+from pointpred.recordings.columns.clock_units import (
+    counts_frames,
+    is_clock,
+    is_numbers,
+    units_of,
+)
+from pointpred.recordings.columns.names import (
+    Guess,
+    guess,
+    similar_names,
+    words_of,
+)
 from pointpred.recordings.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")

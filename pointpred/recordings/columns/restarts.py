@@ -11,7 +11,7 @@ import pyarrow.compute as pc
 
 from pointpred.columns import FloatArray
 from pointpred.recordings.columns.names import parts_of_study
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.trials.keys import Codes, codes_of
 

@@ -14,18 +14,29 @@ import pyarrow.compute as pc
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.recordings.columns import time_units
+from pointpred.recordings.columns import clocks
 from pointpred.recordings.columns.buttons import buttons_of
 from pointpred.recordings.columns.clock_checks import clock_notes, only_whole_seconds
-from pointpred.recordings.columns.clock_units import HEAD, counts_frames, is_numbers, units_of
+from pointpred.recordings.columns.clock_units import (
+    HEAD,
+    counts_frames,
+    is_numbers,
+    units_of,
+)
 from pointpred.recordings.columns.list_rows import holds_lists, recording_of_lists, steps_of
-from pointpred.recordings.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
+from pointpred.recordings.columns.mapping import (
+    KEYS,
+    command_for,
+    mapping,
+    parts_of,
+    unit_refusal,
+)
 from pointpred.recordings.columns.names import similar_names
 from pointpred.recordings.columns.restarts import join_columns
-from pointpred.recordings.columns.trials import Rows, recording_of_rows
+from pointpred.recordings.columns.sample_rows import Rows, recording_of_rows
 from pointpred.recordings.reading import NEEDED, Reading
 from pointpred.recordings.records.json_cells import open_cells
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import ColumnTable
 from pointpred.recordings.trials.conditions import TARGET
 from pointpred.recordings.trials.keys import codes_of
@@ -175,13 +186,13 @@ def _of_lists(mapped: _MappedTable) -> Recording:
     if mapped.reading.cut is not None:
         mapped.notes.append(f"cut {mapped.reading.cut!r} has no effect: a row of the table is a trial")
     unit, how = mapped.unit()
-    mapped.notes += clock_notes(mapped.mapping["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
+    mapped.notes += clock_notes(mapped.mapping["t"], clocks.PER_SECOND[unit], steps_of(mapped.field("t")))
     return recording_of_lists(
         mapped.path,
         mapped.column,
         mapped.mapping,
         mapped.others,
-        per_second=time_units.PER_SECOND[unit],
+        per_second=clocks.PER_SECOND[unit],
         gain=(mapped.gains["x"], mapped.gains["y"]),
         provenance=mapped.provenance(how),
         skipped=mapped.table.skipped,
@@ -217,9 +228,9 @@ def _of_rows(mapped: _MappedTable) -> Recording:
 def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
     """Add the times to ``rows``; returns the source of their unit for notes."""
     unit, how = mapped.unit()
-    rows.values["t"], wrong = time_units.clock(mapped.field("t"), unit == "iso")
+    rows.values["t"], wrong = clocks.clock(mapped.field("t"), unit == "iso")
     rows.blame("t", mapped.mapping["t"], wrong, "a date and time" if unit == "iso" else "a number")
-    rows.per_second = time_units.PER_SECOND[unit]
+    rows.per_second = clocks.PER_SECOND[unit]
     return how
 
 

@@ -17,7 +17,7 @@ from pointpred.recordings.files.arrow_files import open_file
 from pointpred.recordings.files.write_together import write_together
 from pointpred.recordings.own.recordings import VALUES, files_of
 from pointpred.recordings.own.trials_table import trial_table
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 
 
 def write_in_parts(parts: Iterable[Recording], path: str | Path) -> tuple[Path, Path]:

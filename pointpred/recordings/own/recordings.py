@@ -14,13 +14,13 @@ import pyarrow.compute as pc
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.recordings.columns import time_units
-from pointpred.recordings.files.encodings import head_of, stem_of
+from pointpred.recordings.columns import clocks
+from pointpred.recordings.encodings import head_of, stem_of
 from pointpred.recordings.files.write_together import write_together
-from pointpred.recordings.own import appended
+from pointpred.recordings import appended
 from pointpred.recordings.own.trials_table import read_trials_table, trial_table
 from pointpred.recordings.reading import AS_IS, Reading, row_name
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.trials.assembly import assemble
 from pointpred.recordings.trials.keys import codes_of, keys_of
@@ -133,10 +133,10 @@ def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], P
 
 def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
     """The times of a column in its unit as seconds from the first row of each trial."""
-    clock, _ = time_units.clock(column, unit == "iso")
+    clock, _ = clocks.clock(column, unit == "iso")
     first = np.full(int(group.max(initial=-1)) + 1, np.nan)
     first[group[::-1]] = clock[::-1]
-    seconds: FloatArray = (clock - first[group]) / time_units.PER_SECOND[unit]
+    seconds: FloatArray = (clock - first[group]) / clocks.PER_SECOND[unit]
     return seconds
 
 

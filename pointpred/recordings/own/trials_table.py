@@ -14,7 +14,7 @@ import pyarrow as pa
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
 from pointpred.recordings.reading import row_name
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.tables.header import Header
 from pointpred.recordings.trials.conditions import TARGET, TRIAL_COLUMNS

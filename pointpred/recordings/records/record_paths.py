@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.records.record_tables import (
+from pointpred.recordings.nested_records import (
     MOST_DEPTH,
     RecordTable,
     check_depth,

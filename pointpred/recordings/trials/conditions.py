@@ -8,7 +8,7 @@ import numpy as np
 import pyarrow as pa
 
 from pointpred.columns import FloatArray
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.trials.keys import codes_of
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 
 Codes = tuple[IntArray, list[str]]

@@ -16,9 +16,9 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
-from pointpred.recordings.files.encodings import open_unpacked
+from pointpred.recordings.encodings import open_unpacked
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.tables.arrow_tables import unreadable
+from pointpred.recordings.arrow_tables import unreadable
 from pointpred.recordings.tables.column_table import ColumnTable, distinct_names
 
 TITLE = "XDF"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.recordings.files.encodings import read_text, stem_of
+from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.trials.lists import Lists
 

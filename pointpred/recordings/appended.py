@@ -17,14 +17,14 @@ import pyarrow.compute as pc
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.recordings.files.encodings import read_unpacked, stem_of
+from pointpred.recordings.encodings import read_unpacked, stem_of
 from pointpred.recordings.reading import AS_IS, Reading, row_name
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.tables.header import Header, parse_header, says_appended
 from pointpred.recordings.trials.assembly import assemble
 from pointpred.recordings.trials.conditions import TARGET
-from pointpred.recordings.trials.segmentation import trials_of_stream
+from pointpred.recordings.segmentation import trials_of_stream
 
 FORMAT = "pointpred recorder"
 LIVE = "pointpred live"

@@ -8,9 +8,9 @@ import numpy as np
 
 from pointpred.events import METRES_PER_INCH
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.recordings.files.encodings import stem_of
+from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import AS_IS, Reading, user_of
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.assembly import assemble
 
 TITLE = "Pointing Dynamics Dataset CSV"

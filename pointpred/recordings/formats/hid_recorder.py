@@ -11,9 +11,9 @@ from pointpred.errors import RecordingError
 from pointpred.hid.report_decoder import ReportDecoder
 from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
-from pointpred.recordings.device_logs.evdev_frames import Frames, frames_of_counts, recording
-from pointpred.recordings.device_logs.unreadable_lines import UnreadableLines
-from pointpred.recordings.files.encodings import read_text, stem_of
+from pointpred.recordings.formats.evdev_frames import Frames, frames_of_counts, recording
+from pointpred.recordings.formats.unreadable_lines import UnreadableLines
+from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.trials.merge import join
 

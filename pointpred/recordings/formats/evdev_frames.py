@@ -12,11 +12,11 @@ import numpy as np
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.recordings.device_logs.unreadable_lines import UnreadableLines
-from pointpred.recordings.files.encodings import read_text, stem_of
+from pointpred.recordings.formats.unreadable_lines import UnreadableLines
+from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.reading import Reading
 from pointpred.recordings.tables.column_table import IntArray
-from pointpred.recordings.trials.segmentation import trials_of_stream
+from pointpred.recordings.segmentation import trials_of_stream
 
 EV_SYN, EV_KEY, EV_REL, EV_ABS = range(4)
 SYN_REPORT, SYN_DROPPED = 0, 3

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.recordings.experiment_logs.row_conditions import people_of, row_conditions
-from pointpred.recordings.files.encodings import head_of, stem_of
+from pointpred.recordings.formats.trial_rows import people_of, row_conditions
+from pointpred.recordings.encodings import head_of, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.lists import Lists, split
 
 TITLE = "OpenSesame mousetrap CSV"

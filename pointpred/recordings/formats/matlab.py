@@ -7,10 +7,10 @@ from pathlib import Path
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.files.encodings import read_unpacked
+from pointpred.recordings.encodings import read_unpacked
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.records.record_paths import table_at
-from pointpred.recordings.table_files.matlab_values import HEADER_BYTES, UNREAD, variables_of
+from pointpred.recordings.formats.matlab_values import HEADER_BYTES, UNREAD, variables_of
 from pointpred.recordings.tables.column_table import ColumnTable
 
 TITLE = "MATLAB .mat"

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.recordings.columns.names import guess
-from pointpred.recordings.files.encodings import stem_of
+from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.trials.conditions import MOST, TRIAL_COLUMNS
 
 SHOWN = 5

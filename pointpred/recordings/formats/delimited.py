@@ -13,11 +13,16 @@ import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Skip
-from pointpred.recordings.files.encodings import UTF_8, open_utf8
+from pointpred.recordings.encodings import UTF_8, open_utf8
 from pointpred.recordings.reading import AS_IS, Reading, row_name
-from pointpred.recordings.table_files.delimited_layout import MOST_COLUMNS, Layout, is_row, layout_of
-from pointpred.recordings.table_files.number_marks import plain_numbers
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings.formats.delimited_layout import (
+    MOST_COLUMNS,
+    Layout,
+    is_row,
+    layout_of,
+)
+from pointpred.recordings.formats.number_marks import plain_numbers
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import ColumnTable
 
 TITLE = "a table of samples (delimited text)"

@@ -12,7 +12,15 @@ from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.recordings.reading import Cut, Reading
 from pointpred.recordings.tables.column_table import IntArray
-from pointpred.recordings.trials.assembly import BUTTONS, DX, DY, T, X, Y, assemble
+from pointpred.recordings.trials.assembly import (
+    BUTTONS,
+    DX,
+    DY,
+    T,
+    X,
+    Y,
+    assemble,
+)
 
 PAUSE_S = 0.3
 """A longer standstill separates two movements."""

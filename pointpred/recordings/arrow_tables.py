@@ -19,7 +19,12 @@ from numpy.typing import NDArray
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recordings.files.arrow_files import in_memory, open_file
-from pointpred.recordings.files.encodings import UTF_8, head_of, is_ended, open_utf8
+from pointpred.recordings.encodings import (
+    UTF_8,
+    head_of,
+    is_ended,
+    open_utf8,
+)
 from pointpred.recordings.reading import row_name
 from pointpred.recordings.tables.header import NO_HEADER, Header, parse_header
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.files.encodings import read_text
+from pointpred.recordings.encodings import read_text
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.records.record_paths import table_at
 from pointpred.recordings.tables.column_table import ColumnTable

@@ -12,10 +12,10 @@ import pyarrow.compute as pc
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.recordings.files.encodings import stem_of
+from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import AS_IS, Reading, user_of
-from pointpred.recordings.tables import arrow_tables
-from pointpred.recordings.trials.segmentation import trials_of_stream
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.segmentation import trials_of_stream
 
 TITLE = "Balabit or SapiMouse CSV"
 SAPIMOUSE = ("client timestamp", "button", "state", "x", "y")

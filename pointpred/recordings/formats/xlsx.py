@@ -15,8 +15,8 @@ from pointpred.errors import RecordingError
 from pointpred.extras import require
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.records.record_paths import CLEAR, EACH, LEAST_COLUMNS
-from pointpred.recordings.records.record_tables import RecordTable
-from pointpred.recordings.tables.arrow_tables import unreadable
+from pointpred.recordings.nested_records import RecordTable
+from pointpred.recordings.arrow_tables import unreadable
 from pointpred.recordings.tables.column_table import ColumnTable, distinct_names
 
 TITLE = "workbook .xlsx"

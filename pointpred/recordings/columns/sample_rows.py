@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.recordings.columns.restarts import without_restarts
-from pointpred.recordings.files.encodings import stem_of
+from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import Cut, Reading
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.trials.assembly import assemble
 from pointpred.recordings.trials.conditions import TARGET, conditions_of, one_value
 from pointpred.recordings.trials.keys import codes_of, keys_of
-from pointpred.recordings.trials.segmentation import PAUSE_S, cut
+from pointpred.recordings.segmentation import PAUSE_S, cut
 
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
 LONG_S, GAP_S = 10.0, 1.0

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.recordings.device_logs.evdev_frames import (
+from pointpred.recordings.formats.evdev_frames import (
     EV_REL,
     EV_SYN,
     SYN_DROPPED,
@@ -15,7 +15,7 @@ from pointpred.recordings.device_logs.evdev_frames import (
     RawEvent,
     text_recording,
 )
-from pointpred.recordings.device_logs.unreadable_lines import UnreadableLines
+from pointpred.recordings.formats.unreadable_lines import UnreadableLines
 from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evtest text"

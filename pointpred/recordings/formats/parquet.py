@@ -10,7 +10,7 @@ import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import ColumnTable
 
 TITLE = "a table of samples (Parquet)"

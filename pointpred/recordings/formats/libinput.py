@@ -13,9 +13,14 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings.device_logs.evdev_frames import Frames, RawEvent, frames, recording
-from pointpred.recordings.device_logs.unreadable_lines import UnreadableLines
-from pointpred.recordings.files.encodings import open_text, stem_of
+from pointpred.recordings.formats.evdev_frames import (
+    Frames,
+    RawEvent,
+    frames,
+    recording,
+)
+from pointpred.recordings.formats.unreadable_lines import UnreadableLines
+from pointpred.recordings.encodings import open_text, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.trials.merge import join
 

@@ -11,10 +11,10 @@ import numpy as np
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.recordings.columns.position_units import check_pixels, gain_of, unit_of
-from pointpred.recordings.experiment_logs.row_conditions import people_of, row_conditions
-from pointpred.recordings.files.encodings import head_of, stem_of
+from pointpred.recordings.formats.trial_rows import people_of, row_conditions
+from pointpred.recordings.encodings import head_of, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.lists import Lists, split
 
 TITLE = "PsychoPy CSV"

@@ -12,10 +12,10 @@ import numpy as np
 
 from pointpred.errors import RecordingError
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
-from pointpred.recordings.experiment_logs.row_conditions import row_conditions
-from pointpred.recordings.files.encodings import holds, read_text, stem_of
+from pointpred.recordings.formats.trial_rows import row_conditions
+from pointpred.recordings.encodings import holds, read_text, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.trials.lists import Lists
 
 TITLE = "jsPsych mouse-tracking (JSON or CSV)"

@@ -16,10 +16,10 @@ import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.recordings.files.addresses import address_of, local_copy
+from pointpred.recordings.addresses import address_of, local_copy
 from pointpred.recordings.files.arrow_files import open_file
 from pointpred.recordings.own.trials_table import described
-from pointpred.recordings.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.tables.header import Header, parse_header
 from pointpred.recordings.trials.assembly import assemble
