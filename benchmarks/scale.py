@@ -28,7 +28,7 @@ from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred.batch import score_in_chunks
 from pointpred.executors import open_executor
-from pointpred.recordings.own.recordings import trials_beside
+from pointpred.recordings.own import trials_beside
 from pointpred.recordings.stored import StoredRecording, stored
 from pointpred.scoring.scorer import scoring_with
 

@@ -20,7 +20,7 @@ from pages.simulation.frames import thinned
 from pages.simulation.shape import Shape, shapes
 from pointpred import build
 from pointpred.recording import Recording
-from pointpred.recordings.own import recordings
+from pointpred.recordings import read
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.simulation import Aim, Setup, people, thesis_setup
 from pointpred.simulation.movement import Movement, move, move_assisted
@@ -64,7 +64,7 @@ def comparison(simulated: Recording) -> tuple[Table, list[str]]:
     for name in SETS:
         path = Path(folder or "") / f"{name}_samples.parquet"
         if folder and path.exists():
-            rows.append(row(f"recorded, {name}", recordings.read(path)))
+            rows.append(row(f"recorded, {name}", read(path)))
         else:
             absent.append(name)
     header = ("people", "movements", *NUMBERS, "one piece")

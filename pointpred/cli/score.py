@@ -191,7 +191,7 @@ def _score_targets(
 
 
 def _unread(reasons: Reasons) -> list[Unread]:
-    from pointpred.recordings.files.names import readable
+    from pointpred.recordings.read_files import readable
     from pointpred.scoring import Unread
 
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]

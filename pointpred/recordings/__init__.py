@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pointpred.recordings.conversion import Summary, convert, write_recordings
     from pointpred.recordings.known_formats import FORMATS, Format, format_of
-    from pointpred.recordings.own.growing import write_in_parts
-    from pointpred.recordings.own.recordings import read, write
-    from pointpred.recordings.stored import StoredRecording
+    from pointpred.recordings.own import read
     from pointpred.recordings.read_files import open_any, read_any
     from pointpred.recordings.reading import Reading
     from pointpred.recordings.segmentation import Piece, cut_at_clicks, cut_at_pauses
+    from pointpred.recordings.stored import StoredRecording
+    from pointpred.recordings.writing import write, write_in_parts
 
 __all__ = [
     "FORMATS",
@@ -35,7 +35,7 @@ __all__ = [
 ]
 
 MODULES = (
-    *("reading", "own.growing", "own.recordings", "stored", "segmentation"),
+    *("reading", "own", "writing", "stored", "segmentation"),
     *("known_formats", "read_files", "conversion"),
 )
 """Where the public names are; loaded when one is first used, since commands need the options of ``Reading``

@@ -14,24 +14,21 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, parse_header, says_appended
 from pointpred.recordings.encodings import read_unpacked, stem_of
 from pointpred.recordings.reading import AS_IS, Reading, row_name
-from pointpred.recordings import arrow_tables
-from pointpred.recordings.tables.column_table import IntArray
-from pointpred.recordings.tables.header import Header, parse_header, says_appended
-from pointpred.recordings.trials.assembly import assemble
-from pointpred.recordings.trials.conditions import TARGET
 from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.trials import TARGET, assemble
+from pointpred.records import EventColumns
 
 FORMAT = "pointpred recorder"
 LIVE = "pointpred live"
 """The header's name of the recorder of a device session."""
 TITLE = "pointpred recorder CSV"
-VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
-SAMPLES = ("user", "trial", *VALUES)
+SAMPLES = ("user", "trial", *EVENT_COLUMNS)
 TRIALS = ("user", "trial", *TARGET, "n_samples")
 MOST_HEADER = 1 << 16
 OUTSIDE = "outside the marked trials"
@@ -56,7 +53,7 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     table, header, notes = _table(path, SAMPLES)
     name = header.name or stem_of(path).removesuffix("_samples")
     provenance = header.provenance or Provenance(FORMAT)
-    events = np.column_stack([arrow_tables.numbers(table[column])[0] for column in VALUES])
+    events = np.column_stack([arrow_tables.numbers(table[column])[0] for column in EVENT_COLUMNS])
     marks = table["trial"].combine_chunks()
     users = table["user"].drop_null()
     user = str(users[0].as_py()) if len(users) else name

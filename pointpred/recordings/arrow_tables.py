@@ -1,8 +1,14 @@
-"""CSV and Parquet files as Arrow tables, with errors that name the file, the row and the expected content."""
+"""CSV and Parquet files as Arrow tables, pointpred's header in them, and the cells of any table by column.
+
+Errors name the file, the row and the expected content.
+"""
 
 from __future__ import annotations
 
 import csv
+import io
+import os
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -16,18 +22,17 @@ import pyarrow.csv as pacsv
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.recordings.files.arrow_files import in_memory, open_file
-from pointpred.recordings.encodings import (
-    UTF_8,
-    head_of,
-    is_ended,
-    open_utf8,
-)
+from pointpred.recording import Provenance, Skip
+from pointpred.recordings.encodings import UTF_8, head_of, is_ended, open_utf8
 from pointpred.recordings.reading import row_name
-from pointpred.recordings.tables.header import NO_HEADER, Header, parse_header
+from pointpred.records import CPI, DPI, EVENT_FIELDS, FloatArray
 
+AT_ONCE = 1024 * 1024
+"""Bytes that are read at a time."""
+IntArray = NDArray[np.int64]
+EVENT_COLUMNS = tuple(field.column for field in EVENT_FIELDS)
+"""The columns of an event in pointpred's own files."""
 MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"
 KEY = b"pointpred"
@@ -55,6 +60,115 @@ UNREADABLE = (
     MemoryError,
 )
 """Errors of Arrow on damaged bytes, which may declare sizes that fit into no memory."""
+
+
+def open_file(path: Path, mode: str = "rb") -> Any:
+    """A file opened by Arrow; a name in bytes need not be UTF-8. Raises OSError."""
+    return pa.OSFile(os.fsencode(path), mode)
+
+
+def in_memory(file: BinaryIO) -> Any:
+    """The bytes of a file from its beginning in an Arrow buffer; raises OSError."""
+    buffer = pa.allocate_buffer(file.seek(0, io.SEEK_END))
+    file.seek(0)
+    with memoryview(buffer) as signed, signed.cast("B") as free:
+        size = _fill(file, free)
+    return buffer.slice(0, size)
+
+
+def _fill(file: BinaryIO, free: memoryview) -> int:
+    """Read until the memory is full or the file ends; returns the number of bytes read."""
+    size = 0
+    while part := file.read(min(AT_ONCE, len(free) - size)):
+        free[size : size + len(part)] = part
+        size += len(part)
+    return size
+
+
+class Header(msgspec.Struct, frozen=True):
+    """The header of a file; a foreign file has these defaults.
+
+    ``rows``: the number of rows in the file; ``text`` names conditions that are text; ``skipped`` trials that
+    were left out before the file was written, each (trial, reason, row, user); ``append``: the recorder's.
+    """
+
+    version: Any = None
+    name: str = ""
+    rows: int | None = None
+    text: tuple[str, ...] = ()
+    provenance: Provenance | None = None
+    skipped: tuple[tuple[str, str, int | None, str | None], ...] = ()
+    notes: tuple[str, ...] = ()
+    append: bool = False
+
+
+NO_HEADER = Header(version=1)
+
+
+class _Appended(msgspec.Struct, frozen=True):
+    append: bool = False
+
+
+def parse_header(path: Path, encoded: bytes) -> Header:
+    """The header in ``encoded``; raises RecordingError if it is not JSON or not in our format."""
+    try:
+        header = msgspec.json.decode(encoded, type=Header)
+    except msgspec.ValidationError as error:
+        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
+    except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
+        raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
+    if header.version != 1:
+        raise RecordingError(f"{path}: pointpred header version {header.version!r:.40}, expected 1")
+    provenance = header.provenance
+    if provenance is not None:
+        for name, value, (low, high) in (("cpi", provenance.cpi, CPI), ("dpi", provenance.dpi, DPI)):
+            if value is not None and not low <= value <= high:
+                raise RecordingError(
+                    f"{path}: {name} of the pointpred header must lie in [{low:g}, {high:g}], "
+                    f"received {value!r}"
+                )
+    return header
+
+
+def says_appended(encoded: bytes) -> bool:
+    """Whether the header marks a file to which rows were appended one by one."""
+    try:
+        return msgspec.json.decode(encoded, type=_Appended).append
+    except (msgspec.DecodeError, UnicodeError, RecursionError):
+        return False
+
+
+class ColumnTable(msgspec.Struct, frozen=True):
+    """The cells of one table by column, all of one length.
+
+    A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
+    a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
+    row of each row if some were left out, which ``skipped`` names. ``unsure``: columns of ambiguous numbers,
+    and why.
+    """
+
+    columns: dict[str, Any]
+    format: str
+    notes: tuple[str, ...] = ()
+    skipped: tuple[Skip, ...] = ()
+    row_of: IntArray | None = None
+    unsure: dict[str, str] = {}
+
+
+def distinct_names(names: Sequence[str]) -> list[str]:
+    """The names made unique: a repeated one gets its place from 0 as a suffix.
+
+    >>> distinct_names(["t", "x", "x", "x.1"])
+    ['t', 'x.1', 'x.2', 'x.1.3']
+    """
+    often = Counter(names)
+    taken: dict[str, None] = {}
+    for place, name in enumerate(names):
+        title = name if often[name] == 1 else f"{name}.{place}"
+        while title in taken:
+            title += f".{place}"
+        taken[title] = None
+    return list(taken)
 
 
 def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
@@ -233,25 +347,6 @@ def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
 def short(cell: str) -> str:
     """A cell as shown in messages: truncated after 40 characters."""
     return cell if len(cell) <= CELL_MOST else cell[:CELL_MOST] + "..."
-
-
-def write_table(path: Path, part: Path, table: Any, header: dict[str, Any]) -> None:
-    """Write a table with its header into ``part``, which is to become ``path``, as Parquet or CSV.
-
-    The extension of ``path`` decides. The same table gives the same bytes. Raises RecordingError.
-    """
-    encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
-    try:
-        with open_file(part, "wb") as file:
-            if path.suffix == ".parquet":
-                table = table.replace_schema_metadata({KEY: encoded})
-                pq.write_table(table, file, compression="zstd", write_page_checksum=True)
-            else:
-                file.write(MARK + encoded + b"\n")
-                file.write(",".join(table.column_names).encode() + b"\n")
-                pacsv.write_csv(table, file, pacsv.WriteOptions(include_header=False))
-    except (OSError, pa.ArrowException) as error:
-        raise RecordingError(f"{path}: cannot be written: {error}") from error
 
 
 def words(column: Any) -> Any:

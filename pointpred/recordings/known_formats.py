@@ -9,38 +9,44 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.recordings import appended, arrow_tables, own
+from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns.table_recording import recording_of_table
-from pointpred.recordings.formats import (
-    evemu,
-    evtest,
-    hid_recorder,
-    libinput,
-)
+from pointpred.recordings.encodings import head_of
 from pointpred.recordings.formats import (
     balabit,
+    delimited,
+    evemu,
+    evtest,
     gofitts,
+    hid_recorder,
+    json_records,
     jspsych,
+    libinput,
+    matlab,
     mousetrap,
+    parquet,
     pointing_dynamics,
     psychopy,
-)
-from pointpred.recordings.encodings import head_of
-from pointpred.recordings import appended
-from pointpred.recordings.own import recordings
-from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.formats import (
-    delimited,
-    json_records,
-    matlab,
-    parquet,
     xdf,
     xlsx,
 )
-from pointpred.recordings import arrow_tables
-from pointpred.recordings.tables.column_table import ColumnTable
+from pointpred.recordings.reading import AS_IS, Reading
 
-OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})
+OWN_NAMES = (set(own.REQUIRED), {"user", "trial", "n_samples"})
 """The columns that identify pointpred's own samples and trials without their mark."""
+ADVICE = (
+    ((b"RDX2\n", b"RDX3\n"), "R data are not read; in R: write.csv(NAME, 'table.csv', row.names = FALSE)"),
+    (
+        (b"X\n\x00\x00\x00", b"A\n2\n", b"A\n3\n"),
+        "R data are not read; in R: write.csv(readRDS('FILE'), 'table.csv', row.names = FALSE)",
+    ),
+    (
+        (b"$FL2", b"$FL3"),
+        "SPSS data are not read; save them in SPSS as CSV, or in R: write.csv(haven::read_sav(...), ...)",
+    ),
+    ((b"\x89HDF\r\n",), "HDF5 is not read; save t, x and y as CSV"),
+)
 
 
 class Format(msgspec.Struct, frozen=True):
@@ -99,14 +105,14 @@ FORMATS: tuple[Format, ...] = (
         "recorder",
         appended.TITLE,
         appended.recognises,
-        lambda path, reading: recordings.read(path, reading=reading),
+        lambda path, reading: own.read(path, reading=reading),
         streams=True,
     ),
     Format(
         "own",
         "pointpred Parquet or CSV",
         _is_own,
-        lambda path, reading: recordings.read(path, reading=reading),
+        lambda path, reading: own.read(path, reading=reading),
         recognises_further=_is_own_parquet,
     ),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
@@ -150,3 +156,12 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     return next(
         (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
     )
+
+
+def advice_on(head: bytes) -> str:
+    """Advice for a file that begins with ``head``; empty if the format is unknown.
+
+    >>> advice_on(b"$FL2")
+    'SPSS data are not read; save them in SPSS as CSV, or in R: write.csv(haven::read_sav(...), ...)'
+    """
+    return next((words for marks, words in ADVICE if head.startswith(marks)), "")

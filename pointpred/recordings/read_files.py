@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from os.path import commonpath
 from pathlib import Path
@@ -12,14 +13,11 @@ from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.recordings.addresses import address_in, local_copy
 from pointpred.recordings.encodings import encoding_of, head_of
-from pointpred.recordings.files.folders import list_files
-from pointpred.recordings.files.names import readable_recording
-from pointpred.recordings.known_formats import FORMATS, Format, format_of
-from pointpred.recordings.own import recordings
-from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.recordings.known_formats import FORMATS, Format, advice_on, format_of
+from pointpred.recordings.own import is_samples, samples_beside, trials_beside
 from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
-from pointpred.recordings.formats import unsupported
-from pointpred.recordings.trials.merge import join
+from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.recordings.trials import join
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
@@ -77,7 +75,7 @@ def open_any(
     path = _here(path)
     plain = msgspec.structs.replace(reading, cpi=AS_IS.cpi, dpi=AS_IS.dpi) == AS_IS
     if plain and path.is_file() and path.suffix == ".parquet":
-        one = stored(path, recordings.trials_beside(path))
+        one = stored(path, trials_beside(path))
         if one is not None:
             return [one]
     return list(read_any(path, reading, progress))
@@ -93,7 +91,7 @@ def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
     form = format_of(path, reading)
     if form is None:
-        if advice := unsupported.advice(head_of(path)):
+        if advice := advice_on(head_of(path)):
             raise RecordingError(f"{path}: {advice}", code="unknown_format")
         tried = ", ".join(form.title for form in FORMATS)
         raise RecordingError(f"{path}: no known recording format; tried {tried}", code="unknown_format")
@@ -110,7 +108,7 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
     if reading.records is not None and form.key in ONE_TABLE:
         notes.append(f"records has no effect: {form.title} is one table")
-    beside = recordings.trials_beside(path) if form.tabular and recordings.is_samples(path) else None
+    beside = trials_beside(path) if form.tabular and is_samples(path) else None
     if beside is not None:
         notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
     unused = [] if form.tabular else _of_tables(reading, form)
@@ -142,7 +140,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
         label = file.relative_to(path).as_posix()
         if progress is not None:
             progress(label, number, len(files))
-        if recordings.samples_beside(file):
+        if samples_beside(file):
             continue
         try:
             form = format_of(file, reading)
@@ -194,3 +192,64 @@ def _join(parts: list[tuple[Path, Recording]]) -> Recording:
     folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
     labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
     return join(folder.name, [part for _, part in parts], labels)
+
+
+def list_files(folder: Path) -> tuple[list[Path], list[str]]:
+    """The files below a folder in the order of their paths, and notes on everything else.
+
+    Hidden files are ignored. Links to folders are not followed, so that no file occurs twice.
+    """
+    files: list[Path] = []
+    notes: list[str] = []
+
+    def failed(error: OSError) -> None:
+        notes.append(f"{_label(Path(error.filename), folder)} cannot be read: {error.strerror}")
+
+    for place, below, names in os.walk(folder, onerror=failed):
+        links = [name for name in below if Path(place, name).is_symlink()]
+        notes += [
+            f"{_label(Path(place, name), folder)} is a link to a folder: not followed" for name in links
+        ]
+        for path in (Path(place, name) for name in names if not name.startswith(".")):
+            if path.is_file():
+                files.append(path)
+            else:
+                what = "a link to nothing" if path.is_symlink() else "no file that can be read twice"
+                notes.append(f"{_label(path, folder)} is {what}")
+    return sorted(files), sorted(notes)
+
+
+def _label(path: Path, folder: Path) -> str:
+    return path.relative_to(folder).as_posix()
+
+
+def readable(text: str) -> str:
+    """A file's name as valid text; bytes that are not UTF-8 become replacement marks.
+
+    >>> readable("study") == "study"
+    True
+    """
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+def readable_recording(recording: Recording) -> Recording:
+    """The recording with every name, reason and note ``readable``."""
+    replace = msgspec.structs.replace
+    return replace(
+        recording,
+        name=readable(recording.name),
+        trials=tuple(
+            replace(trial, user=readable(trial.user), trial=readable(trial.trial))
+            for trial in recording.trials
+        ),
+        skipped=tuple(
+            replace(
+                skip,
+                trial=readable(skip.trial),
+                reason=readable(skip.reason),
+                user=None if skip.user is None else readable(skip.user),
+            )
+            for skip in recording.skipped
+        ),
+        notes=tuple(map(readable, recording.notes)),
+    )

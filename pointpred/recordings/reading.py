@@ -9,17 +9,13 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from pointpred.errors import ParameterError
-from pointpred.events import CPI, DPI
+from pointpred.records import CPI, DPI, LARGEST
 
 Cut = Literal["clicks", "bursts", "whole"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""
 NEEDED = ("t", "x", "y")
-
-
-MOST_PX = 1e9
-"""Most pixels in a unit: the bound of positions."""
 
 
 def told(meaning: str, *, table: bool = False, metavar: str | None = None) -> msgspec.Meta:
@@ -90,8 +86,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             ("time_unit", self.time_unit in (None, *get_args(TimeUnit)), "s, ms, us, ns or iso"),
             (
                 "px_per_unit",
-                all(0 < gain <= MOST_PX for gain in self.gain),
-                f"above 0 and at most {MOST_PX:g} px in a unit",
+                all(0 < gain <= LARGEST for gain in self.gain),
+                f"above 0 and at most {LARGEST:g} px in a unit",
             ),
         )
         for name, good, bound in bounds:

@@ -8,11 +8,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.reading import Cut, Reading
-from pointpred.recordings.tables.column_table import IntArray
-from pointpred.recordings.trials.assembly import (
+from pointpred.recordings.trials import (
     BUTTONS,
     DX,
     DY,
@@ -21,6 +20,7 @@ from pointpred.recordings.trials.assembly import (
     Y,
     assemble,
 )
+from pointpred.records import EventColumns
 
 PAUSE_S = 0.3
 """A longer standstill separates two movements."""

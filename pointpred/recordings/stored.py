@@ -16,19 +16,16 @@ import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.recordings.addresses import address_of, local_copy
-from pointpred.recordings.files.arrow_files import open_file
-from pointpred.recordings.own.trials_table import described
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.tables.column_table import IntArray
-from pointpred.recordings.tables.header import Header, parse_header
-from pointpred.recordings.trials.assembly import assemble
+from pointpred.recordings.addresses import address_of, local_copy
+from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, open_file, parse_header
+from pointpred.recordings.own import described
+from pointpred.recordings.trials import assemble
 
 ROWS_LEAST = 1 << 22
 """A file with fewer rows is read as a whole: some 200 MB."""
 KEYS = ("user", "trial")
-VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
-NEEDED = (*KEYS, *VALUES[:3])
+NEEDED = (*KEYS, *EVENT_COLUMNS[:3])
 
 
 class StoredPart(msgspec.Struct, frozen=True):
@@ -53,13 +50,15 @@ class StoredPart(msgspec.Struct, frozen=True):
         beside = path.with_name(Path(self.trials).name)
         with _opened(path) as file:
             names = file.schema_arrow.names
-            table = _rows(file, self.first_row, self.stop_row, [*KEYS, *(n for n in VALUES if n in names)])
+            table = _rows(
+                file, self.first_row, self.stop_row, [*KEYS, *(n for n in EVENT_COLUMNS if n in names)]
+            )
         table.validate(full=True)
         starts, keys, _ = _runs(table)
         sizes = np.diff(starts, append=table.num_rows)
-        events = np.full((table.num_rows, len(VALUES)), np.nan)
+        events = np.full((table.num_rows, len(EVENT_COLUMNS)), np.nan)
         events[:, -1] = 0.0
-        for index, column in enumerate(VALUES):
+        for index, column in enumerate(EVENT_COLUMNS):
             if column in names:
                 events[:, index] = arrow_tables.float64(table[column])
         header, rows = _trial_rows(str(beside), beside.stat().st_mtime_ns, self.first_trial, self.stop_trial)
@@ -196,12 +195,14 @@ def _header(path: Path, file: Any) -> Header | None:
 def _fits(file: Any, header: Header) -> bool:
     """Whether a samples file is as pointpred writes it."""
     schema = file.schema_arrow
-    numeric = all(pa.types.is_float64(schema.field(name).type) for name in VALUES if name in schema.names)
+    numeric = all(
+        pa.types.is_float64(schema.field(name).type) for name in EVENT_COLUMNS if name in schema.names
+    )
     return (
         header.provenance is not None
         and bool(header.name)
         and header.rows == file.metadata.num_rows
-        and set(NEEDED) <= set(schema.names) <= {"dataset", *KEYS, *VALUES}
+        and set(NEEDED) <= set(schema.names) <= {"dataset", *KEYS, *EVENT_COLUMNS}
         and numeric
     )
 

@@ -58,8 +58,7 @@ def _check_parquet(body: bytes) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pointpred.recordings.arrow_tables import UNREADABLE
-    from pointpred.recordings.files.arrow_files import in_memory
+    from pointpred.recordings.arrow_tables import UNREADABLE, in_memory
 
     try:
         file = pa.BufferReader(in_memory(io.BytesIO(body)))

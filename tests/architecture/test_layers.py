@@ -60,10 +60,7 @@ MAY_IMPORT = {
     "reproduction": PIPELINE
     | {"drawing", "observers", "camera", "simulation", "scoring", "report", "recordings"},
     "hid": {"errors"},
-    "recordings": {
-        *("errors", "extras", "files", "events", "rows", "columns", "recording"),
-        "hid",
-    },
+    "recordings": {"errors", "extras", "files", "records", "recording", "hid"},
     "devices": MATHS | {"hid", "recordings"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "recordings"},

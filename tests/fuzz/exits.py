@@ -25,7 +25,7 @@ ROWS = "user,trial,t_s,x_px,y_px\n" + "".join(f"a,1,{0.01 * i:.2f},{i},0\n" for 
 
 
 def main(many: int) -> None:
-    for name in ("pyarrow.csv", "pyarrow.parquet", "pointpred.recordings.own.recordings"):
+    for name in ("pyarrow.csv", "pyarrow.parquet", "pointpred.recordings.own"):
         importlib.import_module(name)  # once, for all processes that are forked from this one
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     folder = Path(tempfile.mkdtemp())

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.recordings.own.recordings import read
+from pointpred.recordings.own import read
 from pointpred.scoring import rows, score, summarise
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")

@@ -9,8 +9,7 @@ import pytest
 
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.recordings import read_any
-from pointpred.recordings.own import recordings as own
+from pointpred.recordings import read_any, write
 
 T = [0.0, 0.1, 0.2, 0.3]
 X = [0.0, 1.0, 60.0, 101.0]
@@ -21,7 +20,7 @@ def good(tmp_path: Path) -> Path:
     path = EventColumns.of(t=T, x=X, y=[0.0] * 4)
     still = EventColumns.of(t=T, x=[5.0] * 4, y=[0.0] * 4)
     trials = [Trial("ann", "1"), Trial("bob", "1"), Trial("bob", "2")]
-    return own.write(Recording.of("walk", [path, path, still], trials), tmp_path / "walk_samples.csv")[0]
+    return write(Recording.of("walk", [path, path, still], trials), tmp_path / "walk_samples.csv")[0]
 
 
 @pytest.fixture
@@ -57,7 +56,7 @@ def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path)
     x = [400.0 * (10 * one**3 - 15 * one**4 + 6 * one**5) for one in s]
     reach = EventColumns.of(t=[0.01 * i for i in range(80)], x=x, y=[0.0] * 80)
     recording = Recording.of("reach", [reach], [Trial("ann", "1")])
-    good = own.write(recording, tmp_path / "reach_samples.csv")[0]
+    good = write(recording, tmp_path / "reach_samples.csv")[0]
     errors = []
     for more in ((), ("--differentiator", "kalman")):
         left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)

@@ -20,7 +20,7 @@ from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording
-from pointpred.recordings.own.recordings import write
+from pointpred.recordings.writing import write
 from pointpred.scoring import score
 from pointpred.training import custom, data, fitting, train
 from pointpred.training.data import FOLDS

@@ -11,12 +11,13 @@ import numpy as np
 import pyarrow as pa
 
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
-from pointpred.recordings.encodings import stem_of
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.trials.conditions import TARGET, condition_name
-from pointpred.recordings.trials.lists import (
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.trials import (
     CLOSING,
+    TARGET,
     Lists,
+    condition_name,
     is_list,
     split,
 )

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ColumnsError
-from pointpred.recordings.columns.clock_units import (
+from pointpred.recordings.columns.clocks import (
     counts_frames,
     is_clock,
     is_numbers,

@@ -9,24 +9,43 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.recordings.formats.unreadable_lines import UnreadableLines
+from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.reading import Reading
-from pointpred.recordings.tables.column_table import IntArray
 from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.records import EventColumns
 
+SHOWN = 60
 EV_SYN, EV_KEY, EV_REL, EV_ABS = range(4)
 SYN_REPORT, SYN_DROPPED = 0, 3
 REL_X, REL_Y = 0, 1
 BUTTONS = {0x110: 1, 0x111: 2, 0x112: 4, 0x113: 8, 0x114: 16, 0x115: 16, 0x116: 8}
 """Kernel codes from BTN_LEFT on -> bits of W3C pointer events (left, right, middle, back, forward)."""
 LARGEST = 1 << 31
-
 RawEvent = tuple[int, int, int, int]
 """Time in microseconds, type, code, value."""
+
+
+class UnreadableLines:
+    """Counts the lines of a file that are skipped, by kind."""
+
+    def __init__(self) -> None:
+        self._kinds: dict[str, tuple[int, str]] = {}
+
+    def add(self, kind: str, number: int, line: str) -> None:
+        """Count line ``number`` (from 1) as one of a kind, such as "reports that cannot be read"."""
+        count, first = self._kinds.get(kind, (0, f"line {number} ({line.strip()[:SHOWN]!r})"))
+        self._kinds[kind] = count + 1, first
+
+    @property
+    def notes(self) -> list[str]:
+        """A note for each kind, in order of appearance."""
+        return [
+            f"{kind}, left aside: {count}, the first is {first}"
+            for kind, (count, first) in self._kinds.items()
+        ]
 
 
 class Frames(msgspec.Struct):

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.recordings.formats.evdev_frames import RawEvent, text_recording
-from pointpred.recordings.formats.unreadable_lines import UnreadableLines
+from pointpred.recordings.formats.evdev_frames import RawEvent, UnreadableLines, text_recording
 from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evemu 1.x"

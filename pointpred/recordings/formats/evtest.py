@@ -13,9 +13,9 @@ from pointpred.recordings.formats.evdev_frames import (
     SYN_DROPPED,
     SYN_REPORT,
     RawEvent,
+    UnreadableLines,
     text_recording,
 )
-from pointpred.recordings.formats.unreadable_lines import UnreadableLines
 from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evtest text"

@@ -13,16 +13,16 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.recordings.encodings import open_text, stem_of
 from pointpred.recordings.formats.evdev_frames import (
     Frames,
     RawEvent,
+    UnreadableLines,
     frames,
     recording,
 )
-from pointpred.recordings.formats.unreadable_lines import UnreadableLines
-from pointpred.recordings.encodings import open_text, stem_of
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials.merge import join
+from pointpred.recordings.trials import join
 
 TITLE = "libinput record YAML"
 LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)

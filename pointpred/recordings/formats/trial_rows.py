@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.recordings.columns.names import guess
 from pointpred.recordings.encodings import stem_of
-from pointpred.recordings.trials.conditions import MOST, TRIAL_COLUMNS
+from pointpred.recordings.trials import MOST, TRIAL_COLUMNS
 
 SHOWN = 5
 LONGEST = 100

@@ -16,10 +16,9 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
+from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
 from pointpred.recordings.encodings import open_unpacked
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.arrow_tables import unreadable
-from pointpred.recordings.tables.column_table import ColumnTable, distinct_names
 
 TITLE = "XDF"
 MAGIC = b"XDF:"
