@@ -22,10 +22,6 @@ from pointpred.recordings.reading import AS_IS, Reading, row_name
 from pointpred.recordings.trials import TARGET, TRIAL_COLUMNS, assemble, codes_of, keys_of
 from pointpred.records import FloatArray
 
-KEYS = ("dataset", "user", "trial")
-YES, NO = "true", "false"
-NEAR = 0.75
-"""difflib ratio from which a condition may be a misspelt column of ours."""
 REQUIRED = ("user", "trial", *EVENT_COLUMNS[:3])
 KNOWN = ("dataset", "user", "trial", *EVENT_COLUMNS, "t_raw_s")
 SAMPLES, TRIALS, PREDICTIONS = "_samples", "_trials", "_predictions"
@@ -33,6 +29,143 @@ EXTENSIONS = (".parquet", ".csv")
 READ = (*EXTENSIONS, ".csv.gz")
 SLOW_S = 1.0
 """Largest plausible median interval, s; with a longer one a note asks about the unit of time."""
+KEYS = ("dataset", "user", "trial")
+YES, NO = "true", "false"
+NEAR = 0.75
+"""difflib ratio from which a condition may be a misspelt column of ours."""
+
+
+def read(path: str | Path, trials: str | Path | None = None, reading: Reading = AS_IS) -> Recording:
+    """Read a samples file together with its trials file.
+
+    Assumes the columns ``user, trial, t_s, x_px, y_px`` and optionally ``dataset, dx_counts, dy_counts,
+    buttons``; any other column is an error (``t_raw_s`` is ignored, with a note). The rows of a trial must be
+    in the order of time. ``reading.time_unit`` names another unit of ``t_s`` for a file not written by
+    pointpred; time then starts at 0 in each trial. The trials file is ``trials`` or the sibling
+    ``<set>_trials``; without one every target is unknown. Its columns beyond the target and ``clean`` become
+    conditions; ``n_samples`` is compared with the samples. Only a stream of the service's recorder is cut
+    into trials, according to ``reading``. A trial that cannot be used is in ``Recording.skipped`` with the
+    reason and the row.
+    Memory: about 200 bytes a row while reading, 48 afterwards.
+    Raises RecordingError naming the file, the row and the expected content.
+    """
+    path = Path(path)
+    beside = trials_beside(path) if trials is None else Path(trials)
+    if is_appended(path):
+        return appended.read(path, beside, reading)
+    words = ("dataset", "user", "trial", *(() if reading.time_unit is None else ("t_s",)))
+    table, header = arrow_tables.read_table(path, lambda column: column in words)
+    names = table.column_names
+    if "n_samples" in names and "t_s" not in names:
+        raise RecordingError(f"{path}: this is a table of trials, expected the {SAMPLES} file beside it")
+    arrow_tables.need_columns(path, names, REQUIRED, KNOWN)
+    if header.rows is None:
+        arrow_tables.unbroken(path, table, ("dataset", "user", "trial"))
+    name = header.name or _dataset(path, table)
+    events = np.full((table.num_rows, 6), np.nan)
+    events[:, 5] = 0.0
+    faults: dict[int, str] = {}
+    for index, column in enumerate(EVENT_COLUMNS):
+        if column in names:
+            events[:, index], wrong = arrow_tables.numbers(table[column])
+            faults |= {row: f"{column} is {cell!r}, expected a number" for row, cell in wrong.items()}
+    group, keys = _keys(path, table)
+    if reading.time_unit is not None and header.provenance is None:
+        events[:, 0] = _seconds(table["t_s"], reading.time_unit, group)
+    del table
+    notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
+    if reading.time_unit is not None and header.provenance is not None:
+        notes.append("time_unit has no effect: the file says itself that t_s is in seconds")
+    notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
+    about_trials = read_trials_table(beside, name, keys, np.bincount(group))
+    if not arrow_tables.is_whole(path):
+        notes.append(arrow_tables.UNENDED)
+        about_trials.unusable |= {int(index): arrow_tables.UNENDED for index in group[-1:]}
+    recording = assemble(
+        name,
+        events,
+        group,
+        about_trials.trials,
+        skipped=(*(Skip(*skip) for skip in header.skipped), *about_trials.empty),
+        faults=faults,
+        unusable=about_trials.unusable,
+        provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
+        notes=(*header.notes, *notes, *about_trials.notes),
+    )
+    slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
+
+
+def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
+    """The times of a column in its unit as seconds from the first row of each trial."""
+    clock, _ = clocks.clock(column, unit == "iso")
+    first = np.full(int(group.max(initial=-1)) + 1, np.nan)
+    first[group[::-1]] = clock[::-1]
+    seconds: FloatArray = (clock - first[group]) / clocks.PER_SECOND[unit]
+    return seconds
+
+
+def _too_slow(recording: Recording) -> list[str]:
+    """A note if a clock without a unit is implausible in seconds."""
+    inside = ~recording.events.begin[1:]
+    intervals = np.diff(recording.events.t)[inside]
+    middle = float(np.median(intervals)) if len(intervals) else 0.0
+    if middle <= SLOW_S:
+        return []
+    return [f"the median interval is {middle:g} s; t_s is in seconds: are these milliseconds?"]
+
+
+def is_samples(path: Path) -> bool:
+    """Whether a file has the name of one of pointpred's own samples files."""
+    return stem_of(path).endswith(SAMPLES)
+
+
+def trials_beside(path: Path) -> Path | None:
+    """The trials file beside a samples file, if there is one."""
+    stem = stem_of(path).removesuffix(SAMPLES)
+    names_there = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
+    return next((file for file in names_there if file.exists() and file != path), None)
+
+
+def _dataset(path: Path, table: Any) -> str:
+    """The one data set the rows belong to; the file's name without such a column."""
+    if "dataset" not in table.column_names or not table.num_rows:
+        return stem_of(path).removesuffix(SAMPLES)
+    column = arrow_tables.words(table["dataset"])
+    names_there = pc.unique(column).to_pylist()
+    if len(names_there) > 1 or names_there[0] is None:
+        row = column.to_pylist().index(names_there[min(1, len(names_there) - 1)])
+        raise RecordingError(
+            f"{path}: {row_name(row)} belongs to data set {column[row].as_py()!r}, "
+            f"expected {names_there[0]!r} in every row"
+        )
+    return str(names_there[0])
+
+
+def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
+    """For each row the index of its trial, and (user, trial) of each in the order of first appearance."""
+    codes = []
+    for name in ("user", "trial"):
+        column = arrow_tables.words(table[name])
+        if column.null_count:
+            row = pc.index(pc.is_null(column), True).as_py()
+            raise RecordingError(f"{path}: {row_name(row)} has no {name}, expected one in every row")
+        codes.append(codes_of(column))
+    return keys_of(*codes)
+
+
+def is_appended(path: Path) -> bool:
+    """Whether a file was written by the service's recorder, row by row."""
+    return appended.recognises(head_of(path, appended.MOST_HEADER))
+
+
+def samples_beside(path: Path) -> bool:
+    """Whether ``path`` holds the trials or predictions of a samples file beside it."""
+    if not stem_of(path).endswith((TRIALS, PREDICTIONS)):
+        return False
+    stem = stem_of(path).removesuffix(TRIALS).removesuffix(PREDICTIONS)
+    names = (SAMPLES, "") if stem_of(path).endswith(TRIALS) else (SAMPLES,)
+    return any(path.with_name(f"{stem}{name}{end}").exists() for name in names for end in READ)
 
 
 class TrialsTable(msgspec.Struct):
@@ -168,136 +301,3 @@ def _contradiction(columns: dict[str, list[Any]], row: int, size: int) -> str:
         if value is not None and (not np.isfinite(value) or (name == "target_w" and value <= 0)):
             return f"{name} is {value}, expected a finite number" + (" above 0" * (name == "target_w"))
     return ""
-
-
-def read(path: str | Path, trials: str | Path | None = None, reading: Reading = AS_IS) -> Recording:
-    """Read a samples file together with its trials file.
-
-    Assumes the columns ``user, trial, t_s, x_px, y_px`` and optionally ``dataset, dx_counts, dy_counts,
-    buttons``; any other column is an error (``t_raw_s`` is ignored, with a note). The rows of a trial must be
-    in the order of time. ``reading.time_unit`` names another unit of ``t_s`` for a file not written by
-    pointpred; time then starts at 0 in each trial. The trials file is ``trials`` or the sibling
-    ``<set>_trials``; without one every target is unknown. Its columns beyond the target and ``clean`` become
-    conditions; ``n_samples`` is compared with the samples. Only a stream of the service's recorder is cut
-    into trials, according to ``reading``. A trial that cannot be used is in ``Recording.skipped`` with the
-    reason and the row.
-    Memory: about 200 bytes a row while reading, 48 afterwards.
-    Raises RecordingError naming the file, the row and the expected content.
-    """
-    path = Path(path)
-    beside = trials_beside(path) if trials is None else Path(trials)
-    if is_appended(path):
-        return appended.read(path, beside, reading)
-    words = ("dataset", "user", "trial", *(() if reading.time_unit is None else ("t_s",)))
-    table, header = arrow_tables.read_table(path, lambda column: column in words)
-    names = table.column_names
-    if "n_samples" in names and "t_s" not in names:
-        raise RecordingError(f"{path}: this is a table of trials, expected the {SAMPLES} file beside it")
-    arrow_tables.need_columns(path, names, REQUIRED, KNOWN)
-    if header.rows is None:
-        arrow_tables.unbroken(path, table, ("dataset", "user", "trial"))
-    name = header.name or _dataset(path, table)
-    events = np.full((table.num_rows, 6), np.nan)
-    events[:, 5] = 0.0
-    faults: dict[int, str] = {}
-    for index, column in enumerate(EVENT_COLUMNS):
-        if column in names:
-            events[:, index], wrong = arrow_tables.numbers(table[column])
-            faults |= {row: f"{column} is {cell!r}, expected a number" for row, cell in wrong.items()}
-    group, keys = _keys(path, table)
-    if reading.time_unit is not None and header.provenance is None:
-        events[:, 0] = _seconds(table["t_s"], reading.time_unit, group)
-    del table
-    notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
-    if reading.time_unit is not None and header.provenance is not None:
-        notes.append("time_unit has no effect: the file says itself that t_s is in seconds")
-    notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
-    about_trials = read_trials_table(beside, name, keys, np.bincount(group))
-    if not arrow_tables.is_whole(path):
-        notes.append(arrow_tables.UNENDED)
-        about_trials.unusable |= {int(index): arrow_tables.UNENDED for index in group[-1:]}
-    recording = assemble(
-        name,
-        events,
-        group,
-        about_trials.trials,
-        skipped=(*(Skip(*skip) for skip in header.skipped), *about_trials.empty),
-        faults=faults,
-        unusable=about_trials.unusable,
-        provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
-        notes=(*header.notes, *notes, *about_trials.notes),
-    )
-    slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
-    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
-
-
-def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
-    """The times of a column in its unit as seconds from the first row of each trial."""
-    clock, _ = clocks.clock(column, unit == "iso")
-    first = np.full(int(group.max(initial=-1)) + 1, np.nan)
-    first[group[::-1]] = clock[::-1]
-    seconds: FloatArray = (clock - first[group]) / clocks.PER_SECOND[unit]
-    return seconds
-
-
-def _too_slow(recording: Recording) -> list[str]:
-    """A note if a clock without a unit is implausible in seconds."""
-    inside = ~recording.events.begin[1:]
-    intervals = np.diff(recording.events.t)[inside]
-    middle = float(np.median(intervals)) if len(intervals) else 0.0
-    if middle <= SLOW_S:
-        return []
-    return [f"the median interval is {middle:g} s; t_s is in seconds: are these milliseconds?"]
-
-
-def is_samples(path: Path) -> bool:
-    """Whether a file has the name of one of pointpred's own samples files."""
-    return stem_of(path).endswith(SAMPLES)
-
-
-def trials_beside(path: Path) -> Path | None:
-    """The trials file beside a samples file, if there is one."""
-    stem = stem_of(path).removesuffix(SAMPLES)
-    names_there = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
-    return next((file for file in names_there if file.exists() and file != path), None)
-
-
-def _dataset(path: Path, table: Any) -> str:
-    """The one data set the rows belong to; the file's name without such a column."""
-    if "dataset" not in table.column_names or not table.num_rows:
-        return stem_of(path).removesuffix(SAMPLES)
-    column = arrow_tables.words(table["dataset"])
-    names_there = pc.unique(column).to_pylist()
-    if len(names_there) > 1 or names_there[0] is None:
-        row = column.to_pylist().index(names_there[min(1, len(names_there) - 1)])
-        raise RecordingError(
-            f"{path}: {row_name(row)} belongs to data set {column[row].as_py()!r}, "
-            f"expected {names_there[0]!r} in every row"
-        )
-    return str(names_there[0])
-
-
-def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
-    """For each row the index of its trial, and (user, trial) of each in the order of first appearance."""
-    codes = []
-    for name in ("user", "trial"):
-        column = arrow_tables.words(table[name])
-        if column.null_count:
-            row = pc.index(pc.is_null(column), True).as_py()
-            raise RecordingError(f"{path}: {row_name(row)} has no {name}, expected one in every row")
-        codes.append(codes_of(column))
-    return keys_of(*codes)
-
-
-def is_appended(path: Path) -> bool:
-    """Whether a file was written by the service's recorder, row by row."""
-    return appended.recognises(head_of(path, appended.MOST_HEADER))
-
-
-def samples_beside(path: Path) -> bool:
-    """Whether ``path`` holds the trials or predictions of a samples file beside it."""
-    if not stem_of(path).endswith((TRIALS, PREDICTIONS)):
-        return False
-    stem = stem_of(path).removesuffix(TRIALS).removesuffix(PREDICTIONS)
-    names = (SAMPLES, "") if stem_of(path).endswith(TRIALS) else (SAMPLES,)
-    return any(path.with_name(f"{stem}{name}{end}").exists() for name in names for end in READ)

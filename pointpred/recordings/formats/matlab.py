@@ -18,6 +18,8 @@ from pointpred.recordings.encodings import read_unpacked
 from pointpred.recordings.nested_records import check_depth, table_at
 from pointpred.recordings.reading import AS_IS, Reading
 
+TITLE = "MATLAB .mat"
+MAGIC, HDF5 = b"MATLAB ", b"MATLAB 7.3"
 HEADER_BYTES, TAG_BYTES = 128, 8
 MATRIX, COMPRESSED = 14, 15
 NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
@@ -30,8 +32,37 @@ MOST_DIMENSIONS = 32
 BLOCK_BYTES = 1 << 20
 UNREAD = "MATLAB object"
 """Placeholder for unsupported values: objects, tables, dates, functions, complex numbers."""
-TITLE = "MATLAB .mat"
-MAGIC, HDF5 = b"MATLAB ", b"MATLAB 7.3"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a MATLAB file of version 5 or later."""
+    return head.startswith(MAGIC) and b"MAT-file" in head[:HEADER_BYTES]
+
+
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
+    """Read the variables at ``reading.records``, else the only ones that fit (``record_paths``).
+
+    Vectors of one length and the columns of a matrix are columns; elements of a structure array are records.
+    Raises RecordingError, also for version 7.3.
+    """
+    data = read_unpacked(path)
+    if data.startswith(HDF5):
+        raise RecordingError(
+            f"{path}: MATLAB 7.3 files are not read; save it again in MATLAB with: save('NAME.mat', '-v7')"
+        )
+    try:
+        variables = variables_of(data)
+    except RecordingError as error:
+        raise RecordingError(f"{path}: damaged MATLAB file: {error}") from error
+    objects = [name for name, value in variables.items() if value == UNREAD]
+    note = f"not read, as they are objects (tables, dates, strings) or complex: {', '.join(objects)}"
+    try:
+        table = table_at(path, variables, reading.records, TITLE)
+    except RecordingError as error:
+        if not objects:
+            raise
+        raise RecordingError(f"{error}; {note}; save their columns as vectors") from error
+    return msgspec.structs.replace(table, notes=(*table.notes, note)) if objects else table
 
 
 def variables_of(data: bytes) -> dict[str, Any]:
@@ -197,34 +228,3 @@ def _inner(parts: Elements, order: str, depth: int) -> Any:
     if kind != MATRIX:
         raise RecordingError(f"type {kind} where an array is expected")
     return _matrix(content, order, depth + 1)[1]
-
-
-def recognises(head: bytes) -> bool:
-    """Whether a file that begins with ``head`` is a MATLAB file of version 5 or later."""
-    return head.startswith(MAGIC) and b"MAT-file" in head[:HEADER_BYTES]
-
-
-def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the variables at ``reading.records``, else the only ones that fit (``record_paths``).
-
-    Vectors of one length and the columns of a matrix are columns; elements of a structure array are records.
-    Raises RecordingError, also for version 7.3.
-    """
-    data = read_unpacked(path)
-    if data.startswith(HDF5):
-        raise RecordingError(
-            f"{path}: MATLAB 7.3 files are not read; save it again in MATLAB with: save('NAME.mat', '-v7')"
-        )
-    try:
-        variables = variables_of(data)
-    except RecordingError as error:
-        raise RecordingError(f"{path}: damaged MATLAB file: {error}") from error
-    objects = [name for name, value in variables.items() if value == UNREAD]
-    note = f"not read, as they are objects (tables, dates, strings) or complex: {', '.join(objects)}"
-    try:
-        table = table_at(path, variables, reading.records, TITLE)
-    except RecordingError as error:
-        if not objects:
-            raise
-        raise RecordingError(f"{error}; {note}; save their columns as vectors") from error
-    return msgspec.structs.replace(table, notes=(*table.notes, note)) if objects else table
