@@ -77,7 +77,11 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     if reading.time_unit is not None and header.provenance is not None:
         notes.append("time_unit has no effect: the file says itself that t_s is in seconds")
     notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
-    about_trials = read_trials_table(beside, name, keys, np.bincount(group))
+    if beside is None:
+        about_trials = TrialsTable([Trial(*key) for key in keys])
+    else:
+        rows, about = arrow_tables.read_table(beside, lambda column: True)
+        about_trials = described(beside, rows, about, name, keys, np.bincount(group))
     if not arrow_tables.is_whole(path):
         notes.append(arrow_tables.UNENDED)
         about_trials.unusable |= {int(index): arrow_tables.UNENDED for index in group[-1:]}
@@ -177,25 +181,14 @@ class TrialsTable(msgspec.Struct):
     notes: list[str] = []
 
 
-def read_trials_table(
-    path: Path | None, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray
-) -> TrialsTable:
-    """Read the descriptions of the trials ``keys`` = (user, trial), which have ``sizes`` samples.
-
-    Trials of the file that have no samples are skips; a trial of other length than ``n_samples``, one
-    described twice, or one with an impossible target is unfit. Raises RecordingError if the file cannot be
-    read.
-    """
-    if path is None:
-        return TrialsTable([Trial(user, trial) for user, trial in keys])
-    table, header = arrow_tables.read_table(path, lambda column: True)
-    return described(path, table, header, name, keys, sizes)
-
-
 def described(
     path: Path, table: Any, header: Header, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray
 ) -> TrialsTable:
-    """``read_trials_table`` of the rows of a table that was read."""
+    """What a trials file says of the trials ``keys`` = (user, trial), which have ``sizes`` samples.
+
+    Its trials that have no samples are skips; a trial of another length than ``n_samples``, one described
+    twice, or one with an impossible target is unusable. Raises RecordingError for a wrong column or set.
+    """
     arrow_tables.need_columns(path, table.column_names, ("user", "trial"), table.column_names)
     arrow_tables.unbroken(
         path, table, (*TARGET, "n_samples", "clean", *(KEYS if header.rows is None else ()))
@@ -256,18 +249,13 @@ def _columns(path: Path, table: Any, text: Sequence[str]) -> tuple[dict[str, lis
         if name == "clean" and not typed:
             column, wrong = _flags(column)
             faults |= wrong
-        elif name not in TRIAL_COLUMNS and not typed and (name in text or not _numeric(column)):
+        elif name not in TRIAL_COLUMNS and not typed and (name in text or arrow_tables.numbers(column)[1]):
             columns[name] = column.to_pylist()
             continue
         values, wrong_cells = arrow_tables.numbers(column)
         faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong_cells.items()}
         columns[name] = [None if value != value else value for value in values.tolist()]
     return columns, faults
-
-
-def _numeric(column: Any) -> bool:
-    """Whether every cell of a text column is a number or empty."""
-    return not arrow_tables.numbers(column)[1]
 
 
 def _flags(column: Any) -> tuple[Any, dict[int, str]]:

@@ -111,23 +111,14 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     beside = trials_beside(path) if form.tabular and is_samples(path) else None
     if beside is not None:
         notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
-    unused = [] if form.tabular else _of_tables(reading, form)
-    notes += [
-        f"{name} has no effect: {form.title} says it itself" for name in unused if name not in form.takes
-    ]
+    if not form.tabular:
+        said = ("columns", "y_up", "px_per_unit", "records") + (() if form.key == "own" else ("time_unit",))
+        notes += [
+            f"{name} has no effect: {form.title} says it itself"
+            for name in said
+            if getattr(reading, name) not in (None, False) and name not in form.takes
+        ]
     return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
-
-
-def _of_tables(reading: Reading, form: Format) -> list[str]:
-    """The options of ``reading`` for tables only; for our own files, the unit of time."""
-    names = (
-        "columns",
-        "y_up",
-        "px_per_unit",
-        "records",
-        *(("time_unit",) if form.key != "own" else ()),
-    )
-    return [name for name in names if getattr(reading, name) not in (None, False)]
 
 
 def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Recording]:

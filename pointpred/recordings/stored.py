@@ -61,7 +61,8 @@ class StoredPart(msgspec.Struct, frozen=True):
         for index, column in enumerate(EVENT_COLUMNS):
             if column in names:
                 events[:, index] = arrow_tables.float64(table[column])
-        header, rows = _trial_rows(str(beside), beside.stat().st_mtime_ns, self.first_trial, self.stop_trial)
+        header, every = _trials_file(str(beside), beside.stat().st_mtime_ns)
+        rows = every.slice(self.first_trial, self.stop_trial - self.first_trial)
         about = described(beside, rows, header, self.name, keys, sizes)
         return assemble(
             self.name,
@@ -251,18 +252,14 @@ def _same_order(trials: Any, hashes: IntArray) -> bool:
     if trials.metadata.num_rows != len(hashes):
         return False
     row = 0
-    for batch in _batches(trials):
+    for i in range(trials.num_row_groups):
+        batch = trials.read_row_group(i, columns=list(KEYS), use_threads=False)
         keys = zip(*(batch[name].to_pylist() for name in KEYS), strict=True)
         mine = np.array([hash(key) for key in keys], dtype=np.int64)
         if not np.array_equal(mine, hashes[row : row + len(mine)]):
             return False
         row += len(mine)
     return True
-
-
-def _batches(file: Any) -> Iterator[Any]:
-    for i in range(file.num_row_groups):
-        yield file.read_row_group(i, columns=list(KEYS), use_threads=False)
 
 
 def _rows(file: Any, first: int, stop: int, columns: list[str] | None) -> Any:
@@ -273,12 +270,6 @@ def _rows(file: Any, first: int, stop: int, columns: list[str] | None) -> Any:
     table = file.read_row_groups(groups, columns=columns, use_threads=False)
     begin = int(ends[groups[0]]) - sizes[groups[0]] if groups else 0
     return table.slice(first - begin, stop - first)
-
-
-def _trial_rows(path: str, changed: int, first: int, stop: int) -> tuple[Header, Any]:
-    """Some rows of a trials file, and its header."""
-    header, whole = _trials_file(path, changed)
-    return header, whole.slice(first, stop - first)
 
 
 @lru_cache(maxsize=1)

@@ -225,6 +225,11 @@ def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[s
     return one_value(codes.astype(np.float64), group, count), cells
 
 
+def is_condition(name: str) -> bool:
+    """Whether a condition may have this name in pointpred's own files."""
+    return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
+
+
 def condition_name(column: str) -> str:
     """A column's name as a condition, valid in our own files.
 
@@ -377,15 +382,12 @@ def _of_one_kind(trials: list[Trial]) -> list[Trial]:
             kinds.setdefault(name, set()).add(isinstance(value, str))
     mixed = {name for name, types in kinds.items() if len(types) > 1}
     return [
-        msgspec.structs.replace(trial, condition=trial.condition | _in_words(trial.condition, mixed))
+        msgspec.structs.replace(
+            trial,
+            condition={
+                name: f"{value:.17g}" if name in mixed and not isinstance(value, str) else value
+                for name, value in trial.condition.items()
+            },
+        )
         for trial in trials
     ]
-
-
-def _in_words(condition: dict[str, str | float], names: set[str]) -> dict[str, str]:
-    """The conditions of these names as text; whole numbers without a point."""
-    return {
-        name: value if isinstance(value, str) else f"{value:.17g}"
-        for name, value in condition.items()
-        if name in names
-    }

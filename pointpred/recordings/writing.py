@@ -19,7 +19,7 @@ from pointpred.files import beside
 from pointpred.recording import Recording
 from pointpred.recordings.arrow_tables import EVENT_COLUMNS, KEY, MARK, open_file
 from pointpred.recordings.own import EXTENSIONS, REQUIRED, SAMPLES, TRIALS
-from pointpred.recordings.trials import TARGET, TRIAL_COLUMNS
+from pointpred.recordings.trials import TARGET, is_condition
 
 
 @contextmanager
@@ -109,13 +109,7 @@ def trial_table(recording: Recording) -> tuple[Any, dict[str, Any]]:
     for column in sorted({key for trial in trials for key in trial.condition}):
         cells = [trial.condition.get(column) for trial in trials]
         kinds = {str if isinstance(cell, str) else float for cell in cells if cell is not None}
-        if (
-            column in TRIAL_COLUMNS
-            or len(kinds) > 1
-            or not column
-            or column != column.strip(' "\r\n,')
-            or "," in column
-        ):
+        if len(kinds) > 1 or not is_condition(column):
             raise RecordingError(
                 f"{recording.name}: condition {column!r} cannot be written, expected a name of its own and "
                 "either words or numbers in all trials"

@@ -24,6 +24,7 @@ from pointpred.records import EVENT_FIELDS, EventColumns, FloatArray
 
 LONG_S, GAP_S = 10.0, 1.0
 """A stream that lasts longer, or has a longer step, is cut at pauses; a shorter one is one trial."""
+CUTS = {"clicks": "cut at clicks", "bursts": f"cut at pauses of {PAUSE_S:g} s", "whole": "one trial"}
 JOINTS = "+|/;"
 """Separators of joined columns: the first that occurs in no cell is used."""
 
@@ -101,7 +102,7 @@ def recording_of_rows(
     unclear = [
         field
         for field, values in zip(TARGET, targets, strict=True)
-        if field in rows.values and _holds_more(rows.values[field][members], group, values)
+        if field in rows.values and (np.isfinite(rows.values[field][members]) & np.isnan(values)[group]).any()
     ]
     if unclear:
         groups.notes.append(f"targets that vary within a trial are left unknown: {', '.join(unclear)}")
@@ -130,7 +131,10 @@ def recording_of_rows(
             int(at): rows.faults[int(row)]
             for at, row in zip(np.searchsorted(members, faulty), faulty, strict=True)
         },
-        unusable=_bad_widths(targets[-1]),
+        unusable={
+            int(index): f"target_w is {targets[-1][index]}, expected above 0 px"
+            for index in np.flatnonzero(targets[-1] <= 0)
+        },
         provenance=provenance,
         row_of=rows.row_of[members],
         notes=(*notes, *groups.notes),
@@ -182,7 +186,11 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
         named = user or one_user
         for part in parts:
             _cut_part(groups, rows, mine[part], EventColumns(events[part]), how, named, reading)
-    groups.notes += _assumptions(users is None, one_user, methods, reading, len(groups.keys))
+    if users is None:
+        groups.notes.append(f"one user, {one_user!r}: no column for users")
+    cuts = " or ".join(CUTS[method] for method in methods)
+    count = "" if len(groups.keys) == 1 else f"; {len(groups.keys)} trials"
+    groups.notes.append(f"no column for trials: {cuts}{count}")
     if restarts:
         groups.notes.append(f"time starts anew in {restarts} rows: cut there")
     out = int(np.count_nonzero(~usable))
@@ -218,36 +226,12 @@ def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
     return "bursts" if max(spans) > LONG_S or np.any(steps > GAP_S) else "whole"
 
 
-def _assumptions(one: bool, user: str, methods: dict[str, int], reading: Reading, trials: int) -> list[str]:
-    """Notes on assumptions about users and trials."""
-    notes = [f"one user, {user!r}: no column for users"] if one else []
-    words = {
-        "clicks": "cut at clicks",
-        "bursts": f"cut at pauses of {PAUSE_S:g} s",
-        "whole": "one trial",
-    }
-    how = " or ".join(words[method] for method in methods)
-    return [*notes, f"no column for trials: {how}" + ("" if trials == 1 else f"; {trials} trials")]
-
-
-def _holds_more(values: FloatArray, group: IntArray, of_trial: FloatArray) -> bool:
-    """Whether a trial without a single value has any values."""
-    return bool((np.isfinite(values) & np.isnan(of_trial)[group]).any())
-
-
-def _bad_widths(widths: FloatArray) -> dict[int, str]:
-    """The trials whose target has an impossible width."""
-    return {
-        int(index): f"target_w is {widths[index]}, expected above 0 px"
-        for index in np.flatnonzero(widths <= 0)
-    }
-
-
 def join_columns(columns: list[Any]) -> Any:
     """The words of several columns as one column, such as ``2+7``; null if one of them is empty."""
     words = [pc.utf8_trim_whitespace(arrow_tables.words(column)) for column in columns]
     words = [pc.if_else(pc.equal(column, ""), None, column) for column in words]
-    mark = next((mark for mark in JOINTS if not any(_holds(column, mark) for column in words)), " ++ ")
+    taken = {mark for mark in JOINTS for column in words if pc.any(pc.match_substring(column, mark)).as_py()}
+    mark = next((mark for mark in JOINTS if mark not in taken), " ++ ")
     return pc.binary_join_element_wise(*words, mark, null_handling="emit_null")
 
 
@@ -316,19 +300,11 @@ def _split(trials: Codes, runs: _Runs, clock: FloatArray, order: IntArray) -> tu
         which = (int(code[rows[0]]), int(part[at]))
         if which not in codes:
             codes[which] = len(names)
-            names.append(_free(f"{names[which[0]]} ({which[1] + 1})", taken))
+            name = f"{names[which[0]]} ({which[1] + 1})"
+            while name in taken:  # a trial has this name already
+                name += "'"
+            taken.add(name)
+            names.append(name)
         code[rows] = codes[which]
     note = f"trial numbers restart: {int(again.sum())} runs of rows are trials of their own, as 'trial (2)'"
     return (code, names), [note]
-
-
-def _free(name: str, taken: set[str]) -> str:
-    """An unused name: primed if a trial has it."""
-    while name in taken:
-        name += "'"
-    taken.add(name)
-    return name
-
-
-def _holds(column: Any, mark: str) -> bool:
-    return bool(pc.any(pc.match_substring(column, mark), min_count=0).as_py())

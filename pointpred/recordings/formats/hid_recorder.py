@@ -12,7 +12,7 @@ from pointpred.hid.report_decoder import ReportDecoder
 from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
 from pointpred.recordings.encodings import read_text, stem_of
-from pointpred.recordings.formats.evdev_frames import Frames, UnreadableLines, frames_of_counts, recording
+from pointpred.recordings.formats.evdev_frames import UnreadableLines, frames_of_counts, recording
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.trials import join
 
@@ -51,7 +51,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     for number, line in enumerate(read_text(path).splitlines(), 1):
         device = devices.setdefault(current, _Device())
         if line.startswith("D: "):
-            current = _number(path, number, line)
+            if not re.fullmatch(r"D: \d{1,3}\s*", line):
+                raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected D: and a number")
+            current = int(line[3:])
         elif line.startswith("N: "):
             device.name = line[3:].strip()
         elif line.startswith("R: "):
@@ -67,7 +69,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     notes: list[str] = []
     for device in devices.values():
         if any(event[1] or event[2] for event in device.events):
-            parts.append(recording(path, "hid-recorder", device.name, _frames(device), reading, CLOCK))
+            aside = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
+            frames = frames_of_counts(device.events, device.rows, aside)
+            parts.append(recording(path, "hid-recorder", device.name, frames, reading, CLOCK))
         elif device.name or device.descriptor:
             why = device.why or f"no motion in {len(device.events)} reports"
             notes.append(f"device {device.name!r}: {why}")
@@ -75,13 +79,6 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     if not parts:
         raise RecordingError(f"{path}: {'; '.join(notes) or 'no device'}, expected a mouse that moves")
     return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
-
-
-def _number(path: Path, number: int, line: str) -> int:
-    """The device a D line switches to."""
-    if not re.fullmatch(r"D: \d{1,3}\s*", line):
-        raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected D: and a number")
-    return int(line[3:])
 
 
 def _describe(path: Path, number: int, line: str, device: _Device) -> None:
@@ -121,9 +118,3 @@ def _report(line: str, device: _Device, row: int) -> str:
     device.events.append((time, dx, dy, (before & ~mask) | pressed))
     device.rows.append(row)
     return ""
-
-
-def _frames(device: _Device) -> Frames:
-    """A device's reports as pointer events."""
-    notes = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
-    return frames_of_counts(device.events, device.rows, notes)

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.recordings.columns.names import guess
 from pointpred.recordings.encodings import stem_of
-from pointpred.recordings.trials import MOST, TRIAL_COLUMNS
+from pointpred.recordings.trials import MOST, is_condition
 
 SHOWN = 5
 LONGEST = 100
@@ -30,7 +30,7 @@ def row_conditions(
     """
     columns = {name: [row.get(name) for row in rows] for row in rows for name in row if name not in aside}
     filled = {name: cells for name, cells in columns.items() if not all(map(_empty, cells))}
-    fitting = [name for name, cells in filled.items() if _fits(name) and all(map(_short, cells))]
+    fitting = [name for name, cells in filled.items() if is_condition(name) and all(map(_short, cells))]
     fitting.sort(key=lambda name: len({str(cell) for cell in filled[name]}) == 1)
     taken = set(fitting[:MOST])
     conditions: list[dict[str, str | float]] = [{} for _ in rows]
@@ -63,19 +63,11 @@ def people_of(
     return [stem] * len(rows), column, [f"one person, called {stem!r} after the file: no column names one"]
 
 
-def _fits(name: str) -> bool:
-    """Whether a name is valid for a condition in pointpred's own files."""
-    return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
-
-
 def _short(cell: Any) -> bool:
-    return cell is None or (
-        isinstance(cell, str | float | int) and not _is_list(cell) and len(str(cell)) <= LONGEST
-    )
-
-
-def _is_list(cell: Any) -> bool:
-    return isinstance(cell, str) and cell.lstrip().startswith(("[", "{"))
+    """Whether a cell may be a condition's: neither long, nor a list or an object."""
+    if isinstance(cell, str) and cell.lstrip().startswith(("[", "{")):
+        return False
+    return cell is None or (isinstance(cell, str | float | int) and len(str(cell)) <= LONGEST)
 
 
 def _empty(cell: Any) -> bool:
