@@ -14,7 +14,6 @@ from pointpred.errors import MissingExtraError, PointpredError, RecordingError
 from pointpred.extras import require
 
 SCHEME = re.compile(r"(?<![\w/])([a-z][a-z0-9+.-]+):/+", re.IGNORECASE)
-CHAIN = "::"
 SAMPLES, TRIALS = "_samples", "_trials"
 ENDINGS = (".parquet", ".csv", ".csv.gz")
 LOCAL = ("file", "local")

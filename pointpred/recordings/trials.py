@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -272,8 +271,7 @@ def is_list(cell: str) -> bool:
 class Lists:
     """Trials one after another, each from lists of text or numbers; unreadable ones become skips."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self) -> None:
         self.trials: list[Trial] = []
         self.tables: list[FloatArray] = []
         self.rows: list[int] = []

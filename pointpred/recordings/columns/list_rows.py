@@ -77,7 +77,7 @@ def recording_of_lists(
     for field in TARGET:
         cells.setdefault(field, [UNKNOWN] * len(cells["t"]))
     conditions = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
-    lists = Lists(path)
+    lists = Lists()
     lists.skipped += skipped
     lists.notes += notes
     if "user" not in mapping:

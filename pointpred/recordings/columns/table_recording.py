@@ -204,7 +204,10 @@ def _of_rows(mapped: _MappedTable) -> Recording:
     """The recording in a table with one sample per row; raises ColumnsError."""
     row_of = mapped.table.row_of
     rows = Rows(mapped.count, np.arange(mapped.count, dtype=np.int64) if row_of is None else row_of)
-    how = _read_clock(mapped, rows)
+    unit, how = mapped.unit()
+    rows.values["t"], wrong = clocks.clock(mapped.field("t"), unit == "iso")
+    rows.blame("t", mapped.mapping["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    rows.per_second = clocks.PER_SECOND[unit]
     _read_numbers(mapped, rows)
     _read_buttons(mapped, rows)
     keys = {
@@ -223,15 +226,6 @@ def _of_rows(mapped: _MappedTable) -> Recording:
         skipped=mapped.table.skipped,
         notes=mapped.all_notes(how),
     )
-
-
-def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
-    """Add the times to ``rows``; returns the source of their unit for notes."""
-    unit, how = mapped.unit()
-    rows.values["t"], wrong = clocks.clock(mapped.field("t"), unit == "iso")
-    rows.blame("t", mapped.mapping["t"], wrong, "a date and time" if unit == "iso" else "a number")
-    rows.per_second = clocks.PER_SECOND[unit]
-    return how
 
 
 def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
