@@ -50,7 +50,7 @@ class DeepField(msgspec.Struct, frozen=True):
 class RecordTable:
     """Columns of one length that grow row by row; a missing field is ``None``.
 
-    ``left`` are the fields that are too deep for a cell. Raises RecordingError above 4e7 cells.
+    ``deep_fields`` are those that are too deep for a cell. Raises RecordingError above 4e7 cells.
     """
 
     def __init__(self) -> None:

@@ -54,8 +54,8 @@ def assemble(
     they are regrouped, with a note. A trial is skipped, with the reason and the first row at fault, when it
     has fewer than two samples, a cell that is not a finite number (``faults``: row -> fault) or beyond the
     bounds of events, one count without the other, time that runs backwards, buttons that are not a whole
-    number in 0..65535, or no movement at all. ``unfit`` names further trials with the caller's reason. Equal
-    times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is
+    number in 0..65535, or no movement at all. ``unusable`` names further trials with the caller's reason.
+    Equal times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is
     either in the recording or in its ``skipped``. Memory: two copies of the table at most.
     """
     count = len(trials)

@@ -134,7 +134,7 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
 
 
 def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], Path]) -> tuple[Path, Path]:
-    """Write both files of a recording as ``write`` does, each at its path in ``part`` (``together``)."""
+    """Write both files of a recording as ``write`` does, each where ``part`` of ``write_together`` says."""
     path, beside = files_of(path)
     about, header = trial_table(recording)
     header |= {

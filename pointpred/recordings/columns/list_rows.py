@@ -68,7 +68,7 @@ def recording_of_lists(
     skipped: Sequence[Skip],
     notes: Sequence[str],
 ) -> Recording:
-    """One trial per row: ``found`` names the columns; those in ``others`` become conditions.
+    """One trial per row: ``mapping`` names the columns; those in ``others`` become conditions.
 
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
     first position, which some programs leave empty until the pointer moves, are left out and counted.

@@ -76,7 +76,7 @@ def _position_notes(events: EventColumns, reading: Reading) -> list[str]:
 
 
 class _MappedTable:
-    """A table whose columns are mapped to our fields: ``found`` field -> column; raises ColumnsError."""
+    """A table whose columns are mapped to our fields: ``mapping`` field -> column; raises ColumnsError."""
 
     def __init__(self, path: Path, table: ColumnTable, reading: Reading) -> None:
         self.path, self.table, self.reading = path, table, reading
@@ -328,8 +328,8 @@ def _part_alike(one: Any, other: Any) -> bool:
 def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
     """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
 
-    A column that the user named (``told``) must hold buttons, else RecordingError names the wrong cell; for a
-    column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
+    A column that the user named (``explicit``) must hold buttons, else RecordingError names the wrong cell;
+    for a column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
     """
     if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
         return None

@@ -28,7 +28,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the records at ``reading.records``, else the only ones that fit (``record_paths``).
+    """Read the records at ``reading.records``, else the only ones that fit (``nested_records``).
 
     In JSON lines each line is a record; a damaged last line is ignored with a note.
     Raises RecordingError, also above 2^28 characters. Memory: about 11 bytes a character.

@@ -40,7 +40,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the variables at ``reading.records``, else the only ones that fit (``record_paths``).
+    """Read the variables at ``reading.records``, else the only ones that fit (``nested_records``).
 
     Vectors of one length and the columns of a matrix are columns; elements of a structure array are records.
     Raises RecordingError, also for version 7.3.
