@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
 from pointpred.recording import Trial
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.trial_measures import TrialMeasures
 from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
 from pointpred.scoring.replay import Measured

@@ -15,9 +15,9 @@ from typing import Protocol
 import numpy as np
 
 from pointpred.batch import part_file
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
+from pointpred.records import FloatArray
 from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
 
 PART = "part"

@@ -15,10 +15,10 @@ from pointpred.batch.digests import digest
 from pointpred.batch.part_store import FolderStore, MemoryStore, PartStore, temporary_store
 from pointpred.batch.plan import Chunk, Source, about, events_of, plan, read
 from pointpred.batch.scored_set import ScoredSet
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.executors import Executor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.parts import ScoredPart, score_part, set_without_trials
 from pointpred.scoring.scorer import Scoring

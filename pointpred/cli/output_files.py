@@ -107,7 +107,7 @@ def _is_plant_or_design(path: Path) -> bool:
         formatted = msgspec.json.decode(path.read_bytes(), type=_Formatted)
     except (msgspec.DecodeError, OSError):
         return False
-    from pointpred.observers.documents.files import FORMAT
+    from pointpred_observers.documents.files import FORMAT
 
     return formatted.format == FORMAT
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.records import FloatArray
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims
 from pointpred.training.data import FOLDS, SETS, Log, TrainingData

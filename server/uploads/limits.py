@@ -13,7 +13,7 @@ from pointpred.recordings.encodings import (
     HEAD_BYTES,
     UTF_16,
 )
-from pointpred.server.uploads.receiving import UploadError
+from pointpred_server.uploads.receiving import UploadError
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000

@@ -21,7 +21,7 @@ from pointpred.recordings.known_formats import format_of
 from pointpred.recordings.reading import columns_of
 from pointpred.registry import REGISTRY
 from pointpred.scoring import Document, document, score
-from pointpred.server.uploads.limits import NO_TEXT, PARQUET, check_most, check_unpacked
+from pointpred_server.uploads.limits import NO_TEXT, PARQUET, check_most, check_unpacked
 
 NAME = "recording"
 NOTHING: Mapping[str, str] = {}

@@ -15,7 +15,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recordings.encodings import head_of
 from pointpred.recordings.known_formats import Format, format_of
 from pointpred.recordings.reading import AS_IS
-from pointpred.server.uploads.recordings import as_file
+from pointpred_server.uploads.recordings import as_file
 from tests.fuzz.inputs import check as check_recording
 from tests.fuzz.refusals import refused
 

@@ -27,7 +27,7 @@ class Target(NamedTuple):
     most_bytes: int = 4096
 
 
-PROTOCOL = ("pointpred.protocol", "pointpred.server.sessions")
+PROTOCOL = ("pointpred.protocol", "pointpred_server.sessions")
 TARGETS = {
     target.name: target
     for target in (
@@ -46,19 +46,19 @@ TARGETS = {
             ("pointpred.predictors.kinematic.coefficient_file",),
             8192,
         ),
-        Target("designs", designs.check, designs.seeds, ("pointpred.observers.documents",), 8192),
+        Target("designs", designs.check, designs.seeds, ("pointpred_observers.documents",), 8192),
         Target("transfer", transfer.check, transfer.seeds, ("pointpred.transfer",)),
         Target(
             "settings",
             settings.check,
             settings.seeds,
-            ("pointpred.server.settings", "pointpred.server.access"),
+            ("pointpred_server.settings", "pointpred_server.access"),
         ),
         Target(
             "uploads",
             uploads.check,
             uploads.seeds,
-            ("pointpred.server.uploads", "pointpred.recordings"),
+            ("pointpred_server.uploads", "pointpred.recordings"),
             8192,
         ),
         *(

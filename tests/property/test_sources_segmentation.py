@@ -6,7 +6,6 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import EventColumns
 from pointpred.recording import IN_MEMORY
 from pointpred.recordings.reading import Cut, Reading
 from pointpred.recordings.segmentation import (
@@ -15,6 +14,7 @@ from pointpred.recordings.segmentation import (
     cut_at_pauses,
     trials_of_stream,
 )
+from pointpred.records import EventColumns
 
 HOWS: tuple[Cut, ...] = ("clicks", "bursts", "whole")
 rows = st.lists(

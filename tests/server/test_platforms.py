@@ -12,8 +12,8 @@ import pytest
 
 import pointpred
 from pointpred.recordings.conversion import file_names
-from pointpred.server import listening
-from pointpred.server.listening import listen
+from pointpred_server import listening
+from pointpred_server.listening import listen
 from tests.server import elsewhere
 
 DEVICES = {"con", "prn", "aux", "nul"} | {f"{port}{n}" for port in ("com", "lpt") for n in range(10)}

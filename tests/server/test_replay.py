@@ -22,7 +22,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.recordings import write
 from pointpred.registry import REGISTRY
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

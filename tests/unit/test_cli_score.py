@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.recordings import read_any, write
+from pointpred.records import EventColumns
 
 T = [0.0, 0.1, 0.2, 0.3]
 X = [0.0, 1.0, 60.0, 101.0]

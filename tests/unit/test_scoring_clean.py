@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.recordings import read
+from pointpred.records import EventColumns
 from pointpred.scoring import prepare
 from pointpred.scoring.trials.clean_trials import clean_trials
 

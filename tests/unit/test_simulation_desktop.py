@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, ParameterError
 from pointpred.recordings import read, write
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring import score
 from pointpred.simulation import DesktopSession, people, simulate_desktop
 from pointpred.simulation.desktop import SCENARIOS

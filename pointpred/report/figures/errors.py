@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing.style import FAINT, GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
+from pointpred.records import FloatArray
 from pointpred.report.figures.style import HOLD, line_style
 from pointpred.scoring.summary import SERIES, Measure, Measures, PredictorSummary, SetSummary
 

@@ -8,8 +8,8 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.moments import moments
 from pointpred.scoring.results import ScoredTrial
 

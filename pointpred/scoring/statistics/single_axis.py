@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors, SetScore
 from pointpred.scoring.statistics.anova import LEAST_USERS, Effect, anova, balance, cell_means
 from pointpred.scoring.statistics.factors import factors_of

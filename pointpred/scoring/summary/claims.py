@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import msgspec
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.scoring.measures import regions
 from pointpred.scoring.measures.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors

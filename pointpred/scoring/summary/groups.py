@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray
+from pointpred.records import BoolArray
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary.trial_columns import EXPERIENCE, LABELS, TrialColumns, trial_columns
 

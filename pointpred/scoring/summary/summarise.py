@@ -7,8 +7,8 @@ from math import nan
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, SetScore
 from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, drawn_totals, ratio_bounds

@@ -9,9 +9,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import build
 from pointpred.scoring.chunks import in_threads
 from pointpred.scoring.results import TIME_FRACTIONS

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary.document import Number, Unread, number
 from pointpred.scoring.target_choice import decisions as replaying

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
+from pointpred.records import BoolArray, EventColumns, FloatArray
 from pointpred.scoring.chunks import in_threads
 
 PEAK_RATIO = 5.0
