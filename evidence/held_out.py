@@ -34,7 +34,7 @@ from pointpred.training.fitting import Settings
 CODE = (
     "training/*",
     *("predictors/kinematic/*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
-    *("scoring/**/*", "sources/**/*", "recording*", "columns*", "registry*"),
+    *("scoring/**/*", "recordings/**/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"

@@ -15,7 +15,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args, get_origin,
 import typer
 
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.recordings.reading import AS_IS, Reading, columns_of, px_per_unit_of
+from pointpred.recordings.reading import (
+    AS_IS,
+    Reading,
+    columns_of,
+    px_per_unit_of,
+)
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance

@@ -8,7 +8,12 @@ from hypothesis import strategies as st
 
 from pointpred.recording import IN_MEMORY
 from pointpred.recordings.reading import Cut, Reading
-from pointpred.recordings.segmentation import cut, cut_at_clicks, cut_at_pauses, trials_of_stream
+from pointpred.recordings.segmentation import (
+    cut,
+    cut_at_clicks,
+    cut_at_pauses,
+    trials_of_stream,
+)
 from pointpred.records import EventColumns
 
 HOWS: tuple[Cut, ...] = ("clicks", "bursts", "whole")

@@ -7,7 +7,12 @@ import io
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.encodings import DAMAGED, GZIP, HEAD_BYTES, UTF_16
+from pointpred.recordings.encodings import (
+    DAMAGED,
+    GZIP,
+    HEAD_BYTES,
+    UTF_16,
+)
 from pointpred_server.uploads.receiving import UploadError
 
 PARQUET = b"PAR1"
