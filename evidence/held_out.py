@@ -27,8 +27,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import data, train
-from pointpred.training.data import TrainingData
-from pointpred.training.examples import Examples
+from pointpred.training.data import Examples, TrainingData
 from pointpred.training.fitting import Settings
 
 CODE = (

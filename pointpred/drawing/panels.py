@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
-from pointpred.drawing.style import GREY, PALETTE, Picture, canvas, picture
+from pointpred.drawing import GREY, PALETTE, Picture, canvas, picture
 from pointpred.records import FloatArray
 
 if TYPE_CHECKING:

@@ -12,11 +12,10 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring.measures.time_left import clock_s
-from pointpred.scoring.parts import outcome, score_part, set_without_trials, with_trials
 from pointpred.scoring.results import SetScore
+from pointpred.scoring.scorer import outcome, score_part, set_without_trials, with_trials, worst_trials
 from pointpred.scoring.summary import FLOOR
 from pointpred.scoring.trials import prepare, resolution
-from pointpred.scoring.worst import worst_trials
 
 Progress = Callable[[str, int, int], None]
 """Called with the set's name, the events replayed so far and all events to replay for it."""

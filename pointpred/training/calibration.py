@@ -15,7 +15,7 @@ from pointpred.predictors.kinematic import network as net
 from pointpred.records import FloatArray
 from pointpred.scoring.measures.regions import reach
 from pointpred.training import losses
-from pointpred.training.examples import Examples
+from pointpred.training.data import Examples
 from pointpred.training.fitting import FittedNetwork, Settings, truth
 
 LEVELS = (0.5, 0.8, 0.95)

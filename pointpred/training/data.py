@@ -10,11 +10,9 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.executors import Executor
-from pointpred.executors.local import Caller
 from pointpred.recording import Recording
-from pointpred.training.examples import Examples, examples
-from pointpred.training.variants import varied
+from pointpred.scoring.executors import Caller, Executor
+from pointpred.training.data import Examples, examples, varied
 
 SETS = {
     "freihaut2021": "GPL-3.0",

@@ -11,8 +11,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.records import FloatArray
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims
-from pointpred.training.data import FOLDS, SETS, Log, TrainingData
-from pointpred.training.examples import Examples, join
+from pointpred.training.data import FOLDS, SETS, Examples, Log, TrainingData, join
 from pointpred.training.fitting import FittedNetwork, Settings, fit
 
 Nets = list[tuple[set[int], FittedNetwork]]

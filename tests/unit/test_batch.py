@@ -17,18 +17,18 @@ import numpy as np
 import pytest
 
 from evidence.costs.written_in_parts import write_in_parts
-from pointpred.batch import ScoredSet, plan, score_in_chunks
-from pointpred.batch import scoring as scoring_module
-from pointpred.batch.part_store import FolderStore
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
 from pointpred.recordings import StoredRecording, read, write
 from pointpred.recordings.stored import stored
 from pointpred.scoring import score, summarise
+from pointpred.scoring.checkpoints import FolderStore
+from pointpred.scoring.chunks import ScoredSet, plan, score_in_chunks
+from pointpred.scoring.chunks import scoring as scoring_module
+from pointpred.scoring.executors import Executor, open_executor
 from pointpred.scoring.scorer import scoring_with
 
 NAMES = ["switched", "minimum-jerk"]

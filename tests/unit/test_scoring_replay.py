@@ -13,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.records import BoolArray, FloatArray, MotionColumns
-from pointpred.scoring import chunks, prepare, replay, score, scorer
+from pointpred.scoring import prepare, replay, score, scorer
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors
 from tests.scripted import Scripted, pipeline_with

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray
-from pointpred.scoring.measures.moments import moments
+from pointpred.scoring.measures.endpoint import moments
 from pointpred.scoring.results import ScoredTrial
 
 

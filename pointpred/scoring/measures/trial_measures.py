@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pointpred.recording import Skip
 from pointpred.records import EventColumns, FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint, regions, target_hits, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.trials import Prepared
 

@@ -11,9 +11,7 @@ from numpy.typing import NDArray
 from pointpred.recording import Recording, Skip
 from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring.results import ScoredTrial
-from pointpred.scoring.trials import cutting
-from pointpred.scoring.trials.clean_trials import clean_trials
-from pointpred.scoring.trials.submovements import submovements
+from pointpred.scoring.trials import clean_trials, cutting, submovements
 
 REASONS = {
     cutting.EMPTY: "has no events",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.records import BoolArray, EventColumns, FloatArray
-from pointpred.scoring.chunks import in_threads
+from pointpred.scoring.spans import in_threads
 
 PEAK_RATIO = 5.0
 """A trial is free of sub-movements when its highest speed peak is at least so many times every other."""
