@@ -28,8 +28,7 @@ from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import data, train
 from pointpred.training.__main__ import in_one_thread
-from pointpred.training.data import TrainingData
-from pointpred.training.examples import Examples
+from pointpred.training.data import Examples, TrainingData
 from pointpred.training.fitting import Settings
 
 CODE = (

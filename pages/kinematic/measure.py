@@ -12,17 +12,16 @@ import numpy as np
 from pages import PAGES, data
 from pages.arguments import parse
 from pages.kinematic.records import Claims, Held, Ratio, SetRow, Validation
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
+from pointpred.records import FloatArray
 from pointpred.scoring import SetScore, score, summarise
 from pointpred.scoring.summary import Measure
 from pointpred.training import calibration
 from pointpred.training import data as training_data
 from pointpred.training.__main__ import in_one_thread
-from pointpred.training.custom import claims_by_set, of_users, pipeline_of
 from pointpred.training.data import Log, TrainingData
 from pointpred.training.fitting import FittedNetwork, Settings
-from pointpred.training.train import Nets, fit_without, folds
+from pointpred.training.train import Nets, claims_by_set, fit_without, folds, of_users, pipeline_of
 
 
 class Verdict(msgspec.Struct, frozen=True):

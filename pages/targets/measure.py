@@ -17,7 +17,7 @@ from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out, trained_predictors, training_sets
 from pages.targets import fit as targets_fit
 from pages.thinning import save
-from pointpred.drawing.style import GREY, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY

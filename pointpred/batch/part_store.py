@@ -14,11 +14,11 @@ from typing import Protocol
 
 import numpy as np
 
-from pointpred.batch import part_file
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
-from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
+from pointpred.records import FloatArray
+from pointpred.scoring.chunks import part_file
+from pointpred.scoring.scorer import PartOutcome, ScoredPart, outcome
 
 PART = "part"
 """How the name of a file ends until it is written whole."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
-from pointpred.sources.own.stored import StoredPart, StoredRecording
+from pointpred.recordings.stored import StoredPart, StoredRecording
 
 CHUNK_EVENTS = 65_536
 """Events in a chunk, about: enough to forget what a chunk costs, few enough for bounded memory."""

@@ -10,18 +10,14 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
-from pointpred.batch import part_file
-from pointpred.batch.digests import digest
-from pointpred.batch.part_store import FolderStore, MemoryStore, PartStore, temporary_store
-from pointpred.batch.plan import Chunk, Source, about, events_of, plan, read
-from pointpred.batch.scored_set import ScoredSet
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.executors import Executor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
+from pointpred.scoring.checkpoints import FolderStore, MemoryStore, PartStore, temporary_store
+from pointpred.scoring.chunks import Chunk, ScoredSet, Source, about, digest, events_of, part_file, plan, read
+from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
-from pointpred.scoring.parts import ScoredPart, score_part, set_without_trials
-from pointpred.scoring.scorer import Scoring
+from pointpred.scoring.scorer import ScoredPart, Scoring, score_part, set_without_trials
 from pointpred.scoring.trials import durations_s, prepare
 
 Progress = Callable[[str, int, int], None]

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
-from pointpred.columns import FloatArray
-from pointpred.drawing.style import GREY, PALETTE, Picture, canvas, picture
+from pointpred.drawing import GREY, PALETTE, Picture, canvas, picture
+from pointpred.records import FloatArray
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,7 +8,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
-from pointpred.report.statistics import ALPHA
+from pointpred.scoring.report.report import ALPHA
 from pointpred.scoring.results import PATH_FRACTIONS
 
 if TYPE_CHECKING:

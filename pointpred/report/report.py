@@ -7,23 +7,41 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.drawing.style import Picture
+from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
 from pointpred.recording import Skip
-from pointpred.report.choice import Conclusion, compared, conclusion, highlighted, pair, ranked
-from pointpred.report.figures.boxes import boxes
-from pointpred.report.figures.claims import inside_curves, time_left_bars
-from pointpred.report.figures.errors import clean_against_all, cost, curves, group_curves, skill_bars
-from pointpred.report.figures.paths import draw_worst
-from pointpred.report.figures.style import HOLD
-from pointpred.report.page import page, versions
-from pointpred.report.statistics import Analysis, AxisRow, analysis, axis_row
+from pointpred.scoring.report.figures import (
+    HOLD,
+    boxes,
+    clean_against_all,
+    cost,
+    curves,
+    draw_worst,
+    group_curves,
+    inside_curves,
+    skill_bars,
+    time_left_bars,
+)
+from pointpred.scoring.report.report import (
+    Analysis,
+    AxisRow,
+    Conclusion,
+    analysis,
+    axis_row,
+    compared,
+    conclusion,
+    highlighted,
+    page,
+    pair,
+    ranked,
+    versions,
+)
 from pointpred.scoring.results import SetScore, WorstTrials
 from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 from pointpred.scoring.summary import SetSummary, summarise
-from pointpred.scoring.table import footnotes
+from pointpred.scoring.summary.document import footnotes
 
 MOST_BOXES = 4
 GROUPS = (

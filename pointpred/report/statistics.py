@@ -7,10 +7,9 @@ from collections.abc import Mapping, Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS
-from pointpred.scoring.statistics import AnovaSeries, AxisProfile
-from pointpred.scoring.statistics.anova import Effect
+from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect
 
 ALPHA = 0.05
 COLUMNS = [AXIS_FRACTIONS.index(fraction) for fraction in PATH_FRACTIONS]

@@ -12,11 +12,10 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring.measures.time_left import clock_s
-from pointpred.scoring.parts import outcome, score_part, set_without_trials, with_trials
 from pointpred.scoring.results import SetScore
+from pointpred.scoring.scorer import outcome, score_part, set_without_trials, with_trials, worst_trials
 from pointpred.scoring.summary import FLOOR
 from pointpred.scoring.trials import prepare, resolution
-from pointpred.scoring.worst import worst_trials
 
 Progress = Callable[[str, int, int], None]
 """Called with the set's name, the events replayed so far and all events to replay for it."""
@@ -93,7 +92,7 @@ def score(
     and the error, and the others are scored; without ``failed`` the error is raised. Raises ParameterError
     for an unknown name or one that appears twice, and for a ``cpi`` or ``dpi`` out of bounds.
 
-    >>> from pointpred.columns import EventColumns
+    >>> from pointpred.records import EventColumns
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 101], y=[0, 0, 0, 0])
     >>> one = score([Recording.of("one", [path], [Trial("ann", "1")])], ["hold"])[0]

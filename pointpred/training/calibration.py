@@ -8,14 +8,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic import calibration as table_law
 from pointpred.predictors.kinematic import features
 from pointpred.predictors.kinematic import network as net
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.regions import reach
 from pointpred.training import losses
-from pointpred.training.examples import Examples
+from pointpred.training.data import Examples
 from pointpred.training.fitting import FittedNetwork, Settings, truth
 
 LEVELS = (0.5, 0.8, 0.95)

@@ -15,16 +15,16 @@ import msgspec
 import numpy as np
 
 import pointpred
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import build
 from pointpred.scoring import score
+from pointpred.scoring.executors import Executor
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims

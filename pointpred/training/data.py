@@ -10,11 +10,9 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.executors import Executor
-from pointpred.executors.local import Caller
 from pointpred.recording import Recording
-from pointpred.training.examples import Examples, examples
-from pointpred.training.variants import varied
+from pointpred.scoring.executors import Caller, Executor
+from pointpred.training.data import Examples, examples, varied
 
 SETS = {
     "freihaut2021": "GPL-3.0",
@@ -122,7 +120,7 @@ def collect(one: Collection) -> Examples:
 
 def read_sets(where: Path) -> list[Recording]:
     """The known sets that a folder holds; raises ParameterError where it holds none."""
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     paths = {name: where / f"{name}_samples.parquet" for name in SETS}
     recordings = [read(path) for path in paths.values() if path.is_file()]

@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import features as kinematic_features
 from pointpred.predictors.kinematic import observation
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import build
 from pointpred.scoring import prepare
 from pointpred.scoring.measures.endpoint import WEIGHT_S

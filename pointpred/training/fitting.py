@@ -9,12 +9,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
+from pointpred.records import FloatArray
 from pointpred.training import network
-from pointpred.training.examples import Examples
-from pointpred.training.losses import Truth, slopes
+from pointpred.training.data import Examples
+from pointpred.training.fitting import Truth, slopes
 
 Floats = NDArray[np.float32]
 NEAR_SHARE = 0.05

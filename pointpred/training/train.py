@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.records import FloatArray
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims
-from pointpred.training.data import FOLDS, SETS, Log, TrainingData
-from pointpred.training.examples import Examples, join
+from pointpred.training.data import FOLDS, SETS, Examples, Log, TrainingData, join
 from pointpred.training.fitting import FittedNetwork, Settings, fit
 
 Nets = list[tuple[set[int], FittedNetwork]]

@@ -6,8 +6,8 @@ from math import cos, log, pi, sin
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording
+from pointpred.records import EventColumns, FloatArray
 
 TEMPO = (0.35, 1.6)
 """Bounds on how much longer a movement is made, even on a logarithmic scale."""

@@ -9,12 +9,12 @@ import pytest
 from scipy import integrate, stats
 
 from pointpred import EventColumns, build
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import prepare, replay, score, summarise
 from pointpred.scoring.measures import student
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.measures.regions import INSIDE, LEVELS, RANKED
 from pointpred.scoring.results import TIME_FRACTIONS
 from tests.scripted import Scripted, pipeline_with

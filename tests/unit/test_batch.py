@@ -16,19 +16,19 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred.batch import ScoredSet, plan, score_in_chunks
-from pointpred.batch import scoring as scoring_module
-from pointpred.batch.part_store import FolderStore
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
+from pointpred.recordings import StoredRecording, read, write, write_in_parts
+from pointpred.recordings.stored import stored
 from pointpred.scoring import score, summarise
+from pointpred.scoring.checkpoints import FolderStore
+from pointpred.scoring.chunks import ScoredSet, plan, score_in_chunks
+from pointpred.scoring.chunks import scoring as scoring_module
+from pointpred.scoring.executors import Executor, open_executor
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources import StoredRecording, read, write, write_in_parts
-from pointpred.sources.own.stored import stored
 
 NAMES = ["switched", "minimum-jerk"]
 

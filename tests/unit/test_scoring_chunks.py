@@ -7,8 +7,6 @@ import threading
 import numpy as np
 import pytest
 
-from pointpred.scoring import chunks
-
 OFFSETS = np.array([0, 30_000, 60_000, 61_000, 90_000])
 
 

@@ -13,8 +13,8 @@ from pointpred.compiled import law
 from pointpred.pipeline import Pipeline
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording, Trial
-from pointpred.rows import Row, TenFloats, endpoint
-from pointpred.scoring import chunks, prepare, replay
+from pointpred.records import Row, TenFloats, endpoint
+from pointpred.scoring import prepare, replay
 from pointpred.scoring.replay import answers_to
 
 MOVEMENTS, LAST_X = 0, 1

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pointpred.drawing.style import Picture, canvas, picture
-from pointpred.report.figures.style import line_style
+from pointpred.drawing import Picture, canvas, picture
+from pointpred.scoring.report.figures import line_style
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, Box
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.drawing.style import FAINT, GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
-from pointpred.report.figures.style import HOLD, line_style
+from pointpred.drawing import FAINT, GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
+from pointpred.records import FloatArray
+from pointpred.scoring.report.figures import HOLD, line_style
 from pointpred.scoring.summary import SERIES, Measure, Measures, PredictorSummary, SetSummary
 
 KINDS = {

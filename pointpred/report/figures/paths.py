@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.drawing.style import GREY, INK, PALETTE, Picture, canvas, picture
+from pointpred.drawing import GREY, INK, PALETTE, Picture, canvas, picture
 from pointpred.scoring.results import SetScore, WorstTrial
 
 MIDDLE = np.linspace(0.3, 0.85, 64)

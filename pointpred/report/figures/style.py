@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Sequence
 
-from pointpred.drawing.style import FAINT, GREY, MARKERS, PALETTE
+from pointpred.drawing import FAINT, GREY, MARKERS, PALETTE
 
 HOLD = "hold"
 MOST_LINES = 6

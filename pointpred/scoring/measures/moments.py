@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 DECILES = tuple(round(0.1 * i, 1) for i in range(1, 10))
 """Shares of the time from onset to arrival at which claims are read."""

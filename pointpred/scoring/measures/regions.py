@@ -7,12 +7,11 @@ from math import erf, exp, pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.regions import reach as plain_reach
 from pointpred.scoring.measures import student
-from pointpred.scoring.measures.endpoint import WEIGHT_S
-from pointpred.scoring.measures.moments import moments
+from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 
 LEVELS = (0.5, 0.8, 0.95)
 """Regions that should hold the endpoint with these probabilities."""

@@ -8,9 +8,9 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.scoring.measures.moments import moments
+from pointpred.records import FloatArray
+from pointpred.scoring.measures.endpoint import moments
 from pointpred.scoring.results import ScoredTrial
 
 

@@ -8,10 +8,9 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.scoring.measures.endpoint import WEIGHT_S
-from pointpred.scoring.measures.moments import moments
+from pointpred.records import FloatArray
+from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 from pointpred.scoring.measures.regions import LEVELS
 
 DEVIATIONS = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)

@@ -6,10 +6,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint, regions, target_hits, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.trials import Prepared
 

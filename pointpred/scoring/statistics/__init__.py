@@ -1,10 +1,10 @@
 """The single-axis error against the path: distributions, and an analysis of variance over people."""
 
-from pointpred.scoring.statistics.anova import Effect
-from pointpred.scoring.statistics.single_axis import (
+from pointpred.scoring.statistics import (
     AnovaSeries,
     AxisProfile,
     Box,
+    Effect,
     axis_anova,
     axis_profile,
 )

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
 
 IndexArray = NDArray[np.int64]
 LEAST_USERS = 3

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors, SetScore
-from pointpred.scoring.statistics.anova import LEAST_USERS, Effect, anova, balance, cell_means
-from pointpred.scoring.statistics.factors import factors_of
+from pointpred.scoring.statistics import LEAST_USERS, Effect, anova, balance, cell_means, factors_of
 
 WHISKER = 1.5
 """Whiskers reach the last value within this many interquartile ranges of the box; the rest are outliers."""

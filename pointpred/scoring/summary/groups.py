@@ -5,9 +5,9 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray
+from pointpred.records import BoolArray
 from pointpred.scoring.results import SetScore
-from pointpred.scoring.summary.trial_columns import EXPERIENCE, LABELS, TrialColumns, trial_columns
+from pointpred.scoring.summary.sums import EXPERIENCE, LABELS, TrialColumns, trial_columns
 
 DIVIDED = "highest speed peak less than 5 times the next"
 WHOLE = "highest speed peak at least 5 times the next"

@@ -7,12 +7,11 @@ from math import nan
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, SetScore
 from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, drawn_totals, ratio_bounds
-from pointpred.scoring.summary.claims import RATIOS, Totals, claims
 from pointpred.scoring.summary.document import (
     VERSION,
     Document,
@@ -27,9 +26,18 @@ from pointpred.scoring.summary.document import (
     interval,
     number,
 )
-from pointpred.scoring.summary.groups import Group, groups
-from pointpred.scoring.summary.sums import WITH_INTERVAL, Parts, Sums, rows_of, sums_of
-from pointpred.scoring.summary.trial_columns import TrialColumns, trial_columns
+from pointpred.scoring.summary.summarise import RATIOS, Totals, claims
+from pointpred.scoring.summary.sums import (
+    WITH_INTERVAL,
+    Group,
+    Parts,
+    Sums,
+    TrialColumns,
+    groups,
+    rows_of,
+    sums_of,
+    trial_columns,
+)
 
 FLOOR = "hold"
 """No prediction: every other error is judged beside its error."""

@@ -12,10 +12,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.measures import regions, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (
     AXIS_FRACTIONS,
     PATH_FRACTIONS,
@@ -23,8 +23,7 @@ from pointpred.scoring.results import (
     PredictorErrors,
     SetScore,
 )
-from pointpred.scoring.summary.groups import Group
-from pointpred.scoring.summary.trial_columns import TrialColumns
+from pointpred.scoring.summary.sums import Group, TrialColumns
 from pointpred.stage import offsets
 
 Parts = Callable[[], Iterable[SetScore]]

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray
+from pointpred.records import BoolArray
 from pointpred.scoring.results import SetScore
 
 EXPERIENCE = ("experience", "skill", "group")

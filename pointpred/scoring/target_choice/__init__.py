@@ -1,11 +1,13 @@
 """Which of several targets a movement is for: candidates for recorded movements, choices, their scores."""
 
-from pointpred.scoring.target_choice.scores import ASKS, NEAREST, score_targets
-from pointpred.scoring.target_choice.summary import (
+from pointpred.scoring.target_choice import (
+    ASKS,
+    NEAREST,
     ChoiceSummary,
     Decisions,
     TargetDocument,
     TargetSummary,
+    score_targets,
     summarise_targets,
 )
 

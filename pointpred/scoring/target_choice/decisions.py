@@ -6,9 +6,8 @@ from math import log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import row_at
+from pointpred.records import FloatArray, row_at
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choice_law import KEEP
 

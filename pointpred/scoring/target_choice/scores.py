@@ -9,14 +9,14 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import build
-from pointpred.scoring.chunks import in_threads
+from pointpred.scoring import target_choice as replaying
 from pointpred.scoring.results import TIME_FRACTIONS
-from pointpred.scoring.target_choice import decisions as replaying
-from pointpred.scoring.target_choice.layouts import Layout, layouts
+from pointpred.scoring.spans import in_threads
+from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import posterior
 

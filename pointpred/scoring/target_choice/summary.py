@@ -5,11 +5,11 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
+from pointpred.scoring import target_choice as replaying
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary.document import Number, Unread, number
-from pointpred.scoring.target_choice import decisions as replaying
-from pointpred.scoring.target_choice.scores import ASKS, TargetScore, TargetSet
+from pointpred.scoring.target_choice import ASKS, TargetScore, TargetSet
 
 LEVEL = 0.8
 """The precision at which predictors are compared."""

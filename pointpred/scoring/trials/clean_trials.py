@@ -7,8 +7,8 @@ from math import hypot, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
+from pointpred.records import BoolArray, EventColumns, FloatArray
 
 DISTANCE_PX = 80.0
 """A clean trial goes at least so far."""

@@ -8,12 +8,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording, Skip
+from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring.results import ScoredTrial
-from pointpred.scoring.trials import cutting
-from pointpred.scoring.trials.clean_trials import clean_trials
-from pointpred.scoring.trials.submovements import submovements
+from pointpred.scoring.trials import clean_trials, cutting, submovements
 
 REASONS = {
     cutting.EMPTY: "has no events",
@@ -69,7 +67,7 @@ def prepare(
     ``cpi`` and ``dpi`` (counts and px per inch) replace the recording's own values; they matter only
     to the speed that decides on sub-movements.
 
-    >>> from pointpred.columns import EventColumns, FloatArray
+    >>> from pointpred.records import EventColumns, FloatArray
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 100], y=[0, 0, 0, 0])
     >>> trial = prepare(Recording.of("one", [path], [Trial("ann", "1")])).trials[0]

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.scoring.chunks import in_threads
+from pointpred.records import BoolArray, EventColumns, FloatArray
+from pointpred.scoring.spans import in_threads
 
 PEAK_RATIO = 5.0
 """A trial is free of sub-movements when its highest speed peak is at least so many times every other."""
