@@ -110,10 +110,10 @@ def score(
         return
     if report is not None:
         require("report", "a report")  # before minutes of scoring
-    from pointpred.batch import score_in_chunks
     from pointpred.cli.progress import following
-    from pointpred.executors import open_executor
     from pointpred.scoring import Document
+    from pointpred.scoring.batch import score_in_chunks
+    from pointpred.scoring.executors import open_executor
     from pointpred.scoring.scorer import scoring_with
     from pointpred.scoring.summary.document import VERSION
 
@@ -137,7 +137,7 @@ def score(
                     raise  # nothing is wrong with the recording
                 leave_out(reasons, source.name, error)
     if report is not None and drawn:
-        from pointpred.report import write_report
+        from pointpred.scoring.report import write_report
 
         write_report(drawn, report)
     scores = Document(VERSION, tuple(sets), tuple(_unread(reasons)))

@@ -82,7 +82,7 @@ def train(
     coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
-    from pointpred.executors import open_executor
+    from pointpred.scoring.executors import open_executor
     from pointpred.training.custom import train_custom
 
     with (

@@ -17,7 +17,6 @@ import numpy as np
 import pointpred
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
@@ -25,6 +24,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import score
+from pointpred.scoring.executors import Executor
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims

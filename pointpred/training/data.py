@@ -10,9 +10,9 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.executors import Executor
-from pointpred.executors.local import Caller
 from pointpred.recording import Recording
+from pointpred.scoring.executors import Executor
+from pointpred.scoring.executors.local import Caller
 from pointpred.training.examples import Examples, examples
 from pointpred.training.variants import varied
 

@@ -38,7 +38,6 @@ MAY_IMPORT = {
     "columns": {"errors", "regions", "events", "rows"},
     "drawing": {"files", "columns"},
     "mixtures": {"errors", "compiled", "regions", "columns"},
-    "executors": {"errors", "extras"},
     "recording": {"errors", "events", "columns"},
     "parameter": {"errors"},
     "scene": {"errors", "events"},
@@ -55,10 +54,8 @@ MAY_IMPORT = {
     "registry": MATHS | {"predictors", "pipeline"},
     "simulation": PIPELINE,
     "targets": GROUND,
-    "scoring": PIPELINE | {"targets"},
-    "report": PIPELINE | {"drawing", "scoring"},
-    "reproduction": PIPELINE
-    | {"drawing", "observers", "camera", "simulation", "scoring", "report", "sources"},
+    "scoring": PIPELINE | {"targets", "drawing", "sources", "pointpred"},
+    "reproduction": PIPELINE | {"drawing", "observers", "camera", "simulation", "scoring", "sources"},
     "hid": {"errors"},
     "sources": {
         *("errors", "extras", "files", "events", "rows", "columns", "recording"),
@@ -67,8 +64,7 @@ MAY_IMPORT = {
     "devices": MATHS | {"hid", "sources"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "sources"},
-    "batch": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
-    "training": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
+    "training": PIPELINE | {"scoring", "sources", "pointpred"},
     "protocol": PIPELINE | {"targets", "scoring"},
     "server": PIPELINE | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "pointpred"},
     "client": {"errors", "events", "rows", "columns", "registry", "protocol"},
@@ -78,11 +74,8 @@ MAY_IMPORT = {
         "targets",
         "simulation",
         "scoring",
-        "report",
         "reproduction",
         "sources",
-        "batch",
-        "executors",
         "training",
         "datasets",
         "devices",
@@ -130,7 +123,7 @@ def test_modules_have_an_order() -> None:
     assert list(TopologicalSorter(graph).static_order())
 
 
-@pytest.mark.parametrize("layer", ["devices", "observers", "report", "scoring", "server", "sources"])
+@pytest.mark.parametrize("layer", ["devices", "observers", "scoring", "server", "sources"])
 def test_rooms_of_a_layer_have_an_order(layer: str) -> None:
     """What holds between layers holds between the rooms of a large one, too; its door stands apart."""
     graph: dict[str, set[str]] = {}

@@ -47,7 +47,7 @@ def test_wheel_holds_every_module_under_pointpred(wheel: Path) -> None:
     modules = {module_of(path).replace(".", "/") for path in package_files()}
     missing = {name for name in modules if not {f"{name}.py", f"{name}/__init__.py"} & names}
     assert not missing
-    assert {"pointpred/py.typed", "pointpred/report/templates/report.html"} <= names
+    assert {"pointpred/py.typed", "pointpred/scoring/report/templates/report.html"} <= names
     page = {path.relative_to(ROOT) for path in (ROOT / "server" / "web").rglob("*") if path.is_file()}
     assert {f"pointpred/{path.as_posix()}" for path in page} <= names
 

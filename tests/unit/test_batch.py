@@ -16,16 +16,16 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred.batch import ScoredSet, plan, score_in_chunks
-from pointpred.batch import scoring as scoring_module
-from pointpred.batch.part_store import FolderStore
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
 from pointpred.scoring import score, summarise
+from pointpred.scoring.batch import ScoredSet, plan, score_in_chunks
+from pointpred.scoring.batch import scoring as scoring_module
+from pointpred.scoring.batch.part_store import FolderStore
+from pointpred.scoring.executors import Executor, open_executor
 from pointpred.scoring.scorer import scoring_with
 from pointpred.sources import StoredRecording, read, write, write_in_parts
 from pointpred.sources.own.stored import stored
@@ -316,7 +316,7 @@ def test_a_folder_that_cannot_be_written_is_said(short: Recording, tmp_path: Pat
 
 
 COMMAND = (
-    "import sys, pointpred.batch.plan as plan; plan.CHUNK_EVENTS = 12_000\n"
+    "import sys, pointpred.scoring.batch.plan as plan; plan.CHUNK_EVENTS = 12_000\n"
     "from pointpred.cli import main\n"
     "if __name__ == '__main__': main()\n"
 )

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.executors import dask, open_executor
-from pointpred.executors.executor import AHEAD
+from pointpred.scoring.executors import dask, open_executor
+from pointpred.scoring.executors.executor import AHEAD
 
 WAYS: list[dict[str, Any]] = [{"threads": 1}, {"threads": 3}, {"processes": 2}, {"cluster": "local"}]
 

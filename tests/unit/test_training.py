@@ -11,12 +11,12 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.executors import open_executor
 from pointpred.predictors.kinematic import calibration as kinematic_calibration
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
+from pointpred.scoring.executors import open_executor
 from pointpred.training import calibration, data, fitting, losses, network, train
 from pointpred.training.examples import examples, join
 from pointpred.training.fitting import Settings

@@ -6,9 +6,9 @@ from html.parser import HTMLParser
 import pytest
 from msgspec.structs import replace
 
-from pointpred.report import write_report
-from pointpred.report.choice import conclusion, ranked
-from pointpred.report.page import environment
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.choice import conclusion, ranked
+from pointpred.scoring.report.page import environment
 from pointpred.scoring.summary import summarise
 
 

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from pointpred.report import write_report
-from pointpred.report.statistics import ALPHA, leads, terms
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.statistics import ALPHA, leads, terms
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova
 from pointpred.scoring.statistics.anova import Effect

@@ -10,8 +10,8 @@ from itertools import islice
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.executors.executor import AHEAD, Answer, Item
 from pointpred.extras import require
+from pointpred.scoring.executors.executor import AHEAD, Answer, Item
 
 LOCAL = "local"
 """In the place of a scheduler's address: a cluster of processes on this machine."""

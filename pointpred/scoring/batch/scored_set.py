@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 import msgspec
 import numpy as np
 
-from pointpred.batch.part_store import PartStore
-from pointpred.batch.plan import Chunk, read
 from pointpred.pipeline import Pipeline
 from pointpred.scoring import SetScore, SetSummary, prepare
+from pointpred.scoring.batch.part_store import PartStore
+from pointpred.scoring.batch.plan import Chunk, read
 from pointpred.scoring.parts import with_trials
 from pointpred.scoring.replay import answers_to
 from pointpred.scoring.results import WorstTrial, WorstTrials

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pointpred.drawing.style import Picture, canvas, picture
-from pointpred.report.figures.style import line_style
+from pointpred.scoring.report.figures.style import line_style
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, Box
 

@@ -13,7 +13,7 @@ from multiprocessing.connection import wait as wait_for
 from threading import Thread
 
 from pointpred.errors import ParameterError
-from pointpred.executors.executor import AHEAD, Answer, Item
+from pointpred.scoring.executors.executor import AHEAD, Answer, Item
 
 
 class Caller:

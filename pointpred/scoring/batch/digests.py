@@ -11,9 +11,9 @@ from pathlib import Path
 import msgspec
 
 import pointpred
-from pointpred.batch.plan import Chunk, Source, events_of
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
+from pointpred.scoring.batch.plan import Chunk, Source, events_of
 
 BLOCK_BYTES = 1 << 20
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.drawing.style import FAINT, GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
-from pointpred.report.figures.style import HOLD, line_style
+from pointpred.scoring.report.figures.style import HOLD, line_style
 from pointpred.scoring.summary import SERIES, Measure, Measures, PredictorSummary, SetSummary
 
 KINDS = {

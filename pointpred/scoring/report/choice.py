@@ -7,7 +7,7 @@ from math import inf
 
 import msgspec
 
-from pointpred.report.figures.style import HOLD, MOST_LINES
+from pointpred.scoring.report.figures.style import HOLD, MOST_LINES
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import PredictorSummary, SetSummary
 

@@ -8,7 +8,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
-from pointpred.report.statistics import ALPHA
+from pointpred.scoring.report.statistics import ALPHA
 from pointpred.scoring.results import PATH_FRACTIONS
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def environment() -> Environment:
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(
-        loader=PackageLoader("pointpred.report"),
+        loader=PackageLoader("pointpred.scoring.report"),
         autoescape=True,
         undefined=StrictUndefined,
         finalize=_printable,

@@ -14,10 +14,10 @@ from typing import Protocol
 
 import numpy as np
 
-from pointpred.batch import part_file
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
+from pointpred.scoring.batch import part_file
 from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
 
 PART = "part"

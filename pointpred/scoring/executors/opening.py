@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from pointpred.errors import ParameterError
-from pointpred.executors.executor import Executor
-from pointpred.executors.local import Caller, Pool
-from pointpred.executors.local import processes as pool_of_processes
-from pointpred.executors.local import threads as pool_of_threads
+from pointpred.scoring.executors.executor import Executor
+from pointpred.scoring.executors.local import Caller, Pool
+from pointpred.scoring.executors.local import processes as pool_of_processes
+from pointpred.scoring.executors.local import threads as pool_of_threads
 
 
 @contextmanager
@@ -37,7 +37,7 @@ def open_executor(
             raise ParameterError(f"{name} must be at least 1, received {value}", field=name, value=value)
     processors = os.cpu_count() or 1
     if cluster is not None:
-        from pointpred.executors.dask import cluster as open_cluster
+        from pointpred.scoring.executors.dask import cluster as open_cluster
 
         with open_cluster(cluster, processors) as one:
             yield one

@@ -12,14 +12,14 @@ from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
 from pointpred.recording import Skip
-from pointpred.report.choice import Conclusion, compared, conclusion, highlighted, pair, ranked
-from pointpred.report.figures.boxes import boxes
-from pointpred.report.figures.claims import inside_curves, time_left_bars
-from pointpred.report.figures.errors import clean_against_all, cost, curves, group_curves, skill_bars
-from pointpred.report.figures.paths import draw_worst
-from pointpred.report.figures.style import HOLD
-from pointpred.report.page import page, versions
-from pointpred.report.statistics import Analysis, AxisRow, analysis, axis_row
+from pointpred.scoring.report.choice import Conclusion, compared, conclusion, highlighted, pair, ranked
+from pointpred.scoring.report.figures.boxes import boxes
+from pointpred.scoring.report.figures.claims import inside_curves, time_left_bars
+from pointpred.scoring.report.figures.errors import clean_against_all, cost, curves, group_curves, skill_bars
+from pointpred.scoring.report.figures.paths import draw_worst
+from pointpred.scoring.report.figures.style import HOLD
+from pointpred.scoring.report.page import page, versions
+from pointpred.scoring.report.statistics import Analysis, AxisRow, analysis, axis_row
 from pointpred.scoring.results import SetScore, WorstTrials
 from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 from pointpred.scoring.summary import SetSummary, summarise

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
-from pointpred.report.figures.errors import marked
 from pointpred.scoring.measures.regions import LEVELS
+from pointpred.scoring.report.figures.errors import marked
 from pointpred.scoring.summary import Calibration, PredictorSummary, SetSummary, TimeLeft
 from pointpred.scoring.summary.document import InsideAtTime, or_nan
 

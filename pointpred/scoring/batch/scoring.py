@@ -10,15 +10,15 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
-from pointpred.batch import part_file
-from pointpred.batch.digests import digest
-from pointpred.batch.part_store import FolderStore, MemoryStore, PartStore, temporary_store
-from pointpred.batch.plan import Chunk, Source, about, events_of, plan, read
-from pointpred.batch.scored_set import ScoredSet
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.executors import Executor
 from pointpred.recording import Recording
+from pointpred.scoring.batch import part_file
+from pointpred.scoring.batch.digests import digest
+from pointpred.scoring.batch.part_store import FolderStore, MemoryStore, PartStore, temporary_store
+from pointpred.scoring.batch.plan import Chunk, Source, about, events_of, plan, read
+from pointpred.scoring.batch.scored_set import ScoredSet
+from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.parts import ScoredPart, score_part, set_without_trials
 from pointpred.scoring.scorer import Scoring
