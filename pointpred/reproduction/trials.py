@@ -15,7 +15,7 @@ from pointpred.pipeline import Pipeline, run
 from pointpred.registry import build
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import CPI, SEED, Movements, movements, novice_and_expert
-from pointpred.scoring.trials.submovements import PEAK_RATIO
+from pointpred.scoring.trials import PEAK_RATIO
 from pointpred.simulation import Aim, Setup
 from pointpred.simulation.movement import move
 from pointpred.transfer import ConstantGain

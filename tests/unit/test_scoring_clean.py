@@ -10,7 +10,7 @@ import pytest
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
-from pointpred.scoring.trials.clean_trials import clean_trials
+from pointpred.scoring.trials import clean_trials
 from pointpred.sources import read
 
 
