@@ -9,8 +9,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS
-from pointpred.scoring.statistics import AnovaSeries, AxisProfile
-from pointpred.scoring.statistics.anova import Effect
+from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect
 
 ALPHA = 0.05
 COLUMNS = [AXIS_FRACTIONS.index(fraction) for fraction in PATH_FRACTIONS]

@@ -4,8 +4,7 @@ import pytest
 from pointpred.scoring.report import write_report
 from pointpred.scoring.report.statistics import ALPHA, leads, terms
 from pointpred.scoring.results import AXIS_FRACTIONS
-from pointpred.scoring.statistics import axis_anova
-from pointpred.scoring.statistics.anova import Effect
+from pointpred.scoring.statistics import Effect, axis_anova
 
 
 def effect(f, p):
