@@ -8,7 +8,7 @@ import msgspec
 
 from pointpred.columns import FloatArray
 from pointpred.scoring.measures import regions
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.document import (

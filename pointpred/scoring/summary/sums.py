@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.scoring.measures import regions, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (
     AXIS_FRACTIONS,
     PATH_FRACTIONS,
