@@ -23,7 +23,7 @@ from pointpred.scoring.report.statistics import Analysis, AxisRow, analysis, axi
 from pointpred.scoring.results import SetScore, WorstTrials
 from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 from pointpred.scoring.summary import SetSummary, summarise
-from pointpred.scoring.table import footnotes
+from pointpred.scoring.summary.document import footnotes
 
 MOST_BOXES = 4
 GROUPS = (
