@@ -16,8 +16,8 @@ from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.rows import row_at
-from pointpred.scoring.chunks import in_threads
 from pointpred.scoring.results import TIME_FRACTIONS
+from pointpred.scoring.spans import in_threads
 from pointpred.scoring.summary.document import Number, Unread, number
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution

@@ -14,8 +14,8 @@ from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.recording import Recording, Skip
 from pointpred.records import FINE, EventRow, event_at, fault_of_event
-from pointpred.scoring.chunks import in_threads
 from pointpred.scoring.results import ScoredTrial
+from pointpred.scoring.spans import in_threads
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""

@@ -11,9 +11,9 @@ import pyarrow as pa
 from pointpred.columns import FloatArray
 from pointpred.recording import Trial
 from pointpred.scoring.measures.trial_measures import TrialMeasures
-from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
 from pointpred.scoring.replay import Measured
 from pointpred.scoring.results import ScoredTrial
+from pointpred.scoring.scorer import PartOutcome, ScoredPart, outcome
 
 KEY = b"pointpred"
 TRIAL = ("user", "trial", "target_x", "target_y", "target_w")

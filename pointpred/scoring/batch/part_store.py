@@ -18,7 +18,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.scoring.batch import part_file
-from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
+from pointpred.scoring.scorer import PartOutcome, ScoredPart, outcome
 
 PART = "part"
 """How the name of a file ends until it is written whole."""

@@ -11,12 +11,10 @@ from pointpred.pipeline import Pipeline
 from pointpred.scoring import SetScore, SetSummary, prepare
 from pointpred.scoring.batch.part_store import PartStore
 from pointpred.scoring.batch.plan import Chunk, read
-from pointpred.scoring.parts import with_trials
 from pointpred.scoring.replay import answers_to
 from pointpred.scoring.results import WorstTrial, WorstTrials
-from pointpred.scoring.scorer import Scoring
+from pointpred.scoring.scorer import Scoring, with_trials, worst_of
 from pointpred.scoring.summary import summarise_parts
-from pointpred.scoring.worst import worst_of
 
 
 class ScoredSet(msgspec.Struct, frozen=True):

@@ -20,8 +20,7 @@ from pointpred.scoring.batch.plan import Chunk, Source, about, events_of, plan, 
 from pointpred.scoring.batch.scored_set import ScoredSet
 from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
-from pointpred.scoring.parts import ScoredPart, score_part, set_without_trials
-from pointpred.scoring.scorer import Scoring
+from pointpred.scoring.scorer import ScoredPart, Scoring, score_part, set_without_trials
 from pointpred.scoring.trials import durations_s, prepare
 
 Progress = Callable[[str, int, int], None]

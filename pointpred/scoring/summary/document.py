@@ -1,8 +1,8 @@
 """What a scoring run prints and sends: typed records, and the table of a set as text.
 
 The records are the JSON document of ``pointpred score --json``. ``None`` stands where a number means nothing:
-a mean over no trials, a share of an error of 0. Mappings by a share of the time or of the path have that share
-as their key, and its digits as the key in JSON. Read a document with
+a mean over no trials, a share of an error of 0. Mappings by a share of the time or of the path have that
+share as their key, and its digits as the key in JSON. Read a document with
 ``msgspec.json.decode(data, type=Document)``.
 """
 

@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-CHUNK_EVENTS = 32_768
+SPAN_EVENTS = 32_768
 """Events in one call: enough to forget the call, few enough for the processor's cache."""
 
 Answer = TypeVar("Answer")
@@ -18,14 +18,14 @@ Item = TypeVar("Item")
 
 
 def spans(offsets: NDArray[np.int64]) -> list[tuple[int, int]]:
-    """Ranges (first, stop) of whole trials with at most CHUNK_EVENTS events; a longer trial stands alone.
+    """Ranges (first, stop) of whole trials with at most SPAN_EVENTS events; a longer trial stands alone.
 
     >>> spans(np.array([0, 20_000, 30_000, 40_000, 90_000]))
     [(0, 2), (2, 3), (3, 4)]
     """
     ranges, first = [], 0
     while first < len(offsets) - 1:
-        reach = offsets[first] + CHUNK_EVENTS
+        reach = offsets[first] + SPAN_EVENTS
         stop = max(first + 1, int(np.searchsorted(offsets, reach, side="right")) - 1)
         ranges.append((first, stop))
         first = stop
@@ -41,7 +41,7 @@ def users(names: Sequence[str], offsets: NDArray[np.int64]) -> list[list[tuple[i
     ranges: dict[str, list[tuple[int, int]]] = {}
     for k, name in enumerate(names):
         mine = ranges.setdefault(name, [])
-        if mine and mine[-1][1] == k and offsets[k + 1] - offsets[mine[-1][0]] <= CHUNK_EVENTS:
+        if mine and mine[-1][1] == k and offsets[k + 1] - offsets[mine[-1][0]] <= SPAN_EVENTS:
             mine[-1] = (mine[-1][0], k + 1)
         else:
             mine.append((k, k + 1))
