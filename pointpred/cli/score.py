@@ -112,7 +112,7 @@ def score(
         require("report", "a report")  # before minutes of scoring
     from pointpred.cli.progress import following
     from pointpred.scoring import Document
-    from pointpred.scoring.batch import score_in_chunks
+    from pointpred.scoring.chunks import score_in_chunks
     from pointpred.scoring.executors import open_executor
     from pointpred.scoring.scorer import scoring_with
     from pointpred.scoring.summary.document import VERSION
