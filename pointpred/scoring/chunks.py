@@ -201,9 +201,9 @@ def score_in_chunks(
     The same recording and settings give the same numbers, bit for bit, whatever the executor, its workers and
     the order in which they end. With ``checkpoints``, a folder, each chunk's result is kept there as soon
     as it is there; a later call with the same recording, settings and version goes on from what it finds,
-    and the set holds nothing that was timed (``us_per_event`` is NaN). ``progress``: called with what is being
-    done, the events done and all events. Raises RecordingError where a stored
-    recording cannot be read, ParameterError where ``checkpoints`` cannot be written or be read back.
+    and the set holds nothing that was timed (``us_per_event`` is NaN). ``progress``: called with what is
+    being done, the events done and all events. Raises RecordingError where a stored recording cannot be
+    read, ParameterError where ``checkpoints`` cannot be written or be read back.
     """
     whole = about(source)
     pipelines = scoring.pipelines(whole)
