@@ -11,8 +11,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording
-from pointpred.scoring.executors import Executor
-from pointpred.scoring.executors.local import Caller
+from pointpred.scoring.executors import Caller, Executor
 from pointpred.training.examples import Examples, examples
 from pointpred.training.variants import varied
 
