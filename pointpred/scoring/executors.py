@@ -7,13 +7,13 @@ import multiprocessing
 import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
-from concurrent import futures
 from concurrent.futures import (
     FIRST_COMPLETED,
     CancelledError,
     Future,
     ProcessPoolExecutor,
     ThreadPoolExecutor,
+    wait,
 )
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
@@ -95,12 +95,12 @@ def open_executor(
     elif processes is not None:
         context = multiprocessing.get_context("spawn")
         with ProcessPoolExecutor(processes, mp_context=context, initializer=_stay_with_parent) as workers:
-            yield Pool(workers, processes, inner_threads=processes)
+            yield Pool(workers, processes)
     elif (threads or processors) == 1:
         yield Caller()
     else:  # compiled laws run in threads without Python's lock
         with ThreadPoolExecutor(threads or processors) as pool:
-            yield Pool(pool, threads or processors, inner_threads=threads or processors)
+            yield Pool(pool, threads or processors)
 
 
 class Caller:
@@ -115,12 +115,12 @@ class Caller:
 
 
 class Pool:
-    """The workers behind an executor of the standard library's kind."""
+    """The threads or processes of a pool of the standard library."""
 
-    def __init__(self, pool: futures.Executor, workers: int, *, inner_threads: int) -> None:
+    def __init__(self, pool: ThreadPoolExecutor | ProcessPoolExecutor, workers: int) -> None:
         self._pool = pool
         self.workers = workers
-        self.inner_threads = inner_threads
+        self.inner_threads = workers
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """As every executor."""
@@ -134,7 +134,7 @@ class Pool:
         try:
             add(AHEAD * self.workers)
             while waiting:
-                for future in self.done(waiting):
+                for future in wait(waiting, return_when=FIRST_COMPLETED).done:
                     place = waiting.pop(future)
                     add(1)
                     yield place, future.result()
@@ -145,32 +145,60 @@ class Pool:
             for future in waiting:
                 future.cancel()
 
-    def done(self, waiting: Iterable[Future[Answer]]) -> set[Future[Answer]]:
-        """Wait until some of these are done."""
-        return futures.wait(waiting, return_when=FIRST_COMPLETED).done
 
+class Cluster:
+    """The workers of a Dask cluster.
 
-class Cluster(Pool):
-    """The workers of a Dask cluster."""
+    Not by ``client.get_executor()``, which prints a traceback for a future that is given up while its answer
+    is on its way.
+    """
+
+    inner_threads = 1
 
     def __init__(self, client: Any) -> None:
-        super().__init__(client.get_executor(pure=False), sum(client.nthreads().values()), inner_threads=1)
         self._client = client
+        self.workers = sum(client.nthreads().values())
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """As every executor."""
         import distributed
 
+        as_completed: Any = distributed.as_completed
+        numbered = enumerate(items)
+        places: dict[Any, int] = {}
+        answers = as_completed([], raise_errors=False, with_results=True)
+
+        def add(most: int) -> None:
+            for place, item in islice(numbered, most):
+                future = self._client.submit(function, item, pure=False)
+                places[future] = place
+                answers.add(future)
+
         try:
-            yield from super().each(function, items)
+            add(AHEAD * self.workers)
+            while places:
+                self._wait(answers)
+                future, answer = next(answers)
+                place = places.pop(future)
+                add(1)
+                if future.status in ("error", "cancelled"):
+                    future.result()  # raises
+                yield place, answer
+                del future  # the cluster forgets the answer
         except (distributed.KilledWorker, CancelledError) as error:
             message = f"the Dask cluster lost workers, perhaps for lack of memory, or its scheduler: {error}"
             raise ParameterError(message, field="cluster") from error
+        finally:
+            if places:
+                self._client.cancel(list(places))
 
-    def done(self, waiting: Iterable[Future[Answer]]) -> set[Future[Answer]]:
-        """As every pool; raises ParameterError where the cluster has had no workers for long."""
-        without_s = 0.0
-        while not (done := futures.wait(waiting, CHECK_S, FIRST_COMPLETED).done):
+    def _wait(self, answers: Any) -> None:
+        """Wait for an answer; raises ParameterError where the cluster has had no workers for long."""
+        arrived, without_s = answers.thread_condition, 0.0
+        while True:
+            with arrived:
+                if arrived.wait_for(answers.has_ready, timeout=CHECK_S):
+                    return
             without_s = 0.0 if self._client.nthreads() else without_s + CHECK_S
             if without_s >= WITHOUT_WORKERS_S:
                 message = (
@@ -178,7 +206,6 @@ class Cluster(Pool):
                     "start some with `dask worker`, then score again"
                 )
                 raise ParameterError(message, field="cluster")
-        return done
 
 
 def _stay_with_parent() -> None:
