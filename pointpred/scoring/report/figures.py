@@ -1,7 +1,8 @@
-"""Curves and bars of a report, drawn from the numbers that ``summary`` made: nothing is measured here."""
+"""The figures of a report, drawn from the numbers of a summary: nothing is measured here."""
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterable, Sequence
 from operator import itemgetter
 from typing import Any
@@ -9,9 +10,79 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.style import FAINT, GREY, MARKERS, PALETTE, Picture, canvas, legend_outside, picture
-from pointpred.scoring.report.figures.style import HOLD, line_style
-from pointpred.scoring.summary import SERIES, Measure, Measures, PredictorSummary, SetSummary
+from pointpred.drawing.style import (
+    FAINT,
+    GREY,
+    INK,
+    MARKERS,
+    PALETTE,
+    Picture,
+    canvas,
+    legend_outside,
+    picture,
+)
+from pointpred.scoring.measures.regions import LEVELS
+from pointpred.scoring.results import AXIS_FRACTIONS, SetScore, WorstTrial
+from pointpred.scoring.statistics import AxisProfile, Box
+from pointpred.scoring.summary import (
+    FLOOR,
+    SERIES,
+    Calibration,
+    Measure,
+    Measures,
+    PredictorSummary,
+    SetSummary,
+    TimeLeft,
+)
+from pointpred.scoring.summary.document import InsideAtTime, or_nan
+
+MOST_LINES = 6
+DASHED = (0, (3, 1.2))
+STYLES: dict[str, tuple[int, str, object]] = {
+    "linear": (5, "v", "solid"),
+    "kalman": (4, "D", "solid"),
+    "minimum-jerk": (2, "^", "solid"),
+    "kep-quadratic": (3, "s", "solid"),
+    "kep-quadratic-gated": (3, "P", DASHED),
+    "kep-quartic": (1, "X", "solid"),
+    "kep-quartic-gated": (1, "*", DASHED),
+    "ktm": (2, "<", DASHED),
+    "delphian": (4, ">", DASHED),
+    "switched": (0, "o", "solid"),
+    "switched-printed": (0, "h", DASHED),
+    "switched-direction": (0, "d", "dotted"),
+    "kinematic": (5, "p", "solid"),
+    "kinematic-adaptive": (5, "H", DASHED),
+}
+"""Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
+
+
+def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
+    """Colour, marker and dash of a predictor: ``hold`` is the grey reference, what is not shown is faint.
+
+    A name of the registry with words in brackets behind it has that name's colour and marker; where
+    another of that name is drawn before it the line is dotted and the marker hollow. Any other name has a
+    look of its own too, derived from its letters.
+    """
+    if name == FLOOR:
+        return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
+    if name not in shown:
+        return {"color": FAINT, "linewidth": 0.8, "zorder": 1.5}
+    other = zlib.crc32(name.encode("utf-8", "replace"))
+    base = name.partition(" (")[0]
+    place, marker, dash = STYLES.get(base, (other % 6, MARKERS[other // 6 % 6], "dotted"))
+    earlier = [one for one in shown[: list(shown).index(name)] if one.partition(" (")[0] == base]
+    hollow = base in STYLES and bool(earlier)
+    dash = "dotted" if hollow else dash
+    return {
+        "color": PALETTE[place],
+        "marker": marker,
+        "linestyle": dash,
+        "label": name,
+        "zorder": 3.0,
+        **({"markerfacecolor": "none"} if hollow else {}),
+    }
+
 
 KINDS = {
     "by_path": ("Error against path", "share of the path done [%]"),
@@ -63,7 +134,7 @@ def curves(summary: SetSummary, shown: Sequence[str], kind: str, quantity: str =
 
 def _thin(series: Iterable[str], shown: Sequence[str]) -> str:
     """Which predictors the thin lines are."""
-    hidden = [name for name in series if name not in (*shown, HOLD)]
+    hidden = [name for name in series if name not in (*shown, FLOOR)]
     return f" Thin lines: {', '.join(hidden)}." if hidden else ""
 
 
@@ -110,7 +181,7 @@ def _lines(
 
 def _top(panels: Sequence[dict[str, FloatArray]], shown: Sequence[str]) -> float:
     """Upper end of a frame that holds every named line; a stray faint one may leave it."""
-    named = [v for series in panels for name, v in series.items() if name in shown or name == HOLD]
+    named = [v for series in panels for name, v in series.items() if name in shown or name == FLOOR]
     return 1.05 * max((float(v[np.isfinite(v)].max()) for v in named if np.isfinite(v).any()), default=1.0)
 
 
@@ -122,7 +193,7 @@ def _in_words(
     words = [
         f"{name} " + ", ".join(f"{series[name][i]:.3g}{unit} at {fractions[i]:.0%}" for i in places)
         for name in series
-        if name in shown or name == HOLD
+        if name in shown or name == FLOOR
     ]
     return "; ".join(words) + "."
 
@@ -138,7 +209,7 @@ def skill_bars(summary: SetSummary) -> Picture:
             low, high = cell.interval or (share, share)
             surely = cell.interval is not None and high < 1.0
             better += [predictor.name] if surely else []
-            colour = GREY if predictor.name == HOLD else PALETTE[0] if surely else PALETTE[1]
+            colour = GREY if predictor.name == FLOOR else PALETTE[0] if surely else PALETTE[1]
             axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
             axes.plot([share], [place], "o" if surely else "s", color=colour, markersize=6.5)
         _rows(axes, [predictor.name for _, predictor in ordered], title)
@@ -221,3 +292,239 @@ def cost(summary: SetSummary) -> Picture:
             f"{title} on {summary.name}: {'; '.join(words)}.",
             "Cost of the whole pipeline in the batch; further down and left is better.",
         )
+
+
+WORDS = {
+    "calibration": ("Endpoints inside the predicted regions", "regions"),
+    "time_left": ("Arrivals inside the predicted intervals", "intervals of the time left"),
+}
+ALLOWED = 0.03
+"""How far off a share may be before a claim is called false."""
+
+
+def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
+    """Shares inside against time, a panel a predictor; ``kind`` of WORDS. ``None`` without claims."""
+    claiming = [
+        (p.name, claims) for p in summary.predictors if (claims := _claims(p, kind)) and claims.by_time
+    ]
+    if not claiming:
+        return None
+    what, noun = WORDS[kind]
+    title = marked(summary, what)
+    rows = (len(claiming) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=1.1 + 2.4 * rows, share=True) as (figure, panels):
+        for axes, (name, claims) in zip(panels, claiming, strict=False):
+            for place, level in enumerate(LEVELS):
+                band = 100 * (level - ALLOWED), 100 * (level + ALLOWED)
+                axes.axhspan(*band, color=PALETTE[place], alpha=0.22, linewidth=0)
+                at, inside = _inside(claims.by_time or {}, level)
+                axes.plot(
+                    at, inside, MARKERS[place], linestyle="-", color=PALETTE[place], label=f"{level:.0%}"
+                )
+            axes.set_title(name)
+            axes.grid(axis="y")
+            axes.tick_params(labelbottom=True)
+        for axes in panels[len(claiming) :]:
+            axes.set_visible(False)
+        panels[0].set(ylim=(0, 101), xlim=(5, 95))
+        panels[0].set_xticks(range(10, 91, 20))
+        figure.supxlabel("share of the time to arrival [%]", fontsize=10.5)
+        figure.supylabel("share inside [%]", fontsize=10.5)
+        legend_outside(figure, panels[0], above=True, columns=3)
+        words = []
+        for name, claims in claiming:
+            shares = "/".join(f"{100 * or_nan((claims.inside or {})[level]):.0f}" for level in LEVELS)
+            words.append(f"{name} {shares} % over all the time")
+        return picture(
+            figure,
+            f"{title} on {summary.name}: {'; '.join(words)}, wanted "
+            f"{'/'.join(f'{level:.0%}' for level in LEVELS)}.",
+            f"{title} of {_percentages()}, at each decile of the time, over the trials with {noun} there. "
+            f"A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
+            wide=True,
+        )
+
+
+def _percentages() -> str:
+    """The levels: 50, 80 and 95 %."""
+    *first, last = (f"{100 * level:g}" for level in LEVELS)
+    return f"{', '.join(first)} and {last} %"
+
+
+def _inside(by_time: dict[float, InsideAtTime], level: float) -> tuple[list[float], list[float]]:
+    """Times and shares in percent, NaN where nothing was claimed."""
+    shares = [cell.inside[level] for cell in by_time.values()]
+    return [100 * t for t in by_time], [100 * or_nan(share) for share in shares]
+
+
+def _claims(predictor: PredictorSummary, kind: str) -> Calibration | TimeLeft | None:
+    claims: Calibration | TimeLeft | None = getattr(predictor, kind)
+    return claims
+
+
+def time_left_bars(summary: SetSummary) -> Picture | None:
+    """Error of the time left over that of a clock, with intervals, best first; ``None`` without claims."""
+    claiming = [(p.name, p.time_left) for p in summary.predictors if p.time_left and p.time_left.of_clock]
+    if not claiming:
+        return None
+    ordered = sorted(claiming, key=lambda one: or_nan(one[1].of_clock))
+    title = marked(summary, "Time left beside a clock")
+    clock = 1e3 * or_nan(ordered[0][1].clock_s)
+    with canvas(width=6.2, height=1.4 + 0.28 * len(ordered)) as (figure, (axes,)):
+        for place, (_, left) in enumerate(ordered):
+            ratio, bounds = or_nan(left.of_clock), left.interval
+            low, high = bounds or (ratio, ratio)
+            surely = bounds is not None and high < 1.0
+            colour = PALETTE[0] if surely else PALETTE[1]
+            axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
+            axes.plot([ratio], [place], "o" if surely else "s", color=colour, markersize=6.5)
+        axes.axvline(1.0, color=GREY, linestyle="--", linewidth=1.2)
+        axes.set_yticks(range(len(ordered)), [name for name, _ in ordered])
+        axes.set(title=title, xlabel="share of the clock's error")
+        axes.set(ylim=(len(ordered) - 0.4, -0.6))
+        axes.grid(axis="x")
+        words = [f"{name} {left.of_clock:.2f}" for name, left in ordered]
+        return picture(
+            figure,
+            f"{title} on {summary.name}: {'; '.join(words)}.",
+            f"Time-averaged absolute error of the time left. The clock, {clock:.0f} ms off, knows only the "
+            f"median movement time of the set. Bars: {100 * summary.interval.level:g} % bootstrap interval. "
+            "Where a predictor claims no time the clock is scored in its place.",
+        )
+
+
+TENTHS = tuple(i for i in range(len(AXIS_FRACTIONS)) if i % 2)
+MOST_DOTS = 100
+HEADROOM = 1.6
+"""The frame ends at this many times the highest whisker; outliers beyond are counted in the caption."""
+
+
+def boxes(
+    name: str,
+    profiles: Sequence[AxisProfile],
+    shown: Sequence[str],
+    *,
+    simulated: bool = False,
+    unit: str = "px",
+) -> Picture:
+    """A panel a predictor, all on one scale, in the colours of the curves; ``name`` is the set's."""
+    title = "Single axis: spread of the error" + (" (simulated)" if simulated else "")
+    top = HEADROOM * max(profile.boxes[i].high for profile in profiles for i in TENTHS) or 1.0
+    statistics = [[profile.boxes[i] for i in TENTHS] for profile in profiles]
+    beyond = sum(value > top for row in statistics for one in row for value in one.outliers)
+    rows = (len(profiles) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=0.6 + 2.4 * rows, share=True) as (figure, panels):
+        for axes, profile, row in zip(panels, profiles, statistics, strict=False):
+            colour = line_style(profile.name, shown)["color"]
+            line = {"color": colour, "linewidth": 1.3}
+            axes.bxp(
+                [_stats(one, top) for one in row],
+                positions=[round(100 * AXIS_FRACTIONS[i]) for i in TENTHS],
+                widths=6,
+                boxprops=line,
+                whiskerprops=line,
+                capprops=line,
+                medianprops={**line, "linewidth": 2.6},
+                flierprops={"marker": ".", "markersize": 3, "markeredgecolor": colour, "alpha": 0.5},
+                manage_ticks=False,
+            )
+            axes.tick_params(labelbottom=True)
+            axes.set_title(profile.name)
+            axes.grid(axis="y")
+        for axes in panels[len(profiles) :]:
+            axes.set_visible(False)
+        panels[0].set(xlim=(3, 107), ylim=(0.0, top))
+        panels[0].set_xticks(range(10, 101, 10))
+        figure.supxlabel("share of the longer axis done [%]", fontsize=10.5)
+        figure.supylabel(f"error [{unit}]", fontsize=10.5)
+        words = [f"{p.name} median {p.boxes[TENTHS[4]].median:.3g} {unit} at 50 %" for p in profiles]
+        return picture(
+            figure,
+            f"{title} on {name}, box plots at every tenth of the path: {'; '.join(words)}.",
+            f"{title}. Box: quartiles and median; whiskers: 1.5 interquartile ranges; dots: "
+            f"outliers, at most {MOST_DOTS} a box"
+            + (f", {beyond} more lie above the frame." if beyond else "."),
+            wide=True,
+        )
+
+
+def _stats(one: Box, top: float) -> dict[str, object]:
+    fliers = [value for value in one.outliers if value <= top]
+    if len(fliers) > MOST_DOTS:
+        ranks = np.linspace(0, len(fliers) - 1, MOST_DOTS).round().astype(int)
+        fliers = [fliers[rank] for rank in ranks]  # evenly over the ranks, extremes included
+    return {
+        "med": one.median, "q1": one.q1, "q3": one.q3, "whislo": one.low, "whishi": one.high, "fliers": fliers
+    }  # fmt: skip
+
+
+MIDDLE = np.linspace(0.3, 0.85, 64)
+"""The part of matplotlib's plasma that stands out from a light page and from a dark one."""
+
+
+def draw_worst(score: SetScore) -> Picture | None:
+    """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known.
+
+    ``None`` where no trials were kept.
+    """
+    worst, unit = score.worst, score.unit
+    if worst is None:
+        return None
+    drawings = worst.trials
+    title = f"Worst trials of {worst.predictor}" + (" (simulated)" if score.simulated else "")
+    rows = (len(drawings) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=0.9 + 3.0 * rows) as (figure, panels):
+        colours = None
+        for place, (axes, drawing) in enumerate(zip(panels, drawings, strict=False)):
+            colours = _panel(axes, drawing)
+            axes.set_title(
+                f"{place + 1}: mean error {drawing.error_px:.0f} {unit}, "
+                f"distance {drawing.trial.distance_px:.0f} {unit}"
+            )
+        for axes in panels[len(drawings) :]:
+            axes.set_visible(False)
+        if colours is not None:
+            figure.colorbar(colours, ax=panels, location="bottom", shrink=0.6, aspect=40,
+                            label="time of the prediction [% of onset to arrival]")  # fmt: skip
+            handles, labels = panels[0].get_legend_handles_labels()
+            figure.legend(handles, labels, loc="outside upper center", ncols=4)
+        worst_of_all = max((drawing.error_px for drawing in drawings), default=0.0)
+        return picture(
+            figure,
+            f"{title} on {score.name}: paths with the predicted endpoints, panels: {len(drawings)}; "
+            f"largest error {worst_of_all:.3g} {unit}.",
+            f"{title}, which has the lowest time-averaged error on this set, hold apart. Each dot is an "
+            "endpoint it predicted, coloured by when. Above each panel: time-averaged error and distance. "
+            f"Positions in {unit}, y down; predictions far outside the frame are not drawn.",
+            wide=True,
+        )
+
+
+def _panel(axes: Any, drawing: WorstTrial) -> Any:
+    """One trial; returns what the colour bar explains."""
+    from matplotlib import colormaps
+    from matplotlib.colors import LinearSegmentedColormap
+    from matplotlib.patches import Circle
+
+    events, answers, about = drawing.events, drawing.answers, drawing.trial.trial
+    share = 100 * (events.t - events.t[0]) / drawing.trial.arrival_s
+    axes.plot(events.x, events.y, color=GREY, linewidth=1.4, label="cursor")
+    axes.plot(events.x[:1], events.y[:1], "o", color=INK, markersize=6, label="start")
+    if np.isfinite([about.target_x, about.target_y, about.target_w]).all():
+        axes.add_patch(Circle((about.target_x, about.target_y), about.target_w / 2, fill=False,
+                              edgecolor=PALETTE[2], linewidth=1.6, label="target"))  # fmt: skip
+    shown = axes.scatter(
+        answers.x,
+        answers.y,
+        c=np.minimum(share, 100),
+        cmap=LinearSegmentedColormap.from_list("middle", colormaps["plasma"](MIDDLE)),
+        s=16,
+        linewidths=0,
+        vmin=0,
+        vmax=100,
+    )
+    axes.plot(events.x[-1:], events.y[-1:], "X", color=PALETTE[1], markersize=9, label="true endpoint")
+    half = 0.65 * max(np.ptp(events.x), np.ptp(events.y), 50.0)
+    middle_x, middle_y = (v.min() + np.ptp(v) / 2 for v in (events.x, events.y))
+    axes.set(xlim=(middle_x - half, middle_x + half), ylim=(middle_y + half, middle_y - half), aspect="equal")
+    return shown

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.report import write_report
-from pointpred.scoring.report.figures.claims import inside_curves, time_left_bars
+from pointpred.scoring.report.figures import inside_curves, time_left_bars
 from pointpred.scoring.summary import summarise
 
 

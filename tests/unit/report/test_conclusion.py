@@ -7,8 +7,7 @@ import pytest
 from msgspec.structs import replace
 
 from pointpred.scoring.report import write_report
-from pointpred.scoring.report.choice import conclusion, ranked
-from pointpred.scoring.report.page import environment
+from pointpred.scoring.report.report import conclusion, environment, ranked
 from pointpred.scoring.summary import summarise
 
 

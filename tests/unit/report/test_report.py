@@ -15,7 +15,7 @@ from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.scoring import score as run
 from pointpred.scoring.report import write_report
-from pointpred.scoring.report.choice import compared, highlighted
+from pointpred.scoring.report.report import compared, highlighted
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise
 

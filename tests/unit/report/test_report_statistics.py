@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pointpred.scoring.report import write_report
-from pointpred.scoring.report.statistics import ALPHA, leads, terms
+from pointpred.scoring.report.report import ALPHA, leads, terms
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import Effect, axis_anova
 

@@ -9,8 +9,7 @@ import pytest
 from pointpred.drawing.style import FAINT
 from pointpred.registry import REGISTRY
 from pointpred.scoring.report import write_report
-from pointpred.scoring.report.figures.errors import cost, curves
-from pointpred.scoring.report.figures.style import STYLES, line_style
+from pointpred.scoring.report.figures import STYLES, cost, curves, line_style
 from pointpred.scoring.summary import summarise
 
 
