@@ -20,7 +20,7 @@ from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
     from pointpred.sources import Reading
-    from pointpred.training.custom import SetComparison, TrainingResult
+    from pointpred.training.train import SetComparison, TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
 VERDICT = {
@@ -83,7 +83,7 @@ def train(
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
     from pointpred.scoring.executors import open_executor
-    from pointpred.training.custom import train_custom
+    from pointpred.training.train import train_custom
 
     with (
         open_executor(threads=threads, processes=processes, cluster=cluster) as executor,

@@ -35,7 +35,7 @@ def test_train_reads_the_sample(command: Any, monkeypatch: pytest.MonkeyPatch) -
         heard.extend(one.name for one in recordings)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("pointpred.training.custom.train_custom", stop)
+    monkeypatch.setattr("pointpred.training.train.train_custom", stop)
     command("train", "sample", "--out", "me.npz")
     assert heard == [sample().name]
 

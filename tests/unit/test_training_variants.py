@@ -10,7 +10,7 @@ import pytest
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.training.__main__ import parse_arguments
-from pointpred.training.variants import varied
+from pointpred.training.data import varied
 
 
 def test_variants_are_as_large_and_as_fast_as_they_should_be() -> None:
