@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.camera import CameraTable
 from pointpred.columns import FloatArray
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.files import write_whole
 
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))

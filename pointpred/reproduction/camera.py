@@ -20,7 +20,7 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.columns import FloatArray
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.reproduction.figure import Reproduction, Value
 
 FOCAL_PX, RATE_HZ, LENGTH_S = 800.0, 33.0, 10.0

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.drawing.panels import Line, Look, Panel, drawing
+from pointpred.drawing import Line, Look, Panel, drawing
 from pointpred.registry import build
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import Movements, experiment

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.observers import (
     SeededSignal,
     closed_loop,

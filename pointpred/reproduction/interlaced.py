@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.observers import (
     InterlacedObserver,
     SeededSignal,

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.panels import Look, Panel, beside, drawing
+from pointpred.drawing import Look, Panel, beside, drawing
 from pointpred.errors import RecordingError
 from pointpred.observers import (
     InvariantObserver,

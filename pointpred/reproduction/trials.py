@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.events import METRES_PER_INCH
 from pointpred.pipeline import Pipeline, run
 from pointpred.registry import build

@@ -9,8 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.panels import Panel, beside, drawn
-from pointpred.drawing.style import written
+from pointpred.drawing import Panel, beside, drawn, written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
 from pointpred.observers.paths import writable

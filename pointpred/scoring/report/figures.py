@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.style import (
+from pointpred.drawing import (
     FAINT,
     GREY,
     INK,

@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.drawing.style import Picture
+from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole

@@ -10,7 +10,7 @@ import pytest
 from pointpred import build
 from pointpred import run as pipeline_run
 from pointpred.columns import EventColumns
-from pointpred.drawing.style import Picture, canvas, picture
+from pointpred.drawing import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.scoring import score as run

@@ -6,7 +6,7 @@ import re
 import matplotlib.colors
 import pytest
 
-from pointpred.drawing.style import FAINT
+from pointpred.drawing import FAINT
 from pointpred.registry import REGISTRY
 from pointpred.scoring.report import write_report
 from pointpred.scoring.report.figures import STYLES, cost, curves, line_style
