@@ -1,4 +1,4 @@
-"""Figures in one style: one palette, one size, vector graphics that follow light and dark; panels of lines."""
+"""Figures in one style: one palette, one size, graphics that follow light and dark; and panels of lines."""
 
 from __future__ import annotations
 

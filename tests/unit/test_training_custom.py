@@ -115,11 +115,12 @@ def test_a_name_is_one_person_in_all_recordings(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    made: list[tuple[train.TrainingData, train.Nets]] = []
+    made: list[tuple[data.TrainingData, train.Nets]] = []
     counted: list[tuple[int, int]] = []
+    real = train.folds
 
-    def folds(school: train.TrainingData, *rest: Any) -> train.Nets:
-        made.append((school, train.folds(school, *rest)))
+    def folds(school: data.TrainingData, *rest: Any) -> train.Nets:
+        made.append((school, real(school, *rest)))
         return made[0][1]
 
     monkeypatch.setattr(train, "folds", folds)
