@@ -39,6 +39,10 @@ from pointpred.sources.own.stored import StoredPart, StoredRecording
 CHUNK_EVENTS = 65_536
 """Events in a chunk, about: enough to forget what a chunk costs, few enough for bounded memory."""
 
+Answer = TypeVar("Answer")
+
+IN_MEMORY_CHUNKS = 64
+"""With more chunks, results go to a temporary folder: some 4 million events."""
 Source = Recording | StoredRecording
 """A recording in memory, or one that stays in its file."""
 Chunk = Recording | StoredPart
@@ -180,12 +184,6 @@ class ScoredSet(msgspec.Struct, frozen=True):
                 WorstTrial(whole.trials[k], prepared.rows(own), answers, float(errors.time_averaged[k]))
             )
         return WorstTrials(errors.name, tuple(worst))
-
-
-Answer = TypeVar("Answer")
-
-IN_MEMORY_CHUNKS = 64
-"""With more chunks, results go to a temporary folder: some 4 million events."""
 
 
 def score_in_chunks(

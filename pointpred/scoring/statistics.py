@@ -19,6 +19,15 @@ OUTCOMES = ("hit", "miss", "correct", "error", "clean", "end_", "duration", "ons
 """Conditions that begin so say how or when a trial went: what was measured is no cause of its error."""
 MOST_VALUES = 12
 """A number with more values than this is a measurement and no condition, unless its name is in FIRST."""
+LEAST_USERS = 3
+MOST_FACTORS = 4
+MOST_LEVELS = 12
+KEPT_USERS = 0.9
+"""A factor is left out when more than a tenth of the people miss one of its combinations."""
+FLAT = 1e-12
+"""Share of the total variance below which a term's variance over people is rounding."""
+WHISKER = 1.5
+"""Whiskers reach the last value within this many interquartile ranges of the box; the rest are outliers."""
 
 
 def factors_of(trials: Sequence[ScoredTrial]) -> dict[str, list[str]]:
@@ -55,13 +64,6 @@ def _label(value: str | float) -> str:
 
 
 IndexArray = NDArray[np.int64]
-LEAST_USERS = 3
-MOST_FACTORS = 4
-MOST_LEVELS = 12
-KEPT_USERS = 0.9
-"""A factor is left out when more than a tenth of the people miss one of its combinations."""
-FLAT = 1e-12
-"""Share of the total variance below which a term's variance over people is rounding."""
 
 
 class Effect(msgspec.Struct, frozen=True):
@@ -110,7 +112,9 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
         levels, index = np.unique(np.asarray(labels, dtype=str), return_inverse=True)
         reason = _unfit(len(crossed), len(levels))
         if not reason:
-            complete = _complete(everyone, len(people), inside * len(levels) + index, cells * len(levels))
+            present = np.zeros((len(people), cells * len(levels)), dtype=np.bool_)
+            present[everyone, inside * len(levels) + index] = True
+            complete: BoolArray = np.logical_and.reduce(present, axis=1)
             if complete.sum() < max(KEPT_USERS * len(people), LEAST_USERS):
                 reason = f"only {complete.sum()} of {len(people)} people did every combination"
             if complete.sum() < LEAST_USERS:
@@ -139,14 +143,6 @@ def _unfit(accepted: int, levels: int) -> str:
     if accepted == MOST_FACTORS - 1:
         return f"at most {MOST_FACTORS} factors with the model are crossed"
     return ""
-
-
-def _complete(user: IndexArray, users: int, cell: IndexArray, cells: int) -> BoolArray:
-    """Which people have a trial in every cell."""
-    present = np.zeros((users, cells), dtype=np.bool_)
-    present[user, cell] = True
-    complete: BoolArray = np.logical_and.reduce(present, axis=1)
-    return complete
 
 
 def cell_means(design: Design, values: FloatArray) -> FloatArray:
@@ -241,10 +237,6 @@ def _effect(
     epsilon = float(np.trace(covariance) ** 2 / (df1 * np.sum(covariance**2)))
     corrected = float(f_distribution.sf(f, epsilon * df1, epsilon * df2))
     return Effect(factors, f, df1, df2, p, f * df1 / (f * df1 + df2), epsilon, corrected)
-
-
-WHISKER = 1.5
-"""Whiskers reach the last value within this many interquartile ranges of the box; the rest are outliers."""
 
 
 class Box(msgspec.Struct, frozen=True):

@@ -24,6 +24,12 @@ from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choice_law import KEEP
 
+NEAREST = "nearest to the cursor"
+ASKS = tuple(round(0.2 + 0.02 * i, 2) for i in range(40))
+"""Precisions asked for, from which curves are drawn."""
+FRACTIONS: FloatArray = np.array(TIME_FRACTIONS)
+LEVEL = 0.8
+"""The precision at which predictors are compared."""
 # At each time fraction: whether the likeliest target is the right one, minus the logarithm of the right
 # one's share, the largest share, and whether the nearest target is the right one.
 RIGHT, LOSS, SURENESS, NEAREST_RIGHT = 0, 1, 2, 3
@@ -134,12 +140,6 @@ def account(
         out[LEAD_ENTRY], out[LEAD_CLICK] = entry - entered_since, end - entered_since
 
 
-NEAREST = "nearest to the cursor"
-ASKS = tuple(round(0.2 + 0.02 * i, 2) for i in range(40))
-"""Precisions asked for, from which curves are drawn."""
-FRACTIONS: FloatArray = np.array(TIME_FRACTIONS)
-
-
 class TargetScore(msgspec.Struct, frozen=True):
     """What one predictor's choices came to, a row a trial."""
 
@@ -232,10 +232,6 @@ def _judge(
         for i, ask in enumerate(ASKS):
             account(events, own, targets, shares, right, ask, *least, accounts[place, i])
     return by_time, accounts
-
-
-LEVEL = 0.8
-"""The precision at which predictors are compared."""
 
 
 class Decisions(msgspec.Struct, frozen=True):

@@ -310,7 +310,7 @@ def _compare(
         if not part.trials:
             continue
         others = [one for k, row in enumerate(claims) if k != place for one in row.values()]
-        pipeline = _named("own", pipeline_of(fitted, calibration.fit_table(calibration.join(others))))
+        pipeline = pipeline_of(fitted, calibration.fit_table(calibration.join(others)), "own")
         (scored,) = score([part], [pipeline, "kinematic"])
         rows.append(np.stack([one.time_averaged for one in scored.predictors]))
         users += [one.trial.user if by_person else "" for one in scored.trials]
@@ -322,17 +322,13 @@ def _compare(
     return SetComparison(recording.name, hold, shipped, own, ratio, seen)
 
 
-def _named(name: str, pipeline: Pipeline) -> Pipeline:
-    return Pipeline(name, pipeline.differentiator, pipeline.predictor)
-
-
-def pipeline_of(fitted: FittedNetwork, table: FloatArray) -> Pipeline:
+def pipeline_of(fitted: FittedNetwork, table: FloatArray, name: str = "kinematic") -> Pipeline:
     """``kinematic`` with other coefficients; they pass through a file, as the package's own do."""
     with tempfile.TemporaryDirectory() as where:
         path = Path(where) / "coefficients.npz"
         save(path, fitted, table, {})
         predictor = KinematicPredictor(coefficients=path)
-    return Pipeline("kinematic", build("hold").differentiator, predictor)
+    return Pipeline(name, build("hold").differentiator, predictor)
 
 
 def claims_by_set(

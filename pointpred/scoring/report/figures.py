@@ -34,7 +34,7 @@ from pointpred.scoring.summary import (
     SetSummary,
     TimeLeft,
 )
-from pointpred.scoring.summary.document import InsideAtTime, or_nan
+from pointpred.scoring.summary.document import or_nan
 
 MOST_LINES = 6
 DASHED = (0, (3, 1.2))
@@ -304,9 +304,9 @@ ALLOWED = 0.03
 
 def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
     """Shares inside against time, a panel a predictor; ``kind`` of WORDS. ``None`` without claims."""
-    claiming = [
-        (p.name, claims) for p in summary.predictors if (claims := _claims(p, kind)) and claims.by_time
-    ]
+    made: list[tuple[str, Calibration | TimeLeft | None]]
+    made = [(p.name, getattr(p, kind)) for p in summary.predictors]
+    claiming = [(name, claims) for name, claims in made if claims and claims.by_time]
     if not claiming:
         return None
     what, noun = WORDS[kind]
@@ -317,9 +317,15 @@ def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
             for place, level in enumerate(LEVELS):
                 band = 100 * (level - ALLOWED), 100 * (level + ALLOWED)
                 axes.axhspan(*band, color=PALETTE[place], alpha=0.22, linewidth=0)
-                at, inside = _inside(claims.by_time or {}, level)
+                by_time = claims.by_time or {}
+                inside = [100 * or_nan(cell.inside[level]) for cell in by_time.values()]
                 axes.plot(
-                    at, inside, MARKERS[place], linestyle="-", color=PALETTE[place], label=f"{level:.0%}"
+                    [100 * t for t in by_time],
+                    inside,
+                    MARKERS[place],
+                    linestyle="-",
+                    color=PALETTE[place],
+                    label=f"{level:.0%}",
                 )
             axes.set_title(name)
             axes.grid(axis="y")
@@ -331,6 +337,7 @@ def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
         figure.supxlabel("share of the time to arrival [%]", fontsize=10.5)
         figure.supylabel("share inside [%]", fontsize=10.5)
         legend_outside(figure, panels[0], above=True, columns=3)
+        *first, last = (f"{100 * level:g}" for level in LEVELS)
         words = []
         for name, claims in claiming:
             shares = "/".join(f"{100 * or_nan((claims.inside or {})[level]):.0f}" for level in LEVELS)
@@ -339,27 +346,10 @@ def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
             figure,
             f"{title} on {summary.name}: {'; '.join(words)}, wanted "
             f"{'/'.join(f'{level:.0%}' for level in LEVELS)}.",
-            f"{title} of {_percentages()}, at each decile of the time, over the trials with {noun} there. "
+            f"{title} of {', '.join(first)} and {last} %, at each decile of the time, over the trials with {noun} there. "
             f"A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
             wide=True,
         )
-
-
-def _percentages() -> str:
-    """The levels: 50, 80 and 95 %."""
-    *first, last = (f"{100 * level:g}" for level in LEVELS)
-    return f"{', '.join(first)} and {last} %"
-
-
-def _inside(by_time: dict[float, InsideAtTime], level: float) -> tuple[list[float], list[float]]:
-    """Times and shares in percent, NaN where nothing was claimed."""
-    shares = [cell.inside[level] for cell in by_time.values()]
-    return [100 * t for t in by_time], [100 * or_nan(share) for share in shares]
-
-
-def _claims(predictor: PredictorSummary, kind: str) -> Calibration | TimeLeft | None:
-    claims: Calibration | TimeLeft | None = getattr(predictor, kind)
-    return claims
 
 
 def time_left_bars(summary: SetSummary) -> Picture | None:

@@ -55,6 +55,10 @@ from pointpred.scoring.summary.sums import (
     trial_columns,
 )
 
+FLOOR = "hold"
+"""No prediction: every other error is judged beside its error."""
+
+SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
 RATIOS = (
     (sums.INSIDE, sums.INSIDE_MADE, sums.CELLS),
     (sums.LEFT_INSIDE, sums.LEFT_MADE, sums.CELLS),
@@ -91,10 +95,13 @@ def claims(
     if not totals.trials:
         return None, None, None
     inside, times, hits, (clock,) = (_ratios(totals, *columns) for columns in RATIOS)
+    shares = {
+        share: HitShare(one.share, one.interval) for share, one in zip(TIME_FRACTIONS, hits, strict=True)
+    }
     return (
         None if errors.calibration is None else _calibration(errors, totals, inside),
         None if errors.time_left is None else _time_left(errors, totals, clock, times),
-        None if errors.hits is None or not hits[0].trials else _hits(hits),
+        None if errors.hits is None or not hits[0].trials else Hits(hits[0].trials, shares),
     )
 
 
@@ -152,19 +159,6 @@ def _time_left(errors: PredictorErrors, totals: Totals, clock: Ratio, cells: lis
         _levels(totals.sums[sums.SPREAD :] / spread) if spread else None,
         _by_time(cells) if errors.time_inside_by_time is not None and spread else None,
     )
-
-
-def _hits(cells: list[Ratio]) -> Hits:
-    by_time = {
-        share: HitShare(one.share, one.interval) for share, one in zip(TIME_FRACTIONS, cells, strict=True)
-    }
-    return Hits(cells[0].trials, by_time)
-
-
-FLOOR = "hold"
-"""No prediction: every other error is judged beside its error."""
-
-SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
 
 
 def document(scores: Iterable[SetScore], unread: Iterable[Unread] = ()) -> Document:
