@@ -38,11 +38,10 @@ from pointpred.sources.own.stored import StoredPart, StoredRecording
 
 CHUNK_EVENTS = 65_536
 """Events in a chunk, about: enough to forget what a chunk costs, few enough for bounded memory."""
-
-Answer = TypeVar("Answer")
-
 IN_MEMORY_CHUNKS = 64
 """With more chunks, results go to a temporary folder: some 4 million events."""
+
+Answer = TypeVar("Answer")
 Source = Recording | StoredRecording
 """A recording in memory, or one that stays in its file."""
 Chunk = Recording | StoredPart

@@ -30,6 +30,7 @@ ASKS = tuple(round(0.2 + 0.02 * i, 2) for i in range(40))
 FRACTIONS: FloatArray = np.array(TIME_FRACTIONS)
 LEVEL = 0.8
 """The precision at which predictors are compared."""
+
 # At each time fraction: whether the likeliest target is the right one, minus the logarithm of the right
 # one's share, the largest share, and whether the nearest target is the right one.
 RIGHT, LOSS, SURENESS, NEAREST_RIGHT = 0, 1, 2, 3

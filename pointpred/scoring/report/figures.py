@@ -346,8 +346,8 @@ def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
             figure,
             f"{title} on {summary.name}: {'; '.join(words)}, wanted "
             f"{'/'.join(f'{level:.0%}' for level in LEVELS)}.",
-            f"{title} of {', '.join(first)} and {last} %, at each decile of the time, over the trials with {noun} there. "
-            f"A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
+            f"{title} of {', '.join(first)} and {last} %, at each decile of the time, over the trials with "
+            f"{noun} there. A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
             wide=True,
         )
 

@@ -57,8 +57,8 @@ from pointpred.scoring.summary.sums import (
 
 FLOOR = "hold"
 """No prediction: every other error is judged beside its error."""
-
 SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
+
 RATIOS = (
     (sums.INSIDE, sums.INSIDE_MADE, sums.CELLS),
     (sums.LEFT_INSIDE, sums.LEFT_MADE, sums.CELLS),
@@ -95,13 +95,13 @@ def claims(
     if not totals.trials:
         return None, None, None
     inside, times, hits, (clock,) = (_ratios(totals, *columns) for columns in RATIOS)
-    shares = {
-        share: HitShare(one.share, one.interval) for share, one in zip(TIME_FRACTIONS, hits, strict=True)
-    }
+    shares = (HitShare(one.share, one.interval) for one in hits)
     return (
         None if errors.calibration is None else _calibration(errors, totals, inside),
         None if errors.time_left is None else _time_left(errors, totals, clock, times),
-        None if errors.hits is None or not hits[0].trials else Hits(hits[0].trials, shares),
+        None
+        if errors.hits is None or not hits[0].trials
+        else Hits(hits[0].trials, dict(zip(TIME_FRACTIONS, shares, strict=True))),
     )
 
 
