@@ -95,13 +95,11 @@ def claims(
     if not totals.trials:
         return None, None, None
     inside, times, hits, (clock,) = (_ratios(totals, *columns) for columns in RATIOS)
-    shares = (HitShare(one.share, one.interval) for one in hits)
+    by_time = dict(zip(TIME_FRACTIONS, (HitShare(one.share, one.interval) for one in hits), strict=True))
     return (
         None if errors.calibration is None else _calibration(errors, totals, inside),
         None if errors.time_left is None else _time_left(errors, totals, clock, times),
-        None
-        if errors.hits is None or not hits[0].trials
-        else Hits(hits[0].trials, dict(zip(TIME_FRACTIONS, shares, strict=True))),
+        None if errors.hits is None or not hits[0].trials else Hits(hits[0].trials, by_time),
     )
 
 
