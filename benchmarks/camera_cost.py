@@ -12,11 +12,11 @@ from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.camera.tables import asked
 from pages.data import Table, keep
-from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, camera_system, trajectory
-from pointpred.camera.samples import observed
 from pointpred.errors import InfeasibleError
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.camera import SCENARIOS, DepthObserver, PointFilter, camera_system, trajectory
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL = 800.0
 START = {"start_chi": 4.0, "start_eta": -1.6}

@@ -13,7 +13,7 @@ from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred import Pipeline, build
-from pointpred.columns import EventColumns, FloatArray
+from pointpred.records import EventColumns, FloatArray
 
 ROUNDS = 7
 RATES_HZ = (1000, 125)

@@ -20,7 +20,7 @@ from pages.arguments import parse
 from pages.data import PAGES, Table, keep
 from pointpred.protocol.packed import EVENT
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 TRIES = 7
 LIMITS = Limits()

@@ -7,8 +7,9 @@ from time import process_time
 import numpy as np
 
 from pages.arguments import parse
-from pointpred.columns import FloatArray
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred.stage import CompiledStage
+from pointpred_observers import (
     Generator,
     Persidskii,
     PersidskiiObserver,
@@ -17,8 +18,7 @@ from pointpred.observers import (
     invariant_stage,
     steady_state_map,
 )
-from pointpred.observers.examples import UNMEASURED, two_masses
-from pointpred.stage import CompiledStage
+from pointpred_observers.examples import UNMEASURED, two_masses
 
 STATES = (2, 4, 8, 16)
 ROWS = 100_000

@@ -23,7 +23,7 @@ from benchmarks.machine import machine
 from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
-from pointpred.server.demo import write_demo
+from pointpred_server.demo import write_demo
 from tests.server.page_browser import Visitor, service, visitor
 
 FILE = PAGES / "costs" / "opening.json"

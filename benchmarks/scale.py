@@ -28,9 +28,9 @@ from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred.batch import score_in_chunks
 from pointpred.executors import open_executor
+from pointpred.recordings.own import trials_beside
+from pointpred.recordings.stored import StoredRecording, stored
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources.own.recordings import trials_beside
-from pointpred.sources.own.stored import StoredRecording, stored
 
 WAYS: dict[str, dict[str, Any]] = {
     "1 thread": {"threads": 1},

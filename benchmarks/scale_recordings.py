@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.sources import write_in_parts
+from pointpred.recordings import write_in_parts
+from pointpred.records import EventColumns
 
 PEOPLE_TRIALS = 1000
 """Trials of one person."""

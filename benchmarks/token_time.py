@@ -16,7 +16,7 @@ import numpy as np
 from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.data import Table, keep
-from pointpred.server.access import has_token
+from pointpred_server.access import has_token
 
 TOKEN = "a-token-of-24-characters"
 FIRST, LAST = "x" + TOKEN[1:], TOKEN[:-1] + "x"

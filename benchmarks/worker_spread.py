@@ -23,7 +23,7 @@ from benchmarks.machine import machine
 from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
-from pointpred.server.workers.dispatcher import Dispatcher
+from pointpred_server.workers.dispatcher import Dispatcher
 
 FILE = PAGES / "costs" / "spread.json"
 CLIENTS = 20

@@ -6,7 +6,7 @@ from pointpred.datasets import sample
 from pointpred.registry import REGISTRY
 from pointpred.scoring import score
 from pointpred.scoring.summary.summarise import document
-from pointpred.server.compiling.compiler import compile_all
+from pointpred_server.compiling.compiler import compile_all
 
 
 def main() -> None:

@@ -25,7 +25,7 @@ def generate() -> Recording:
 
 def write() -> tuple[Path, Path]:
     """Write the sample into this package; the same library versions write the same bytes."""
-    from pointpred.sources.own import recordings
+    from pointpred import recordings
 
     return recordings.write(generate(), FILE)
 
@@ -40,6 +40,6 @@ def sample() -> Recording:
     >>> len(recording.trials), recording.provenance.simulated, recording.provenance.cpi
     (240, True, 2000.0)
     """
-    from pointpred.sources.own import recordings
+    from pointpred import recordings
 
     return recordings.read(FILE)

@@ -7,9 +7,17 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pointpred.columns import EventColumns, MotionColumns, PredictionColumns, RegionColumns
-    from pointpred.events import Motion, Place, PointerEvent, Prediction
     from pointpred.pipeline import Pipeline, run
+    from pointpred.records import (
+        EventColumns,
+        Motion,
+        MotionColumns,
+        Place,
+        PointerEvent,
+        Prediction,
+        PredictionColumns,
+        RegionColumns,
+    )
     from pointpred.regions import Region
     from pointpred.registry import RECOMMENDED, REGISTRY, build
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
-from pointpred.columns import FloatArray
 from pointpred.files import whole, write_whole
+from pointpred.records import FloatArray
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,8 +14,8 @@ from functools import cache
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 from pointpred.stage import CompiledStage, Slot
 
 LARGEST = 16384

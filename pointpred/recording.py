@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
+from pointpred.records import EventColumns
 
 UNKNOWN = float("nan")
 

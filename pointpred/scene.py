@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.events import LARGEST
+from pointpred.records import LARGEST
 
 DIGEST_BYTES = 6
 """Of a key: a float holds so long a whole number exactly."""

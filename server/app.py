@@ -17,11 +17,11 @@ from starlette.routing import Route, WebSocketRoute
 import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
-from pointpred.server import samples
-from pointpred.server.access import HostGuard, HostRule, admits_origin, header, origin_advice
-from pointpred.server.compiling.parts import TRIALS
-from pointpred.server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
-from pointpred.server.http_responses import (
+from pointpred_server import samples
+from pointpred_server.access import HostGuard, HostRule, admits_origin, header, origin_advice
+from pointpred_server.compiling.parts import TRIALS
+from pointpred_server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
+from pointpred_server.http_responses import (
     SECURITY_HEADERS,
     bad_request,
     error_response,
@@ -31,7 +31,7 @@ from pointpred.server.http_responses import (
     server_error,
     upload_error,
 )
-from pointpred.server.openapi import (
+from pointpred_server.openapi import (
     METRICS,
     NO_METRICS,
     NOT_READY,
@@ -43,10 +43,10 @@ from pointpred.server.openapi import (
     error_responses,
     text_response,
 )
-from pointpred.server.page import WEB, page
-from pointpred.server.service import Service
-from pointpred.server.uploads.process import Task
-from pointpred.server.uploads.receiving import UploadError, received_body, while_connected
+from pointpred_server.page import WEB, page
+from pointpred_server.service import Service
+from pointpred_server.uploads.process import Task
+from pointpred_server.uploads.receiving import UploadError, received_body, while_connected
 
 log = logging.getLogger("pointpred.service")
 

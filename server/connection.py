@@ -11,10 +11,10 @@ from typing import Any, NamedTuple, Protocol
 
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code
-from pointpred.server.arrivals import Arrivals
-from pointpred.server.sessions.lifecycle import SLOW, Close, Session
-from pointpred.server.sessions.work import Completion, Work
-from pointpred.server.work_threads import WorkThreads
+from pointpred_server.arrivals import Arrivals
+from pointpred_server.sessions.lifecycle import SLOW, Close, Session
+from pointpred_server.sessions.work import Completion, Work
+from pointpred_server.work_threads import WorkThreads
 
 FRAMES = "pointpred.frames"
 """The ASGI extension in which an application finds the ``FrameSocket`` of its connection, as ``socket``."""

@@ -9,9 +9,9 @@ import msgspec
 
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.server import samples
-from pointpred.server.page import WEB, page
-from pointpred.sources import write
+from pointpred.recordings import write
+from pointpred_server import samples
+from pointpred_server.page import WEB, page
 
 MOVEMENTS = 12
 """Movements of the embedded sample that go with the page."""

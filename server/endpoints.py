@@ -16,12 +16,12 @@ from uvicorn.protocols.utils import ClientDisconnected
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
-from pointpred.server.access import Receive, Scope, Send, admits_origin, has_token, header
-from pointpred.server.compiling.parts import parts_for
-from pointpred.server.connection import FRAMES, GRACE_S, Connection, FrameSocket
-from pointpred.server.logs import place_of
-from pointpred.server.service import Service
-from pointpred.server.sessions.lifecycle import FAILED, Session
+from pointpred_server.access import Receive, Scope, Send, admits_origin, has_token, header
+from pointpred_server.compiling.parts import parts_for
+from pointpred_server.connection import FRAMES, GRACE_S, Connection, FrameSocket
+from pointpred_server.logs import place_of
+from pointpred_server.service import Service
+from pointpred_server.sessions.lifecycle import FAILED, Session
 
 log = logging.getLogger("pointpred.service")
 

@@ -12,12 +12,12 @@ from httptools import HttpParserError, HttpParserUpgrade
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
 
 from pointpred.protocol.server_messages import Code
-from pointpred.server.access import usual_address
-from pointpred.server.http_reading import HeldReading
-from pointpred.server.request_rates import REQUESTS_PER_S, RequestRates
-from pointpred.server.request_refusal import Refusal
-from pointpred.server.upgrade import check_upgrade, upgrade_request
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.access import usual_address
+from pointpred_server.http_reading import HeldReading
+from pointpred_server.request_rates import REQUESTS_PER_S, RequestRates
+from pointpred_server.request_refusal import Refusal
+from pointpred_server.upgrade import check_upgrade, upgrade_request
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 
 log = logging.getLogger("pointpred.service")
 

@@ -10,9 +10,9 @@ from starlette.exceptions import HTTPException
 
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
-from pointpred.server.access import admits_origin, has_token, header, origin_advice
-from pointpred.server.endpoints import TOKEN_NEEDED
-from pointpred.server.uploads.refusals import refusal_of
+from pointpred_server.access import admits_origin, has_token, header, origin_advice
+from pointpred_server.endpoints import TOKEN_NEEDED
+from pointpred_server.uploads.refusals import refusal_of
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "

@@ -16,14 +16,14 @@ import msgspec
 import uvicorn
 
 from pointpred.errors import SourceError
-from pointpred.server.access import WILDCARDS, HostRule
-from pointpred.server.allocator import bound_free_memory
-from pointpred.server.app import create_app
-from pointpred.server.garbage import tune_collector
-from pointpred.server.http_protocol import counting
-from pointpred.server.request_rates import RequestRates
-from pointpred.server.service import Service
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred.garbage import tune_collector
+from pointpred_server.access import WILDCARDS, HostRule
+from pointpred_server.allocator import bound_free_memory
+from pointpred_server.app import create_app
+from pointpred_server.http_protocol import counting
+from pointpred_server.request_rates import RequestRates
+from pointpred_server.service import Service
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 
 FRAME_BYTES = 2**20
 """The framework's own limit lies above every limit of ours, so that our error goes out first."""

@@ -8,12 +8,12 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from itertools import islice
 
-from pointpred.events import Pair, PointerEvent, Prediction
 from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.protocol.server_messages import PredictionMessage, Region, encode
-from pointpred.server.sessions.viewing import ViewingSession
+from pointpred.records import Pair, PointerEvent, Prediction
+from pointpred_server.sessions.viewing import ViewingSession
 
 FRAME_S = 1 / 120
 """Viewers get one frame in this time: the events since the last one, with the newest prediction."""

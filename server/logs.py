@@ -14,7 +14,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
-from pointpred.server.log_repeats import RepeatLimit
+from pointpred_server.log_repeats import RepeatLimit
 
 OWN = "pointpred"
 FIELDS = {

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.http_responses import SECURITY_HEADERS
+from pointpred_server.http_responses import SECURITY_HEADERS
 
 WEB = Path(__file__).with_name("web")
 FIRST = ("live/start.js", "prediction/session.js")

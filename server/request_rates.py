@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from ipaddress import ip_address, ip_network
 
-from pointpred.server.access import network_of
+from pointpred_server.access import network_of
 
 REQUESTS_PER_S = 200
 """Requests of one other machine in the long run; those for a WebSocket are among them."""

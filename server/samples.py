@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.pipeline import run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import REGISTRY, build
 
 

@@ -16,22 +16,22 @@ import numpy as np
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
+from pointpred.recorder.writer import Recorder
 from pointpred.registry import RECOMMENDED
-from pointpred.server.access import RefusedOrigins, network_of
-from pointpred.server.arrivals import Arrivals
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.connection import Connection
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.metrics import Metrics, SessionCounts
-from pointpred.server.network_counts import NetworkCounts
-from pointpred.server.recorder.writer import Recorder
-from pointpred.server.sessions.lifecycle import Session
-from pointpred.server.sessions.observer import SessionObserver
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.sessions.viewing import ViewingSession
-from pointpred.server.settings import Settings, is_loopback
-from pointpred.server.uploads.process import UploadProcess
-from pointpred.server.work_threads import WorkThreads
+from pointpred_server.access import RefusedOrigins, network_of
+from pointpred_server.arrivals import Arrivals
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.connection import Connection
+from pointpred_server.live_feed import LiveFeed
+from pointpred_server.metrics import Metrics, SessionCounts
+from pointpred_server.network_counts import NetworkCounts
+from pointpred_server.sessions.lifecycle import Session
+from pointpred_server.sessions.observer import SessionObserver
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.sessions.viewing import ViewingSession
+from pointpred_server.settings import Settings, is_loopback
+from pointpred_server.uploads.process import UploadProcess
+from pointpred_server.work_threads import WorkThreads
 
 log = logging.getLogger("pointpred.service")
 

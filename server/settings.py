@@ -15,7 +15,7 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.access import is_address, is_origin
+from pointpred_server.access import is_address, is_origin
 
 
 def _parts(value: Any) -> Any:

@@ -14,7 +14,7 @@ from websockets.http11 import Request
 from websockets.protocol import Protocol
 from websockets.server import ServerProtocol
 
-from pointpred.server.request_refusal import Refusal
+from pointpred_server.request_refusal import Refusal
 
 Fields = Sequence[tuple[bytes, bytes]]
 """Names in lower case, and values."""

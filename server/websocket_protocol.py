@@ -21,11 +21,11 @@ from websockets.protocol import State
 from pointpred.protocol.frames import Frame as Message
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
-from pointpred.server.access import usual_address
-from pointpred.server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Violation
-from pointpred.server.sessions.lifecycle import STANDSTILL_S
-from pointpred.server.upgrade import FrameReader
-from pointpred.server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
+from pointpred_server.access import usual_address
+from pointpred_server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Violation
+from pointpred_server.sessions.lifecycle import STANDSTILL_S
+from pointpred_server.upgrade import FrameReader
+from pointpred_server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
 
 UPGRADE_S = 10.0
 """So long the application may take to accept or refuse a connection."""

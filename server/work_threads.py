@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from pointpred.server.sessions.work import Completion, Work
+from pointpred_server.sessions.work import Completion, Work
 
 
 class WorkThreads:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import Predictor
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.registry import build
 
 

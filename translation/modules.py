@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import pointpred
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.records import FloatArray
 from pointpred.stage import CompiledStage
 from translation import stages
 from translation.expressions import is_constant, number

@@ -16,8 +16,8 @@ import pointpred.datasets
 from benchmarks.load.generator import Fragment, Message
 from benchmarks.load.movements import hello, resampled, tables
 from pointpred import build
-from pointpred.columns import FloatArray
 from pointpred.protocol.packed import pack_events
+from pointpred.records import FloatArray
 
 MESSAGES_PER_S, EVENTS_PER_S, FRAGMENTS_PER_S = 450.0, 19_000.0, 4500.0
 """What a client tries first, somewhat below the limits of a session."""

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pages.sets import folder
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.packed import NO_COUNTS
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 
 SECONDS = 10.0
 """Movements of so many seconds are replayed; each client begins at another of them."""

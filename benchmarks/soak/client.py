@@ -15,8 +15,8 @@ import numpy as np
 from benchmarks.soak.frames import BINARY, CLOSE, PING, PONG, TEXT, frame, split
 from benchmarks.soak.movement import events
 from benchmarks.soak.offline import CPI, DPI, OfflineRun
-from pointpred.columns import FloatArray
 from pointpred.protocol.packed import pack_events
+from pointpred.records import FloatArray
 
 ERROR, PREDICTION = b'{"type":"error"', b'{"type":"prediction"'
 BYE = frame(TEXT, b'{"type":"bye"}')

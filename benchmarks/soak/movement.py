@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
+from pointpred.records import FloatArray
 
 APART = 9973
 """Events between the beginnings of two clients in the sample."""

@@ -12,13 +12,11 @@ import pyarrow.compute as pc
 import pyarrow.csv as pacsv
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
-from pointpred.events import PHASES
 from pointpred.protocol.frames import row_of_prediction
 from pointpred.protocol.packed import pack_predictions, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
-from pointpred.server.recorder.files import PREDICTED
-from pointpred.sources.own.appended import VALUES
+from pointpred.recorder.files import PREDICTED
+from pointpred.records import PHASES, FloatArray
 
 CPI, DPI = 800.0, 96.0
 """The device and the screen that every client of the soak names."""

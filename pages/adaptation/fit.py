@@ -20,7 +20,6 @@ from pages import ROOT
 from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import (
     arrival_intervals,
     correction,
@@ -39,6 +38,7 @@ from pointpred.predictors.adaptation.time_left import (
     Prior,
 )
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.training import data

@@ -17,9 +17,9 @@ from pages.adaptation.tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Mea
 from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring.replay import replay

@@ -11,8 +11,8 @@ import numpy as np
 from pages import FIGURES
 from pages.data import Table, keep
 from pages.thinning import save
-from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.records import FloatArray
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 

@@ -8,8 +8,8 @@ from math import cos, radians, sin
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline
+from pointpred.records import FloatArray
 from pointpred.simulation import Aim, Claim, Guard, Person, Setup, move_guarded, people
 from pointpred.simulation.movement import Movement, move
 from pointpred.transfer import ConstantGain

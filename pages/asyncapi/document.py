@@ -11,12 +11,12 @@ import yaml
 import pointpred
 from pages.asyncapi import examples, words
 from pages.asyncapi.live import live_channel, live_messages, live_operations
-from pointpred.events import PHASES
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
 from pointpred.protocol.packed import EVENT, NO_COUNTS, PREDICTION, pack_predictions
 from pointpred.protocol.server_messages import SERVER_MESSAGES
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred.records import PHASES
+from pointpred_server.sessions.pointing import PointingSession
 
 CHANNEL = {"$ref": "#/channels/stream"}
 PREDICTIONS = ["prediction", "binaryPredictions", "cursor"]

@@ -9,9 +9,9 @@ import msgspec
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.registry import RECOMMENDED
-from pointpred.server.endpoints import NO_DEVICE
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
+from pointpred_server.endpoints import NO_DEVICE
 
 ABOUT = f"""Read only: events and predictions of the mouse attached to the machine of the service
 (`pointpred live --serve`). The server speaks first: `device`, `status` and, where something is known of it,

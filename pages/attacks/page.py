@@ -8,7 +8,7 @@ import msgspec
 
 from pages import PAGES, ROOT
 from pages.data import Table, Tables, read, stored
-from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
+from pointpred_server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
 
 CORPUS = ROOT / "tests" / "fuzz" / "corpus"
 COLUMNS = (

@@ -7,7 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from pages.thinning import save, thin
-from pointpred.camera import (
+from pointpred.cli.camera_files import truth_table
+from pointpred.cli.camera_plot import plot
+from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred_observers.camera import (
     SCENARIOS,
     CameraPipeline,
     DepthObserver,
@@ -17,10 +20,7 @@ from pointpred.camera import (
     cramer_rao,
     trajectory,
 )
-from pointpred.camera.samples import observed
-from pointpred.cli.camera_files import truth_table
-from pointpred.cli.camera_plot import plot
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred_observers.camera.samples import observed
 
 
 def draw(folder: Path, focal_px: float) -> None:

@@ -12,7 +12,9 @@ from pages.arguments import parse
 from pages.camera.figures import draw
 from pages.camera.tables import designs, residuals
 from pages.data import Table, keep
-from pointpred.camera import (
+from pointpred.cli.progress import following
+from pointpred.records import FloatArray
+from pointpred_observers.camera import (
     WAYS,
     DepthObserver,
     Noise,
@@ -24,10 +26,8 @@ from pointpred.camera import (
     printed,
     velocities,
 )
-from pointpred.camera.samples import observed
-from pointpred.cli.progress import following
-from pointpred.columns import FloatArray
-from pointpred.reproduction.camera import (
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,
     NAMES,

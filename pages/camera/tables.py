@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 
 from pages.data import Table
-from pointpred.camera import (
+from pointpred.errors import InfeasibleError
+from pointpred_observers.camera import (
     SCENARIOS,
     camera_box,
     camera_system,
     printed,
     trajectory,
 )
-from pointpred.errors import InfeasibleError
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL, RATE_HZ = 800.0, 33.0
 

@@ -10,8 +10,7 @@ import mpmath
 import numpy as np
 
 from pages.data import Table
-from pointpred.camera import camera_box, camera_system
-from pointpred.observers import (
+from pointpred_observers import (
     RecursiveLeastSquares,
     UnknownInputObserver,
     certify_convergence,
@@ -22,7 +21,8 @@ from pointpred.observers import (
     regression_margin,
     steady_state_map,
 )
-from pointpred.observers.examples import (
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.examples import (
     ROBOT_INPUT_MODIFIED,
     UNMEASURED,
     Bioreactor,
@@ -33,9 +33,9 @@ from pointpred.observers.examples import (
     two_sensors,
     vapours,
 )
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
-from pointpred.observers.unknown_input.gains import ROOMS
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
+from pointpred_observers.unknown_input.gains import ROOMS
 
 DIGITS = 40
 Fact = tuple[str, str, float, float]

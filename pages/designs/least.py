@@ -7,7 +7,7 @@ from typing import Any
 
 import mpmath
 
-from pointpred.observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.gains import ROOMS
 
 
 def least_gamma(p: mpmath.mpf, sigma: mpmath.mpf, bounds: dict[str, Any]) -> mpmath.mpf:

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import UndecidedError
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred_observers import (
     Box,
     Generator,
     ParameterVaryingSystem,
@@ -22,7 +22,7 @@ from pointpred.observers import (
     design_reduced_order,
     invariant_observer,
 )
-from pointpred.observers.stationary import filter_start
+from pointpred_observers.stationary import filter_start
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
 SLOW = 1e-5

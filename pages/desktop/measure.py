@@ -15,8 +15,8 @@ from pages.desktop.repeats import repeated
 from pages.desktop.tables import FLOOR, Measured, written
 from pages.simulation.frames import thinned
 from pointpred import Pipeline, build
-from pointpred.columns import FloatArray
 from pointpred.pipeline import run
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.trial_measures import measure_trials

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 BLOCK = 10
 """Movements that an error is taken over."""

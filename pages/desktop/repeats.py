@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared
 
 NEAR_PX = 40.0

@@ -13,8 +13,8 @@ from pages.data import Table, keep
 from pages.desktop import recovery
 from pages.desktop.recovery import BLOCK
 from pages.thinning import save
-from pointpred.columns import FloatArray
 from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.records import FloatArray
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,8 +7,7 @@ from collections.abc import Callable
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 
 DPI = 96.0
 CPI = 2000.0

@@ -25,8 +25,8 @@ from pages.data import Table, keep
 from pages.inputs.account import Account, account
 from pages.inputs.independent import LAYOUTS
 from pointpred.errors import PointpredError
-from pointpred.sources import read_any
-from pointpred.sources.reading import Reading
+from pointpred.recordings import read_any
+from pointpred.recordings.reading import Reading
 
 LIST = Path(__file__).with_name("inputs.toml")
 OUT = PAGES / "inputs" / "data.json"

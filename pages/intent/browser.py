@@ -33,9 +33,9 @@ from pages.intent.sample import document, sampled
 from pages.intent.scores import score
 from pages.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
-from pointpred.columns import FloatArray
 from pointpred.live.devtools import Page
 from pointpred.live.mouse import drive_mouse
+from pointpred.records import FloatArray
 from pointpred.targets import Target
 from pointpred.targets.rectangles import table
 from pointpred.training.data import folder

@@ -13,7 +13,7 @@ import numpy as np
 from pages.intent.movements import PAGES, Movement
 from pages.targets import fit as targets_fit
 from pages.targets.fit import Cases
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
 

@@ -25,8 +25,8 @@ from pages.intent.evidence import CLAIMING, SILENT, coefficients
 from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement, movements
 from pages.intent.scores import Score, by_policy, by_rule, score, shares_of
-from pointpred.columns import FloatArray
-from pointpred.sources import read
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from pointpred.targets import posterior, prefetch
 from pointpred.training.data import folder
 

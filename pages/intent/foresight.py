@@ -10,8 +10,8 @@ from math import ceil, inf
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.targets.prefetch import contact
 
 POSITIONS, AHEAD_S = 8, 0.12

@@ -20,7 +20,7 @@ from pages.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement
 from pages.intent.scores import Score, by_policy, by_rule, shares_of
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
 PREDICTORS = ("kinematic-adaptive", "kinematic", "minimum-jerk", "switched-direction")

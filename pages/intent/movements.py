@@ -15,8 +15,8 @@ from pages.held_out import HeldOut, trained_predictors
 from pages.proposals.layouts import LAYOUTS, placed
 from pages.proposals.measure import BETWEEN_S, LEAST_PX, with_click
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import resolution
 from pointpred.scoring.target_choice.layouts import layouts
 from pointpred.scoring.trials import Prepared, prepare

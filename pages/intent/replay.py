@@ -7,9 +7,8 @@ from math import inf
 import numpy as np
 
 from pages.intent.foresight import frame_end
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import row_at
+from pointpred.records import FloatArray, row_at
 from pointpred.targets import cursor, posterior, prefetch
 
 

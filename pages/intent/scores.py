@@ -9,7 +9,7 @@ import numpy as np
 
 from pages.intent import foresight, replay
 from pages.intent.movements import Movement
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pages.intent.movements import Movement, inside
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 HOVER_S = {"eager": 0.01, "moderate": 0.2}
 HEADS = ("firings", "after the entry", "before the press")

@@ -12,8 +12,8 @@ import numpy as np
 from pages import PAGES, data
 from pages.arguments import parse
 from pages.kinematic.records import Claims, Held, Ratio, SetRow, Validation
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
+from pointpred.records import FloatArray
 from pointpred.scoring import SetScore, score, summarise
 from pointpred.scoring.summary import Measure
 from pointpred.training import calibration

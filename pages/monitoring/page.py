@@ -8,10 +8,10 @@ from typing import Any
 import msgspec
 from prometheus_client import CollectorRegistry, Metric
 
-from pointpred.server.logs import EVERY_ENTRY, FIELDS
-from pointpred.server.metrics import Metrics
-from pointpred.server.workers.families import OF_PROCESS
-from pointpred.server.workers.supervisor import SupervisorMetrics
+from pointpred_server.logs import EVERY_ENTRY, FIELDS
+from pointpred_server.metrics import Metrics
+from pointpred_server.workers.families import OF_PROCESS
+from pointpred_server.workers.supervisor import SupervisorMetrics
 
 UNITS = {"_seconds": "s", "_bytes": "bytes", "_info": ""}
 """By the end of a name; other metrics count."""

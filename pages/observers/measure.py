@@ -10,8 +10,8 @@ import numpy as np
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.sets import folder_with
-from pointpred.columns import FloatArray
-from pointpred.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
+from pointpred.records import FloatArray
+from pointpred_observers.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
 
 
 def recursion(rows: FloatArray, outputs: FloatArray, total: FloatArray, x: FloatArray) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from pointpred.server.app import create_app
+from pointpred_server.app import create_app
 
 
 def render() -> str:

@@ -17,13 +17,13 @@ from pages.data import Table
 from pages.held_out import HeldOut, held_out
 from pages.places.people import pipelines
 from pointpred import Place
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from pointpred.scoring import prepare, resolution
 from pointpred.scoring.target_choice import decisions as replaying
 from pointpred.scoring.target_choice.layouts import layouts
 from pointpred.scoring.target_choice.scores import ASKS, FRACTIONS
-from pointpred.sources import read
 from pointpred.targets import posterior
 from pointpred.targets.expectation import expect
 from pointpred.targets.rectangles import LOG_WEIGHT

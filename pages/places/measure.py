@@ -20,9 +20,9 @@ from pages.held_out import HeldOut, held_out
 from pages.places import expected
 from pages.places.people import pipelines
 from pointpred import Pipeline, Place, PointerEvent
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.place_chooser import rectangle_of
 from pointpred.training.data import folder

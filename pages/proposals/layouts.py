@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import Target
 
 Layout = Callable[[np.random.Generator], list[Target]]

@@ -19,10 +19,10 @@ from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out
 from pages.proposals.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from pointpred.scoring import resolution
-from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from pointpred.targets.posterior import FITTED_NEAREST
 from pointpred.training.data import folder

@@ -22,8 +22,8 @@ from pages.held_out import HeldOut, held_out, stored
 from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
 from pages.regions.tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
 from pointpred import Pipeline, PredictionColumns, run
-from pointpred.columns import FloatArray
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.moments import moments
 from pointpred.training import data

@@ -17,11 +17,11 @@ from pointpred.protocol.client_messages import Device, Hello, Reset, Screen
 from pointpred.protocol.frames import event_frames, packable, row_of_prediction
 from pointpred.protocol.packed import unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage, encode
-from pointpred.server.access import HostRule
-from pointpred.server.listening import listen, make_server
-from pointpred.server.service import Service
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.settings import Settings
+from pointpred_server.access import HostRule
+from pointpred_server.listening import listen, make_server
+from pointpred_server.service import Service
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.settings import Settings
 
 SETTINGS = Settings(max_events_per_s=10**8)
 WARM_S = 600.0

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pages.data import Table, keep
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.records import BoolArray, FloatArray
 
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
 """The ellipses that are drawn, and when: shares of the time from onset to arrival."""

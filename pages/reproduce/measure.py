@@ -16,7 +16,7 @@ from pages.thinning import save
 from pointpred.cli.reproduce import AGREES, shown
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import Entry, Reproduction
-from pointpred.reproduction.reversed_connection import SNIFFER
+from pointpred_observers.reproduction.reversed_connection import SNIFFER
 
 DRAWN = FIGURES / "reproduced"
 HEADER = ("number", "value", "printed", "ours", "unit", "")

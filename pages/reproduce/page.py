@@ -9,7 +9,7 @@ import msgspec
 from pages.data import Table, stored
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import CAMERA, THESIS
-from pointpred.reproduction.reversed_connection import SNIFFER
+from pointpred_observers.reproduction.reversed_connection import SNIFFER
 
 
 class Row(msgspec.Struct, frozen=True):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.server.settings import Settings
+from pointpred_server.settings import Settings
 
 
 def context() -> dict[str, Any]:

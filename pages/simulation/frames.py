@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording
+from pointpred.records import EventColumns
 
 
 def thinned(recording: Recording, period_s: float) -> Recording:

@@ -18,13 +18,12 @@ from pages.data import Table, keep
 from pages.simulation import figures as simulation_figures
 from pages.simulation.frames import thinned
 from pages.simulation.shape import Shape, shapes
-from pointpred import build
+from pointpred import build, recordings
 from pointpred.recording import Recording
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.simulation import Aim, Setup, people, thesis_setup
 from pointpred.simulation.movement import Movement, move, move_assisted
 from pointpred.simulation.validation import corrective_signals
-from pointpred.sources.own import recordings
 from pointpred.transfer import ConstantGain
 
 SETS = ("freihaut2021", "gofitts_demo", "humanmovemouse", "cryslacks")

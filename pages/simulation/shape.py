@@ -8,8 +8,8 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording
+from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.trials import resolution
 

@@ -25,10 +25,10 @@ from pointpred import Pipeline, build
 from pointpred.datasets import sample
 from pointpred.drawing.style import canvas, picture
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.report.figures.style import line_style
 from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS
-from pointpred.sources import read
 
 NAME = "switched-direction"
 OTHERS = ("switched", "switched-printed", "minimum-jerk", "kalman")

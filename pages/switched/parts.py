@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import SwitchedDirectionPredictor, submovement
+from pointpred.records import BoolArray, FloatArray
 from pointpred.registry import parameters
 
 AXES = ((1, 3, 5), (2, 4, 6))

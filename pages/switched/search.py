@@ -15,12 +15,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray, MotionColumns
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.predictors import SwitchedDirectionPredictor
+from pointpred.recordings import read
+from pointpred.records import BoolArray, EventColumns, FloatArray, MotionColumns
 from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.measures import endpoint
-from pointpred.sources import read
 
 SEED = 0
 STEPS = 100

@@ -1,13 +1,13 @@
 """A moving camera: its velocity and the depth of a point, by an unknown input observer and by a filter."""
 
-from pointpred.camera.bounds import consistent, cramer_rao, normalised_errors
-from pointpred.camera.depth import Depth, DepthColumns, DepthObserver
-from pointpred.camera.model import camera_box, camera_system, depth_rate, point_rate
-from pointpred.camera.pipeline import CameraEstimate, CameraPipeline, CameraTable
-from pointpred.camera.point_filter import PointEstimate, PointFilter, PointTrack
-from pointpred.camera.samples import CameraColumns, CameraSample, Noise, simulate
-from pointpred.camera.scenario import SCENARIOS, Scenario, Trajectory, trajectory
-from pointpred.camera.velocity import WAYS, UnknownInputs, velocities
+from pointpred_observers.camera.bounds import consistent, cramer_rao, normalised_errors
+from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
+from pointpred_observers.camera.model import camera_box, camera_system, depth_rate, point_rate
+from pointpred_observers.camera.pipeline import CameraEstimate, CameraPipeline, CameraTable
+from pointpred_observers.camera.point_filter import PointEstimate, PointFilter, PointTrack
+from pointpred_observers.camera.samples import CameraColumns, CameraSample, Noise, simulate
+from pointpred_observers.camera.scenario import SCENARIOS, Scenario, Trajectory, trajectory
+from pointpred_observers.camera.velocity import WAYS, UnknownInputs, velocities
 
 __all__ = [
     "SCENARIOS",

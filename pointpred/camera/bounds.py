@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.camera import kinematics
-from pointpred.camera.point_filter import PointTrack
-from pointpred.camera.scenario import Trajectory
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
+from pointpred_observers.camera import kinematics
+from pointpred_observers.camera.point_filter import PointTrack
+from pointpred_observers.camera.scenario import Trajectory
 
 IDENTITY = np.eye(6)
 

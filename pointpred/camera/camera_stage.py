@@ -9,13 +9,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from pointpred.camera.samples import CameraColumns, CameraSample, SampleRow
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LATEST_S
 from pointpred.parameter import is_number
+from pointpred.records import LATEST_S, FloatArray
 from pointpred.stage import CompiledStage
+from pointpred_observers.camera.samples import CameraColumns, CameraSample, SampleRow
 
 LARGEST_PX, LARGEST_W, LARGEST_A = 1e6, 1e3, 1e4
 """Bounds on positions px, angular velocities rad/s and accelerations m/s^2."""

@@ -8,16 +8,15 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
-from pointpred.camera.model import SCHEDULED, C
-from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
-from pointpred.columns import Columns, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.parameter import option, parameter
-from pointpred.rows import Row
+from pointpred.records import Columns, FloatArray, Row
 from pointpred.stage import loop_of
+from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
+from pointpred_observers.camera.model import SCHEDULED, C
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 LARGEST_RATE = 1e3
 """Beyond this |eta| 1/s the camera meets the point within a millisecond: the estimate is lost."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from math import cos, sin, sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 Vector = tuple[float, float, float]
 SMALL = 1e-4

@@ -11,10 +11,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred.records import FloatArray
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 C = np.eye(2, 4)
 """The image gives x and y of (x, y, chi, eta)."""

@@ -9,12 +9,12 @@ from typing import Self
 import msgspec
 import numpy as np
 
-from pointpred.camera.depth import Depth, DepthColumns, DepthObserver
-from pointpred.camera.point_filter import PointEstimate, PointFilter
-from pointpred.camera.samples import CameraColumns, CameraSample
-from pointpred.camera.velocity import FED_FORWARD, UnknownInputs, velocities
-from pointpred.columns import Columns
 from pointpred.errors import EventError
+from pointpred.records import Columns
+from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
+from pointpred_observers.camera.point_filter import PointEstimate, PointFilter
+from pointpred_observers.camera.samples import CameraColumns, CameraSample
+from pointpred_observers.camera.velocity import FED_FORWARD, UnknownInputs, velocities
 
 SURE = 2.0
 """Standard deviations by which the filter's eta must exceed -sigma/2 to clear ``detectable``."""

@@ -7,14 +7,13 @@ from math import nan, sqrt
 import msgspec
 import numpy as np
 
-from pointpred.camera import kinematics, starting
-from pointpred.camera.camera_stage import CameraStage, usable
-from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.rows import Row
+from pointpred.records import BoolArray, FloatArray, Row
 from pointpred.stage import loop_into, offsets
+from pointpred_observers.camera import kinematics, starting
+from pointpred_observers.camera.camera_stage import CameraStage, usable
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
 
 NEAREST_M = 1e-4
 """The filter restarts if the point comes closer than this or goes behind the camera."""
@@ -187,8 +186,8 @@ class PointFilter(CameraStage):
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 10.3 (extended Kalman filter) and 5.4 (consistency).
 
-    >>> from pointpred.camera.samples import simulate
-    >>> from pointpred.camera.scenario import SCENARIOS
+    >>> from pointpred_observers.camera.samples import simulate
+    >>> from pointpred_observers.camera.scenario import SCENARIOS
     >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=5.0)
     >>> track = PointFilter(focal_px=800.0, noise_px=0.1).run(samples)
     >>> bool(abs(track.state[-1, 2] - truth.p[-1, 2]) < 5e-3)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.camera.scenario import Trajectory
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
+from pointpred_observers.camera.scenario import Trajectory
 
 
 def derivatives(truth: Trajectory) -> FloatArray:

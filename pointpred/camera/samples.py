@@ -7,10 +7,10 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.camera.scenario import Scenario, Trajectory, trajectory
-from pointpred.columns import Columns
 from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check, is_number
+from pointpred.records import Columns
+from pointpred_observers.camera.scenario import Scenario, Trajectory, trajectory
 
 FOCAL_PX = (1.0, 1e6)
 FOCAL = Parameter("focal_px", "px", *FOCAL_PX, "focal length: image plane to px")
@@ -102,7 +102,7 @@ def simulate(
     ``readings`` of the inertial sensor per image; 1e7 samples at most. The first sample always has an image.
     Raises ParameterError.
 
-    >>> from pointpred.camera.scenario import SCENARIOS
+    >>> from pointpred_observers.camera.scenario import SCENARIOS
     >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=1.0)
     >>> len(samples), float(truth.chi[0])
     (34, 1.0)

@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 
 Profile = Callable[[Any], tuple[Any, Any, Any]]
 """A vector as a function of time; analytic, so that its derivative is exact by a complex step."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from math import sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.stage import offsets
 
 # Relative to `at`: Phi and g of s = Phi s0 + g, normal matrix, right side, sensor noise; then scratch space

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.camera.samples import CameraColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.extras import missing_extra
 from pointpred.parameter import Parameter, check
+from pointpred_observers.camera.samples import CameraColumns
 
 Image = NDArray[np.uint8]
 

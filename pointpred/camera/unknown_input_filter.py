@@ -5,12 +5,10 @@ from __future__ import annotations
 from math import nan
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
-from pointpred.events import LATEST_S
 from pointpred.parameter import parameter
-from pointpred.rows import Row
+from pointpred.records import LATEST_S, FloatArray, Row
 from pointpred.stage import CompiledStage, loop_of
 
 SPREAD_START = 1.0

@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.camera.depth import DepthColumns
-from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
-from pointpred.camera.unknown_input_filter import UnknownInputFilter, flow
-from pointpred.columns import FloatArray
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
 from pointpred.errors import ParameterError
-from pointpred.events import METRES_PER_INCH, PointerEvent
 from pointpred.parameter import Parameter, check
+from pointpred.records import METRES_PER_INCH, FloatArray, PointerEvent
+from pointpred_observers.camera.depth import DepthColumns
+from pointpred_observers.camera.samples import FOCAL, CameraColumns, CameraSample
+from pointpred_observers.camera.unknown_input_filter import UnknownInputFilter, flow
 
 NOISE_PX = Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image")
 FLOOR = 1e-4

@@ -47,9 +47,9 @@ def simulate(
 
       pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
     """
-    from pointpred.camera import SCENARIOS, CameraColumns, Noise
-    from pointpred.camera import simulate as make
     from pointpred.cli.camera_files import TRUTH, truth_table, write_table
+    from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
+    from pointpred_observers.camera import simulate as make
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
@@ -136,8 +136,8 @@ def run(
 
 
 def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
-    from pointpred.camera.tracker import PointTracker, tracked
     from pointpred.cli.camera_files import read_images
+    from pointpred_observers.camera.tracker import PointTracker, tracked
 
     try:
         x, y = (float(part) for part in point.split(","))
@@ -149,7 +149,7 @@ def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
 
 
 def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: str) -> Any:
-    from pointpred.camera import CameraPipeline, DepthObserver, PointFilter
+    from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
 
     if not depth > 0.0:
         raise ParameterError(f"--start-depth must be positive, received {depth:g}")

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.camera import CameraColumns, CameraTable, Trajectory
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import missing_extra
+from pointpred.records import FloatArray
+from pointpred_observers.camera import CameraColumns, CameraTable, Trajectory
 
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
 IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.camera import CameraTable
-from pointpred.columns import FloatArray
 from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.files import write_whole
+from pointpred.records import FloatArray
+from pointpred_observers.camera import CameraTable
 
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
 OBSERVER, PEER = PALETTE[1], PALETTE[0]

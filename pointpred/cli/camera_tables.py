@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from pointpred.camera import CameraTable
 from pointpred.console import results
+from pointpred_observers.camera import CameraTable
 
 MOMENTS = 11
 HEADINGS = ("t s", "Z observer m", "Z filter m", "v_z observer m/s", "v_z filter m/s", "believe")

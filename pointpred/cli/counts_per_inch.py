@@ -10,7 +10,7 @@ from pointpred.console import remarks
 from pointpred.devices.resolution import measure
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import ParameterError
-from pointpred.events import CPI
+from pointpred.records import CPI
 
 DISTANCE_CM = 10.0
 QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)"

@@ -35,7 +35,7 @@ def demo(
         raise ParameterError(f"{out} holds files already; add --force to replace those of the same names")
     if out.exists() and not out.is_dir():
         raise ParameterError(f"cannot write into {out}: it is not a folder; name another one")
-    from pointpred.server.demo import write_demo
+    from pointpred_server.demo import write_demo
 
     out.mkdir(parents=True, exist_ok=True)
     write_demo(out)

@@ -188,7 +188,7 @@ def folders() -> list[Finding]:
 def port() -> list[Finding]:
     """Whether the page can be served."""
     from pointpred.cli.serve import PORT, TRIES
-    from pointpred.server.listening import listen
+    from pointpred_server.listening import listen
 
     try:
         with listen(LOOPBACK, PORT, TRIES) as opened:

@@ -14,14 +14,14 @@ from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, s
 from pointpred.cli.reading_options import as_given, options_in, to_read, with_reading
 from pointpred.cli.serve import open_port, settings_of
 from pointpred.errors import ParameterError
-from pointpred.events import CPI, DPI
+from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.page import PageService
     from pointpred.live.run import OutputOptions
-    from pointpred.server.live_feed import LiveFeed
-    from pointpred.sources import Reading
+    from pointpred.recordings import Reading
+    from pointpred_server.live_feed import LiveFeed
 
 REPLAY = "Without a device"
 LSL = "Lab Streaming Layer (extra lsl)"

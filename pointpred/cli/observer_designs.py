@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     CornerSystem,
     Generator,
     InterlacedObserver,
@@ -23,7 +23,7 @@ from pointpred.observers import (
     interlaced,
     steady_state_map,
 )
-from pointpred.observers.documents.expressions import parsed
+from pointpred_observers.documents.expressions import parsed
 
 NEEDS: dict[str, type] = {
     "reduced-order": Persidskii,

@@ -17,7 +17,7 @@ class Example(msgspec.Struct, frozen=True):
 
 def motor() -> Any:
     """Angle, speed and current of a motor with friction under a voltage; the angle is measured."""
-    from pointpred.observers import Persidskii
+    from pointpred_observers import Persidskii
 
     a0 = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
     friction, argument, volt = [0.0, -2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 100.0]
@@ -26,7 +26,7 @@ def motor() -> Any:
 
 def pendulum() -> Any:
     """Angle and speed of a damped pendulum under a torque; the angle is measured."""
-    from pointpred.observers import Persidskii
+    from pointpred_observers import Persidskii
 
     return Persidskii(
         [[0.0, 1.0], [0.0, -0.3]], [0.0, -9.81], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
@@ -35,7 +35,7 @@ def pendulum() -> Any:
 
 def tank() -> Any:
     """Levels of two tanks in a row, sampled once a minute; the second is measured."""
-    from pointpred.observers import Persidskii
+    from pointpred_observers import Persidskii
 
     a0 = [[0.95, 0.0], [0.05, 0.93]]
     return Persidskii(a0, B=[0.1, 0.0], C0=[0.0, 1.0], time="discrete")
@@ -43,7 +43,7 @@ def tank() -> Any:
 
 def wing() -> Any:
     """Speed and force of a wing in a wind that nobody measures; its stiffness k varies and is known."""
-    from pointpred.observers import Box, CornerSystem
+    from pointpred_observers import Box, CornerSystem
 
     corners = [[[-0.5, 1.0], [-stiffness, -2.0]] for stiffness in (1.0, 3.0)]
     return CornerSystem(Box({"k": (1.0, 3.0)}), corners, [[1.0], [0.0]], [[1.0, 0.0]])
@@ -51,8 +51,8 @@ def wing() -> Any:
 
 def spring() -> Any:
     """Two states with a product between them, written as equations; the second is measured."""
-    from pointpred.observers import SymbolicSystem
-    from pointpred.observers.triangular.polynomials import symbolic
+    from pointpred_observers import SymbolicSystem
+    from pointpred_observers.triangular.polynomials import symbolic
 
     x1, x2, u = symbolic().symbols("x1 x2 u")
     return SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
@@ -60,8 +60,8 @@ def spring() -> Any:
 
 def oscillator() -> Any:
     """The generator of a sine and a cosine, which drives the spring."""
-    from pointpred.observers import SymbolicGenerator
-    from pointpred.observers.triangular.polynomials import symbolic
+    from pointpred_observers import SymbolicGenerator
+    from pointpred_observers.triangular.polynomials import symbolic
 
     w1, w2 = symbolic().symbols("w1 w2")
     return SymbolicGenerator((w1, w2), (w2, -w1))
@@ -69,14 +69,14 @@ def oscillator() -> Any:
 
 def oven() -> Any:
     """Temperatures of an oven and of what stands in it, above the room's, 1/min; the first is measured."""
-    from pointpred.observers import Persidskii
+    from pointpred_observers import Persidskii
 
     return Persidskii([[-0.2, 0.1], [0.1, -0.15]], B=[0.1, 0.0], C0=[1.0, 0.0])
 
 
 def heating() -> Any:
     """The generator of a constant, which heats the oven by a power that nobody measures."""
-    from pointpred.observers import Generator
+    from pointpred_observers import Generator
 
     return Generator([[0.0]], L0=[1.0])
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import whole
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred_observers import (
     CornerSystem,
     InterlacedObserver,
     InvariantObserver,
@@ -24,8 +24,8 @@ from pointpred.observers import (
     Simulation,
     UnknownInputObserver,
 )
-from pointpred.observers.documents.expressions import parsed
-from pointpred.observers.triangular.polynomials import symbolic
+from pointpred_observers.documents.expressions import parsed
+from pointpred_observers.triangular.polynomials import symbolic
 
 
 def plant_of(design: Any) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 from rich.table import Table
 
 from pointpred.console import results
-from pointpred.observers import (
+from pointpred_observers import (
     InterlacedObserver,
     ObserverDesign,
     ReducedOrderDesign,
@@ -17,8 +17,8 @@ from pointpred.observers import (
     Simulation,
     UnknownInputObserver,
 )
-from pointpred.observers.bounds import ErrorBound
-from pointpred.observers.documents.designs import margins_of
+from pointpred_observers.bounds import ErrorBound
+from pointpred_observers.documents.designs import margins_of
 
 DISTURBANCES = {
     "v": "v, noise of the outputs,",

@@ -15,7 +15,7 @@ from pointpred.extras import require
 from pointpred.files import write_whole
 
 if TYPE_CHECKING:
-    from pointpred.observers import Simulation
+    from pointpred_observers import Simulation
 
 app = typer.Typer(no_args_is_help=True, help="Observers with proofs: design, audit and simulate from files.")
 PlantFile = Annotated[
@@ -56,7 +56,7 @@ def example(
       pointpred observers example pendulum --out pendulum.json
     """
     from pointpred.cli.observer_examples import EXAMPLES
-    from pointpred.observers.documents.files import encoded
+    from pointpred_observers.documents.files import encoded
 
     if plant not in EXAMPLES:
         listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
@@ -141,7 +141,7 @@ def design(
     require("observers", "a design")
     from pointpred.cli.observer_designs import Wish, designed
     from pointpred.cli.observer_tables import print_design, summary
-    from pointpred.observers import load, save
+    from pointpred_observers import load, save
 
     wish = Wish(observer, decay, injection, upper, first, degree)
     read, driving = load(plant), None if generator is None else load(generator)
@@ -175,8 +175,8 @@ def audit(design: DesignFile, json: Json = None) -> None:
     """
     check_targets({"--json": json}, [design])
     from pointpred.cli.observer_tables import print_audit, summary
-    from pointpred.observers import audit as audited
-    from pointpred.observers import load
+    from pointpred_observers import audit as audited
+    from pointpred_observers import load
 
     made = load(design)
     margins = audited(made)
@@ -256,14 +256,14 @@ def simulate(
         check_free(target, force, option)
     require("observers", "a simulation")
     if plot is not None:
-        from pointpred.observers.simulations.result import check_ending
+        from pointpred_observers.simulations.result import check_ending
 
         require("report", "--plot")
         check_ending(plot)
     from pointpred.cli.observer_runs import plant_of, sampling, signals, write_signals
     from pointpred.cli.observer_tables import errors_document, print_errors
-    from pointpred.observers import load
-    from pointpred.observers import simulate as simulated
+    from pointpred_observers import load
+    from pointpred_observers import simulate as simulated
 
     made = load(design)
     truth = plant_of(made) if plant is None else load(plant)

@@ -56,7 +56,7 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
     with ``--json`` a plant or a design, or another result. ``targets`` by the option that names them.
     ``--force`` changes nothing of it.
     """
-    from pointpred.sources.own import recordings
+    from pointpred import recordings
 
     outputs: dict[Path, str] = {}
     beside = [recordings.trials_beside(path) for path in inputs if path.is_file()]
@@ -89,7 +89,7 @@ def check_free(target: Path | None, force: bool, option: str = "--out") -> None:
 
 def _is_recording(path: Path) -> bool:
     """Whether a file is a recording by its content; JSON of no format of its own is rather a result."""
-    from pointpred.sources import format_of
+    from pointpred.recordings import format_of
 
     try:
         form = format_of(path)
@@ -107,7 +107,7 @@ def _is_plant_or_design(path: Path) -> bool:
         formatted = msgspec.json.decode(path.read_bytes(), type=_Formatted)
     except (msgspec.DecodeError, OSError):
         return False
-    from pointpred.observers.documents.files import FORMAT
+    from pointpred_observers.documents.files import FORMAT
 
     return formatted.format == FORMAT
 
@@ -115,7 +115,7 @@ def _is_plant_or_design(path: Path) -> bool:
 def check_recording(out: Path, force: bool) -> None:
     """Raise ParameterError before any work where the result could not be written, or not without --force."""
     check_target(out)
-    from pointpred.sources.own import recordings
+    from pointpred import recordings
 
     if out.suffix not in recordings.EXTENSIONS:
         raise ParameterError(

@@ -13,7 +13,7 @@ from pointpred.console import counted, remarks, results
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
-    from pointpred.server.recorder.recordings import Recorded
+    from pointpred.recorder.recordings import Recorded
 
 app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --record FOLDER' has kept.")
 
@@ -54,7 +54,7 @@ def list_recordings(
 
       pointpred recordings list --folder kept --json | jq '.recordings[].name'
     """
-    from pointpred.server.recorder.recordings import listing
+    from pointpred.recorder.recordings import listing
 
     recordings = listing(_chosen(folder))
     if as_json:
@@ -85,7 +85,7 @@ def delete_recordings(
 
       pointpred recordings delete --all --folder kept
     """
-    from pointpred.server.recorder.recordings import delete, listing
+    from pointpred.recorder.recordings import delete, listing
 
     chosen = _chosen(folder)
     if everything == bool(names):

@@ -20,8 +20,8 @@ from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
+    from pointpred.recordings import Reading
     from pointpred.scoring import Unread
-    from pointpred.sources import Reading
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
@@ -191,8 +191,8 @@ def _score_targets(
 
 
 def _unread(reasons: Reasons) -> list[Unread]:
+    from pointpred.recordings.read_files import readable
     from pointpred.scoring import Unread
-    from pointpred.sources.files.names import readable
 
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 

@@ -15,7 +15,7 @@ from pointpred.console import remarks
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
-    from pointpred.server.settings import Settings
+    from pointpred_server.settings import Settings
 
 PORT = 8765
 TRIES = 20
@@ -99,8 +99,8 @@ def serve(
       pointpred serve --workers 4
     """
     options = {name: value for name, value in locals().items() if value not in (None, [])}
-    from pointpred.server.listening import address
-    from pointpred.server.logs import set_up
+    from pointpred_server.listening import address
+    from pointpred_server.logs import set_up
 
     settings = settings_of(options).guarded()
     if settings.workers > 1 and not hasattr(sockets, "send_fds"):
@@ -124,9 +124,9 @@ def serve(
 
 def _serve_alone(opened: socket, settings: Settings, starting: ServiceStart) -> None:
     """Serve from this process."""
-    from pointpred.server.access import HostRule
-    from pointpred.server.listening import serve as answer
-    from pointpred.server.service import Service
+    from pointpred_server.access import HostRule
+    from pointpred_server.listening import serve as answer
+    from pointpred_server.service import Service
 
     service = Service(settings)
     starting.watch(service.compiler)
@@ -135,8 +135,8 @@ def _serve_alone(opened: socket, settings: Settings, starting: ServiceStart) -> 
 
 def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceStart) -> None:
     """Serve from several processes, which this one starts and watches."""
-    from pointpred.server.recorder.recordings import prepare
-    from pointpred.server.workers.supervisor import Supervisor, supervise
+    from pointpred.recorder.recordings import prepare
+    from pointpred_server.workers.supervisor import Supervisor, supervise
 
     if settings.record is not None:
         prepare(settings.record)
@@ -145,7 +145,7 @@ def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceSta
 
 def open_port(settings: Settings) -> socket:
     """A listening socket on the port of the settings, else on the first free one; raises SourceError."""
-    from pointpred.server.listening import listen
+    from pointpred_server.listening import listen
 
     port = settings.port
     return listen(settings.host, PORT, TRIES) if port is None else listen(settings.host, port)
@@ -155,7 +155,7 @@ def settings_of(options: dict[str, Any]) -> Settings:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
 
-    from pointpred.server.settings import Settings
+    from pointpred_server.settings import Settings
 
     try:
         return Settings(**options)

@@ -10,8 +10,8 @@ import typer
 from pointpred.console import plain
 
 if TYPE_CHECKING:
-    from pointpred.server.compiling.compiler import Compiler, Progress
-    from pointpred.server.settings import Settings
+    from pointpred_server.compiling.compiler import Compiler, Progress
+    from pointpred_server.settings import Settings
 
 CLEAR = "\r\x1b[2K"
 """Returns to the beginning of the line and clears it."""

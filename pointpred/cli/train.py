@@ -19,7 +19,7 @@ from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
-    from pointpred.sources import Reading
+    from pointpred.recordings import Reading
     from pointpred.training.train import SetComparison, TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")

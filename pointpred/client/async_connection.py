@@ -22,11 +22,10 @@ from pointpred.client.session import (
     no_connection,
     service_address,
 )
-from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.events import PointerEvent
 from pointpred.protocol.client_messages import Goal, Hello, Target
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import KnownPerson, PredictionMessage, Score, TargetsTaken, Welcome
+from pointpred.records import EventColumns, PointerEvent, PredictionColumns
 
 Answer = TypeVar("Answer", bound=Struct)
 

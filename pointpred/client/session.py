@@ -16,9 +16,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.typing import Subprotocol
 
 from pointpred.client.unanswered import UnansweredFrames
-from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import EventError, ParameterError, PointpredError, SourceError
-from pointpred.events import PHASES, PointerEvent
 from pointpred.protocol.client_messages import (
     SUBPROTOCOL,
     VERSION,
@@ -50,6 +48,7 @@ from pointpred.protocol.server_messages import (
     Welcome,
     encode,
 )
+from pointpred.records import PHASES, EventColumns, PointerEvent, PredictionColumns
 from pointpred.registry import RECOMMENDED
 
 Row = Sequence[float | None]

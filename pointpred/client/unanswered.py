@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 
-from pointpred.columns import FloatArray
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import ErrorMessage
+from pointpred.records import FloatArray
 
 NEVER = float("-inf")
 

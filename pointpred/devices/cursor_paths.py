@@ -11,7 +11,7 @@ from typing import Literal, Protocol
 
 from pointpred.devices.source import Report
 from pointpred.errors import EventError
-from pointpred.events import PointerEvent
+from pointpred.records import PointerEvent
 from pointpred.transfer import PixelTransfer, TransferFunction
 
 Space = Literal["screen", "transfer", "motor"]

@@ -13,8 +13,8 @@ import msgspec
 from pointpred.devices.cursor_paths import PositionReport
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import SourceError
-from pointpred.events import PointerEvent
 from pointpred.extras import require
+from pointpred.records import PointerEvent
 
 PURPOSE = "Lab Streaming Layer"
 TRIES = 5

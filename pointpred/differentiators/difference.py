@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.records import EventRow, TenFloats, refused
+from pointpred.records import EventRow, FloatArray, TenFloats, refused
 from pointpred.stage import offsets
 
 # The parameters: those of sampling, the shortest interval. The state: that of sampling; time and position of

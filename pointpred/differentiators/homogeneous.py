@@ -8,14 +8,12 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.errors import ParameterError
-from pointpred.events import METRES_PER_INCH
 from pointpred.parameter import is_number, option, parameter
-from pointpred.records import EventRow, TenFloats, refused
+from pointpred.records import METRES_PER_INCH, EventRow, FloatArray, TenFloats, refused
 from pointpred.stage import offsets
 
 ORDER_MOST = 8

@@ -6,12 +6,11 @@ covariance lies at ``p`` as p00 p01 p02 p11 p12 p22, a state at ``x`` as positio
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.parameter import parameter
-from pointpred.records import EventRow, TenFloats, refused
+from pointpred.records import EventRow, FloatArray, TenFloats, refused
 from pointpred.stage import offsets
 
 SETTLED_RADIANS = 4.0

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pointpred.devices.cursor_paths import CursorPath, PositionPath
 from pointpred.errors import EventError, SourceError
-from pointpred.events import Pair
+from pointpred.records import Pair
 from pointpred.transfer import GainCurve, TransferLearner, save_transfer
 
 CURVE_S = 2.0

@@ -19,11 +19,11 @@ from pointpred.devices.lsl import LslInlet
 from pointpred.devices.selection import choose
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import ParameterError, SourceError
+from pointpred.garbage import tune_collector
 from pointpred.live.notes import device_note
 from pointpred.live.person_file import read_person, save_person
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
-from pointpred.server.garbage import tune_collector
 from pointpred.transfer import TransferFunction, named_transfer
 
 CursorChoice = Literal["auto", "screen", "transfer", "motor"]

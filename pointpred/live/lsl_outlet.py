@@ -9,8 +9,7 @@ import numpy as np
 
 from pointpred.devices.lsl import ahead_s, library
 from pointpred.devices.source import DeviceSource
-from pointpred.events import PHASES, Pair, Prediction
-from pointpred.rows import PredictionRow, prediction_row
+from pointpred.records import PHASES, Pair, Prediction, PredictionRow, prediction_row
 
 NAME, KIND = "pointpred", "Prediction"
 CHANNELS = {

@@ -9,10 +9,10 @@ from typing import Any
 
 import msgspec
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.live.devtools import Page
 from pointpred.live.replay_trials import Pacing
+from pointpred.records import EventColumns
 
 BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 """Bits of W3C ``buttons`` and their names in the DevTools protocol."""

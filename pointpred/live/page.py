@@ -9,14 +9,14 @@ from collections.abc import Sequence
 import typer
 from msgspec.structs import replace
 
-from pointpred.events import Pair
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.protocol.live_messages import Attached, Status
-from pointpred.server.access import HostRule
-from pointpred.server.listening import address, make_server
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred.records import Pair
+from pointpred_server.access import HostRule
+from pointpred_server.listening import address, make_server
+from pointpred_server.live_feed import LiveFeed
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 
 def live_feed(session: LiveSession, predictor: str, cpi: float | None, dpi: float) -> LiveFeed:

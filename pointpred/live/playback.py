@@ -11,13 +11,12 @@ from typing import Literal, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.devices.cursor_paths import Space
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent, Prediction
 from pointpred.live.replay_trials import Pacing, PlayedTrial
 from pointpred.pipeline import Pipeline
+from pointpred.records import FloatArray, PointerEvent, Prediction
 
 GAP_S = 0.5
 """Pause before a trial whose times begin before those of the trial before it ended."""

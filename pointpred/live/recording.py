@@ -10,14 +10,12 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.events import Pair
 from pointpred.protocol.client_messages import Hello
+from pointpred.recorder.files import SessionFiles
+from pointpred.recorder.writer import Recorder, about_of
 from pointpred.recording import Provenance
-from pointpred.rows import prediction_row
-from pointpred.server.recorder.files import SessionFiles
-from pointpred.server.recorder.writer import Recorder, about_of
-from pointpred.sources.own.appended import LIVE
+from pointpred.recordings.appended import LIVE
+from pointpred.records import EventColumns, Pair, PredictionColumns, prediction_row
 
 TOGETHER_S = 0.05
 """Events of so much time go to the recorder together."""

@@ -8,13 +8,13 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from pointpred.errors import RecordingError
-from pointpred.events import Pair
+from pointpred.garbage import tune_collector
 from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource
 from pointpred.live.replay_trials import PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording
-from pointpred.server.garbage import tune_collector
+from pointpred.records import Pair
 
 
 def follow_replay(

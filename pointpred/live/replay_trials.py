@@ -10,9 +10,9 @@ from collections.abc import Callable, Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Skip, Trial
+from pointpred.records import EventColumns, FloatArray
 
 MOST_AT_ONCE = 256
 """Most events that are handed out together."""

@@ -12,7 +12,6 @@ import msgspec
 from pointpred.console import counted, remarks, results
 from pointpred.devices.cursor.source import CursorSource
 from pointpred.errors import ParameterError, SourceError
-from pointpred.events import PointerEvent
 from pointpred.live.curve_learner import CurveLearner, curve_learner
 from pointpred.live.lsl_outlet import NAME, LslOutlet
 from pointpred.live.page import PageService, live_feed
@@ -24,10 +23,11 @@ from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wai
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
+from pointpred.records import PointerEvent
 from pointpred.registry import build
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.logs import set_up
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
+from pointpred_server.live_feed import LiveFeed
+from pointpred_server.logs import set_up
 
 PAGE_FIRST = "; begins when the page is opened"
 

@@ -12,8 +12,8 @@ from pointpred.devices.cursor_paths import CursorPath, MotorPath, Space
 from pointpred.devices.first_moving import moves
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import EventError
-from pointpred.events import Pair, PointerEvent, Prediction
 from pointpred.live.statistics import Delays, Pace, RecentDelays
+from pointpred.records import Pair, PointerEvent, Prediction
 from pointpred.stage import Stage
 
 Watcher = Callable[[Sequence[Pair]], None]

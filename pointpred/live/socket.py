@@ -14,7 +14,6 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.client import Connection, connect
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.live.replay_trials import Pacing, PlayedTrial, playable_trials
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
@@ -23,6 +22,7 @@ from pointpred.protocol.scores import score_of
 from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 from pointpred.registry import RECOMMENDED, build
 from pointpred.scoring import prepare, replay
 

@@ -15,10 +15,10 @@ from rich.table import Table
 from rich.text import Text
 
 from pointpred.console import counted, plain, remarks
-from pointpred.events import PointerEvent, Prediction
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession, LiveState
-from pointpred.server.logs import OWN, PlainLines
+from pointpred.records import PointerEvent, Prediction
+from pointpred_server.logs import OWN, PlainLines
 
 REFRESH_S = 0.2
 LINE_S = 1.0

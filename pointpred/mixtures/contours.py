@@ -9,7 +9,6 @@ from math import expm1, log, sqrt
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.mixtures.density import (
     LEAST,
@@ -21,6 +20,7 @@ from pointpred.mixtures.density import (
     density,
     part_density,
 )
+from pointpred.records import FloatArray
 
 LINES = 24
 """Lines through each part in each direction."""

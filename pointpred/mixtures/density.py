@@ -10,8 +10,8 @@ from math import exp, expm1, log, log1p, pi, sqrt
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 # A part, a row of a table: its share, its centre in px, its scale matrix in px^2, its tail; 0: a normal law.
 SHARE, X, Y, SXX, SXY, SYY, TAIL, WIDTH = range(8)

@@ -8,8 +8,8 @@ from math import nan, pi
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.mixtures import contours, density, levels
+from pointpred.records import FloatArray
 from pointpred.regions import ellipse, probability
 
 POINTS = 2000

@@ -1,85 +1,85 @@
 """Nonlinear observers with proved certificates: chapters 3 and 4 of the thesis."""
 
-from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
-from pointpred.observers.detectability import undetectable
-from pointpred.observers.discretisation import c2d
-from pointpred.observers.documents.files import audit, load, save
-from pointpred.observers.error_equations import error_system
-from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.l2_gain import L2Gain, l2_gain
-from pointpred.observers.error_systems.system import ErrorSystem
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
-from pointpred.observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
-from pointpred.observers.interconnected.design import ObserverDesign, design_observer
-from pointpred.observers.interconnected.full_order import design_full_order
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.interconnected.incremental import assumption_3_2_2
-from pointpred.observers.interconnected.interconnection import theorem_3_2_1
-from pointpred.observers.interconnected.missing_inputs import MissingInputs
-from pointpred.observers.interconnected.persidskii_observer import (
+from pointpred.regression import RecursiveLeastSquares
+from pointpred_observers.bounds import ErrorBound, convergence_bound, interconnection_bound
+from pointpred_observers.detectability import undetectable
+from pointpred_observers.discretisation import c2d
+from pointpred_observers.documents.files import audit, load, save
+from pointpred_observers.error_equations import error_system
+from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred_observers.error_systems.l2_gain import L2Gain, l2_gain
+from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
+from pointpred_observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
+from pointpred_observers.interconnected.design import ObserverDesign, design_observer
+from pointpred_observers.interconnected.full_order import design_full_order
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.interconnected.incremental import assumption_3_2_2
+from pointpred_observers.interconnected.interconnection import theorem_3_2_1
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_observer import (
     PersidskiiObserver,
     observer_stage,
     regulator_stage,
 )
-from pointpred.observers.interconnected.regulator import RegulatorDesign, design_regulator
-from pointpred.observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
-from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred.observers.interconnected.state_feedback import StateFeedback, design_state_feedback
-from pointpred.observers.interconnected.steady_state import SteadyState, residuals, steady_state_map
-from pointpred.observers.interconnected.tracking import (
+from pointpred_observers.interconnected.regulator import RegulatorDesign, design_regulator
+from pointpred_observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
+from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred_observers.interconnected.state_feedback import StateFeedback, design_state_feedback
+from pointpred_observers.interconnected.steady_state import SteadyState, residuals, steady_state_map
+from pointpred_observers.interconnected.tracking import (
     TrackingCertificate,
     certify_tracking,
     closed_loop,
     theorem_3_2_2,
     theorem_3_2_3,
 )
-from pointpred.observers.linear_systems import as_plant
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.printed import check_map, check_observer
-from pointpred.observers.reduced_order.convergence import Convergence
-from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
-from pointpred.observers.reduced_order.invariant_stage import invariant_stage
-from pointpred.observers.reduced_order.reversed_certificate import (
+from pointpred_observers.linear_systems import as_plant
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.printed import check_map, check_observer
+from pointpred_observers.reduced_order.convergence import Convergence
+from pointpred_observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
+from pointpred_observers.reduced_order.invariant_stage import invariant_stage
+from pointpred_observers.reduced_order.reversed_certificate import (
     certify_convergence,
     theorem_3_3_1,
     theorem_3_3_2,
 )
-from pointpred.observers.reduced_order.reversed_connection import (
+from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
 )
-from pointpred.observers.regressors.excitation import (
+from pointpred_observers.regressors.excitation import (
     Excitation,
     discrete_excitation,
     linear_independence,
     persistent_excitation,
 )
-from pointpred.observers.regressors.gradient import GradientRegressor
-from pointpred.observers.regressors.nonlinear_regression import (
+from pointpred_observers.regressors.gradient import GradientRegressor
+from pointpred_observers.regressors.nonlinear_regression import (
     NonlinearRegressor,
     RegressionMargin,
     regression_margin,
 )
-from pointpred.observers.simulations.regressions import Regression
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.simulate import simulate
-from pointpred.observers.trajectories import SeededSignal, trajectory
-from pointpred.observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
-from pointpred.observers.triangular.forms import feedback, feedforward, interlaced
-from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
-from pointpred.observers.triangular.interlaced_certificate import certify as certify_interlaced
-from pointpred.observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
-from pointpred.observers.triangular.printed import check_steady_state
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.certificate import UnknownInputCertificate
-from pointpred.observers.unknown_input.corners import CornerSystem
-from pointpred.observers.unknown_input.invariant_zeros import invariant_zeros
-from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
-from pointpred.observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
-from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
-from pointpred.regression import RecursiveLeastSquares
+from pointpred_observers.simulations.regressions import Regression
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.simulate import simulate
+from pointpred_observers.trajectories import SeededSignal, trajectory
+from pointpred_observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
+from pointpred_observers.triangular.forms import feedback, feedforward, interlaced
+from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
+from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
+from pointpred_observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
+from pointpred_observers.triangular.printed import check_steady_state
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.certificate import UnknownInputCertificate
+from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.invariant_zeros import invariant_zeros
+from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
+from pointpred_observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 __all__ = [
     "AttractionCertificate",

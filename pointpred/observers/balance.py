@@ -7,8 +7,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 
 STEPS_MOST = 200
 STEP_MOST = 4.0

@@ -8,10 +8,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.inequalities.definite import least
-from pointpred.observers.matrices import TIMES, matrix, one_of, positive
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.definite import least
+from pointpred_observers.matrices import TIMES, matrix, one_of, positive
 
 
 class ErrorBound(msgspec.Struct, frozen=True):

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.balance import balanced, inward
-from pointpred.observers.eigenvalues import number_text
-from pointpred.observers.matrices import TIMES, matrix, one_of
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, inward
+from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.matrices import TIMES, matrix, one_of
 
 SINGULAR = 1e-9
 """A singular value below this, relative to the matrices, counts as zero."""

@@ -6,13 +6,13 @@ from typing import Any, overload
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import one_of, positive
-from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import one_of, positive
+from pointpred_observers.persidskii import Persidskii
 
 METHODS = ("zoh", "euler")
 

@@ -7,8 +7,8 @@ from math import log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError
+from pointpred.records import FloatArray
 
 
 def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: str) -> float:

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.matrices import ROUNDING, without_rounding
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import ROUNDING, without_rounding
 
 TOLERANCE = 1e-9
 """The largest residual of an equality of computed matrices, as a share of its own terms."""

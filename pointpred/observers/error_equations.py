@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred.observers.rounding import without_rounding
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.records import FloatArray
+from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
+from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.reduced_order.design import ReducedOrderDesign
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred_observers.rounding import without_rounding
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def error_system(observer: Any) -> ErrorSystem:
@@ -33,7 +33,7 @@ def error_system(observer: Any) -> ErrorSystem:
     Raises ParameterError for anything else, and where the observer's matrices vary; CertificateError where
     w = Pi x + Upsilon y is not invariant, so that its error obeys no such equation.
 
-    >>> from pointpred.observers import Persidskii, design_reduced_order, l2_gain
+    >>> from pointpred_observers import Persidskii, design_reduced_order, l2_gain
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
     >>> design = design_reduced_order(plant, [[0.0, 1.0]], decay=2.0)
     >>> noise = error_system(design).disturbed_by("v")

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.persidskii import Persidskii
 
 ROBOT_INPUT = (0.0, 21.6, 0.0, 0.0)
 """B of the robotic arm: the input drives the motor only."""

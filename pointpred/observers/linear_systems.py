@@ -8,9 +8,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
-from pointpred.observers.persidskii import Persidskii
 from pointpred.parameter import is_number
+from pointpred_observers.matrices import matrix
+from pointpred_observers.persidskii import Persidskii
 
 
 class LinearSystem(Protocol):

@@ -7,9 +7,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 Kind = TypeVar("Kind")
 TIMES = ("continuous", "discrete")

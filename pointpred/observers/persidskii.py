@@ -7,12 +7,12 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import TIMES, dimensions, matrix, one_of
-from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
-from pointpred.observers.slopes import require_slopes
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import TIMES, dimensions, matrix, one_of
+from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
+from pointpred_observers.slopes import require_slopes
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
 

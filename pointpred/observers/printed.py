@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.equalities import allowed
-from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
-from pointpred.observers.interconnected.steady_state import equality_terms, residuals
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import instance, matrix, positive
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import allowed
+from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.interconnected.steady_state import equality_terms, residuals
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import instance, matrix, positive
 
 Residuals = Callable[[dict[str, FloatArray]], dict[str, FloatArray]]
 
@@ -29,7 +29,7 @@ def check_map(
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-3.0]], None, None, "sin", B=[1.0])
     >>> generator = Generator([[0.0]], L0=[1.0])
     >>> found = check_map(plant, generator, [[0.333]], rounding=5e-4)
@@ -68,7 +68,7 @@ def check_observer(
 
     Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2; its C0, C1 are D0, D1.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
     >>> check_observer(plant, [[0.0, 1.0]], [[-3.0]], {"S0": [[-4.0]], "O": [[1.0]]})
     {'Upsilon C1': 0.0, 'S0 Z + B C0 - Z A0': 0.0, 'O - Z (B Q)': 0.0}

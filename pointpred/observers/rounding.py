@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 ROUNDING = 1e-12
 """An entry below this share of its terms is rounding."""

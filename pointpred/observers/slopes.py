@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.nonlinearity import (
+from pointpred.records import FloatArray
+from pointpred_observers.nonlinearity import (
     ATAN,
     CUBE,
     IDENTITY,

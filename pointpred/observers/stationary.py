@@ -9,7 +9,7 @@ import warnings
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 
 def filter_start(

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers.matrices import listed, matrix, one_of, positive
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import listed, matrix, one_of, positive
 
 Field = Callable[[float, FloatArray], Any]
 INTEGRATORS = ("rk4", "scipy", "stiff", "discrete")

@@ -6,7 +6,6 @@ from math import hypot, nan
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
 from pointpred.errors import ParameterError
@@ -14,7 +13,7 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 # The parameters; the movement; where the speed was highest, its direction from the start, whether it has

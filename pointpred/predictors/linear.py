@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from math import nan
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
 CAPACITY = 8

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from math import hypot, nan, sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 # State, relative to `at`: highest speed in m/s; where it was; lowest speed since then; where that was; where
 # the sub-movement started.

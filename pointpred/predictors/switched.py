@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.regression import drem
 from pointpred.stage import offsets
 

@@ -8,9 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 from msgspec import UNSET, UnsetType
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import EventError
-from pointpred.events import PHASES
 from pointpred.protocol.client_messages import Encoding
 from pointpred.protocol.packed import (
     EVENT,
@@ -21,6 +19,7 @@ from pointpred.protocol.packed import (
     pack_predictions,
 )
 from pointpred.protocol.server_messages import Likely, Limits, PredictionMessage, Region, encode
+from pointpred.records import PHASES, EventColumns, FloatArray
 
 Frame = str | bytes
 

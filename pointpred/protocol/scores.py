@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.protocol.server_messages import Score
+from pointpred.records import FloatArray
 from pointpred.scoring import Prepared
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
 

@@ -7,8 +7,8 @@ from typing import Annotated, Literal, get_args
 import msgspec
 from msgspec import UNSET, Meta, Struct, UnsetType
 
-from pointpred.events import NORMAL
 from pointpred.protocol.client_messages import Bye
+from pointpred.records import NORMAL
 from pointpred.regions import Region as Ellipse
 from pointpred.regions import probability, region_of
 

@@ -7,8 +7,8 @@ linear. All zeros: an empty ring.
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.records import FloatArray
 
 PER_DELAY = 64
 """Most samples stored per delay."""

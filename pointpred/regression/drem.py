@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from math import sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.records import FloatArray
 from pointpred.regression import delay, gradient, mixing
 
 # Relative to `at`: whether there was a sample, its time, the determinant phi of the last step, the integral

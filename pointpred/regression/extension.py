@@ -8,8 +8,8 @@ from typing import Any
 
 import msgspec
 
-from pointpred.columns import FloatArray
 from pointpred.parameter import parameter
+from pointpred.records import FloatArray
 from pointpred.regression import drem
 from pointpred.regression.recursive_least_squares import moment, sample
 from pointpred.stage import CompiledStage

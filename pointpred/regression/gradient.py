@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import expm1
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 
 @law

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from math import hypot, sqrt
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.records import FloatArray
 
 # Relative to `at`: samples so far, the same with forgetting, sum of squared residuals with forgetting, the
 # regressor (n), which is overwritten; then z (n) and R (n x n, row-major, upper).

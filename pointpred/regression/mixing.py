@@ -6,8 +6,8 @@ adj(A) y is never formed from an inverse. Its entry i is the determinant of A wi
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.records import FloatArray
 
 
 @layout

@@ -10,9 +10,9 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.parameter import option, parameter
+from pointpred.records import FloatArray
 from pointpred.regression import least_squares
 from pointpred.stage import CompiledStage
 

@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pointpred.camera import (
+from pointpred.drawing import Panel, beside, drawing
+from pointpred.records import FloatArray
+from pointpred.reproduction.figure import Reproduction, Value
+from pointpred_observers.camera import (
     SCENARIOS,
     DepthObserver,
     Noise,
@@ -18,10 +21,7 @@ from pointpred.camera import (
     trajectory,
     velocities,
 )
-from pointpred.camera.samples import observed
-from pointpred.columns import FloatArray
-from pointpred.drawing import Panel, beside, drawing
-from pointpred.reproduction.figure import Reproduction, Value
+from pointpred_observers.camera.samples import observed
 
 FOCAL_PX, RATE_HZ, LENGTH_S = 800.0, 33.0, 10.0
 """The paper prints the rate only; the focal length and the length are ours."""

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Panel, beside, drawing
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred.reproduction.figure import Reproduction, Value, matrix_values
+from pointpred_observers import (
     SeededSignal,
     closed_loop,
     design_observer,
@@ -17,8 +18,7 @@ from pointpred.observers import (
     steady_state_map,
     trajectory,
 )
-from pointpred.observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
-from pointpred.reproduction.figure import Reproduction, Value, matrix_values
+from pointpred_observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
 
 SIMULATED = "simulated, from the printed initial conditions"
 INFLOWS = (12.7, 7.5)

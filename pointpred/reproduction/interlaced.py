@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Panel, beside, drawing
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred.reproduction.figure import Reproduction, Value
+from pointpred_observers import (
     InterlacedObserver,
     SeededSignal,
     SymbolicGenerator,
@@ -19,8 +20,7 @@ from pointpred.observers import (
     interlaced,
     trajectory,
 )
-from pointpred.observers.simulations.symbolic import driven_field, outputs_of
-from pointpred.reproduction.figure import Reproduction, Value
+from pointpred_observers.simulations.symbolic import driven_field, outputs_of
 
 END_S, PERIOD_S = 30.0, 0.01
 STEP_S = 2.5e-3

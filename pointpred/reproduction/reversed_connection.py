@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Look, Panel, beside, drawing
 from pointpred.errors import RecordingError
-from pointpred.observers import (
+from pointpred.records import FloatArray
+from pointpred.reproduction.figure import Reproduction, Value, matrix_values
+from pointpred_observers import (
     InvariantObserver,
     NonlinearRegressor,
     RecursiveLeastSquares,
@@ -17,8 +18,7 @@ from pointpred.observers import (
     invariant_observer,
     trajectory,
 )
-from pointpred.observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
-from pointpred.reproduction.figure import Reproduction, Value, matrix_values
+from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
 
 SNIFFER = "sniffer.csv"
 PREDICTORS = ("tank temperature", "gas temperature", "tank pressure", "gas pressure")

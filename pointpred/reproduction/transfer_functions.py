@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Look, Panel, beside, drawing
+from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.transfer_trials import (
     SPEEDS,

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
+from pointpred.records import EventColumns, FloatArray
 from pointpred.transfer import (
     PixelTransfer,
     PolynomialFunction,

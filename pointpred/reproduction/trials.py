@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.drawing import Panel, beside, drawing
-from pointpred.events import METRES_PER_INCH
 from pointpred.pipeline import Pipeline, run
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import CPI, SEED, Movements, movements, novice_and_expert

@@ -16,10 +16,10 @@ import msgspec
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.recording import Trial
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.trial_measures import TrialMeasures
 from pointpred.scoring.replay import Measured
 from pointpred.scoring.results import ScoredTrial

@@ -14,10 +14,11 @@ import msgspec
 import numpy as np
 
 import pointpred
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
+from pointpred.recordings.stored import StoredPart, StoredRecording
+from pointpred.records import FloatArray
 from pointpred.scoring.checkpoints import FolderStore, MemoryStore, PartStore, encode, temporary_store
 from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
@@ -34,7 +35,6 @@ from pointpred.scoring.scorer import (
 )
 from pointpred.scoring.summary import SetSummary, summarise_parts
 from pointpred.scoring.trials import durations_s, prepare
-from pointpred.sources.own.stored import StoredPart, StoredRecording
 
 CHUNK_EVENTS = 65_536
 """Events in a chunk, about: enough to forget what a chunk costs, few enough for bounded memory."""

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.pipeline import Pipeline, run
 from pointpred.predictors import TemplatePredictor
 from pointpred.predictors.ktm.predictor import TEMPLATES_MOST
 from pointpred.predictors.ktm.templates import profile_of
 from pointpred.recording import Skip
+from pointpred.records import BoolArray, EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.scoring.summary.document import Interval, interval

@@ -11,10 +11,10 @@ from itertools import chain
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.differentiators import Differentiator
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
+from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import TrialMeasures, measure_trials

@@ -5,8 +5,8 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip, Trial
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 
 PATH_FRACTIONS = (0.10, 0.25, 0.50, 0.75, 0.90, 0.95, 1.00)
 """Shares of the way along the line from start to end at which the 2-D error is read."""

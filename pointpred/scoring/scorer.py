@@ -255,7 +255,7 @@ def score(
     and the error, and the others are scored; without ``failed`` the error is raised. Raises ParameterError
     for an unknown name or one that appears twice, and for a ``cpi`` or ``dpi`` out of bounds.
 
-    >>> from pointpred.columns import EventColumns
+    >>> from pointpred.records import EventColumns
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 101], y=[0, 0, 0, 0])
     >>> one = score([Recording.of("one", [path], [Trial("ann", "1")])], ["hold"])[0]

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors, ScoredTrial, SetScore
 
 FIRST = ("distance", "width", "transfer", "ptf")

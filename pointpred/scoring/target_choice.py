@@ -10,12 +10,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
+from pointpred.records import FloatArray, row_at
 from pointpred.registry import build
-from pointpred.rows import row_at
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.spans import in_threads
 from pointpred.scoring.summary.document import Number, Unread, number

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.scoring.trials import Prepared
 from pointpred.targets import around
 from pointpred.targets.rectangles import table

@@ -9,11 +9,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.recording import Recording, Skip
-from pointpred.records import FINE, EventRow, event_at, fault_of_event
+from pointpred.records import FINE, BoolArray, EventColumns, EventRow, FloatArray, event_at, fault_of_event
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.spans import in_threads
 
@@ -257,7 +256,7 @@ def prepare(
     ``cpi`` and ``dpi`` (counts and px per inch) replace the recording's own values; they matter only
     to the speed that decides on sub-movements.
 
-    >>> from pointpred.columns import EventColumns, FloatArray
+    >>> from pointpred.records import EventColumns, FloatArray
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 100], y=[0, 0, 0, 0])
     >>> trial = prepare(Recording.of("one", [path], [Trial("ann", "1")])).trials[0]

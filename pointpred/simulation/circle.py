@@ -9,10 +9,10 @@ from math import cos, pi, sin
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.simulation import movement, plan
 from pointpred.simulation.person import Person, people
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction

@@ -8,12 +8,10 @@ from typing import Any, NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import PointerEvent
 from pointpred.parameter import Parameter, check
 from pointpred.pipeline import Pipeline
-from pointpred.rows import Row
+from pointpred.records import FloatArray, PointerEvent, Row
 from pointpred.simulation import loop, movement, plan, slots
 from pointpred.simulation.person import Person
 from pointpred.transfer import GuardedTransfer, assistance, functions, pixels

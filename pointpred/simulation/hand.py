@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import cos, exp, hypot, pi, sin
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.simulation import slots
 from pointpred.transfer import functions
 

@@ -6,9 +6,8 @@ from collections.abc import Callable
 from math import atan2, exp, hypot, sqrt
 from typing import Any, NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import Row
+from pointpred.records import FloatArray, Row
 from pointpred.simulation import hand, sensor, slots
 from pointpred.transfer import functions
 

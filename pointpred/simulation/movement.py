@@ -7,9 +7,8 @@ from math import nan
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import PointerEvent
 from pointpred.pipeline import Pipeline
+from pointpred.records import EventColumns, FloatArray, PointerEvent
 from pointpred.simulation import loop, plan, sensor, slots
 from pointpred.simulation.person import Person
 

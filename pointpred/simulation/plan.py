@@ -7,8 +7,7 @@ from math import inf, log2
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, FloatArray
 from pointpred.simulation import slots
 from pointpred.simulation.person import Person
 from pointpred.transfer import TransferFunction

@@ -6,8 +6,8 @@ from math import hypot, trunc
 
 import numpy as np
 
-from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
+from pointpred.records import BoolArray, EventColumns, FloatArray
 from pointpred.simulation import slots
 from pointpred.transfer import assistance, functions, pixels
 

@@ -7,9 +7,9 @@ from math import inf
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.parameter import Parameter, check
 from pointpred.predictors import SwitchedPredictor
+from pointpred.records import FloatArray, MotionColumns
 from pointpred.simulation import loop, slots
 from pointpred.transfer import Arctan, TransferFunction
 

@@ -6,14 +6,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pointpred.sources.conversion import Summary, convert, write_recordings
-    from pointpred.sources.known_formats import FORMATS, Format, format_of
-    from pointpred.sources.own.growing import write_in_parts
-    from pointpred.sources.own.recordings import read, write
-    from pointpred.sources.own.stored import StoredRecording
-    from pointpred.sources.read_files import open_any, read_any
-    from pointpred.sources.reading import Reading
-    from pointpred.sources.trials.segmentation import Piece, cut_at_clicks, cut_at_pauses
+    from pointpred.recordings.conversion import Summary, convert, write_recordings
+    from pointpred.recordings.known_formats import FORMATS, Format, format_of
+    from pointpred.recordings.own import read, write
+    from pointpred.recordings.read_files import open_any, read_any
+    from pointpred.recordings.reading import Reading
+    from pointpred.recordings.segmentation import Piece, cut_at_clicks, cut_at_pauses
+    from pointpred.recordings.stored import StoredRecording
+    from pointpred.recordings.writing import write_in_parts
 
 __all__ = [
     "FORMATS",

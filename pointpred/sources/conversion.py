@@ -7,12 +7,12 @@ from pathlib import Path
 
 import msgspec
 
+from pointpred import recordings
 from pointpred.recording import Recording
-from pointpred.sources.files.names import file_names
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own import recordings
-from pointpred.sources.read_files import read_any
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.recordings.conversion import file_names
+from pointpred.recordings.read_files import read_any
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.writing import write_together
 
 
 class Summary(msgspec.Struct, frozen=True):

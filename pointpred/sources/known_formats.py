@@ -9,22 +9,30 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.columns.table_recording import recording_of_table
-from pointpred.sources.device_logs import evemu, evtest, hid_recorder, libinput
-from pointpred.sources.experiment_logs import (
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.columns.table_recording import recording_of_table
+from pointpred.recordings.encodings import head_of
+from pointpred.recordings.formats import (
     balabit,
+    delimited,
+    evemu,
+    evtest,
     gofitts,
+    hid_recorder,
+    json_records,
     jspsych,
+    libinput,
+    matlab,
     mousetrap,
+    parquet,
     pointing_dynamics,
     psychopy,
+    xdf,
+    xlsx,
 )
-from pointpred.sources.files.encodings import head_of
-from pointpred.sources.own import appended, recordings
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.table_files import delimited, json_records, matlab, parquet, xdf, xlsx
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.recordings.own import appended, recordings
+from pointpred.recordings.reading import AS_IS, Reading
 
 OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})
 """The columns that identify pointpred's own samples and trials without their mark."""

@@ -8,18 +8,17 @@ from pathlib import Path
 
 import msgspec
 
+from pointpred import recordings
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
-from pointpred.sources.files.addresses import address_in, local_copy
-from pointpred.sources.files.encodings import encoding_of, head_of
-from pointpred.sources.files.folders import list_files
-from pointpred.sources.files.names import readable_recording
-from pointpred.sources.known_formats import FORMATS, Format, format_of
-from pointpred.sources.own import recordings
-from pointpred.sources.own.stored import StoredRecording, stored
-from pointpred.sources.reading import AS_IS, Reading, TimeUnit
-from pointpred.sources.table_files import unsupported
-from pointpred.sources.trials.merge import join
+from pointpred.recordings.addresses import address_in, local_copy
+from pointpred.recordings.encodings import encoding_of, head_of
+from pointpred.recordings.formats import unsupported
+from pointpred.recordings.known_formats import FORMATS, Format, format_of
+from pointpred.recordings.read_files import list_files, readable_recording
+from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
+from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.recordings.trials import join
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")

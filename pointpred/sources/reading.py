@@ -9,7 +9,7 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from pointpred.errors import ParameterError
-from pointpred.events import CPI, DPI
+from pointpred.records import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import inf
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import PredictionRow, Row, row_at
+from pointpred.records import FloatArray, PredictionRow, Row, row_at
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 

@@ -7,10 +7,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
-from pointpred.rows import Row, prediction_row
+from pointpred.records import FloatArray, Place, PointerEvent, Prediction, Row, prediction_row
 from pointpred.targets import cursor, decision, expectation, posterior
 from pointpred.targets.choice_law import (
     ENTERED,

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import exp, hypot, inf
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import LARGEST, LATEST_S, ROUNDING_S
+from pointpred.records import LARGEST, LATEST_S, ROUNDING_S, FloatArray
 
 PAUSE_S = 0.3
 """The first event after a longer pause starts a movement."""

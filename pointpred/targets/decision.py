@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import hypot
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.targets import cursor
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 

@@ -8,9 +8,8 @@ from __future__ import annotations
 from math import atan2, hypot, log, sqrt
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import SixFloats
+from pointpred.records import FloatArray, SixFloats
 from pointpred.targets import cursor
 from pointpred.targets.rectangle_mass import log_mass
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH

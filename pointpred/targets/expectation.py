@@ -6,8 +6,8 @@ from math import exp, inf, log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
 # A row of a table of places: position in px, how likely it is before the movement, scatter of visits in px.

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST, Place, PointerEvent
+from pointpred.records import LARGEST, FloatArray, Place, PointerEvent
 from pointpred.targets import cursor
 from pointpred.targets.choice_law import unusable
 from pointpred.targets.posterior import COEFFICIENTS

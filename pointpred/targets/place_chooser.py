@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from pointpred.events import Place, PointerEvent, Prediction
+from pointpred.records import Place, PointerEvent, Prediction
 from pointpred.targets.chooser import Choice, Chooser, Reason
 from pointpred.targets.inputs import check_places
 from pointpred.targets.ledger import Ledger, Movement

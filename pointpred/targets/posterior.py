@@ -6,10 +6,8 @@ from math import exp, inf, log, nan
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import LARGEST
-from pointpred.rows import Row
+from pointpred.records import LARGEST, FloatArray, Row
 from pointpred.targets import coefficients as fitted
 from pointpred.targets import cursor, evidence
 from pointpred.targets.evidence import Law, feature, situation, unclaimed

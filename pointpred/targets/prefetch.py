@@ -11,8 +11,8 @@ from math import hypot, inf, log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.targets import cursor, decision
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 

@@ -6,10 +6,8 @@ from collections.abc import Hashable, Sequence
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.events import PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
-from pointpred.rows import prediction_row
+from pointpred.records import FloatArray, PointerEvent, Prediction, prediction_row
 from pointpred.targets import cursor, posterior, prefetch
 from pointpred.targets.inputs import accepted
 from pointpred.targets.rectangles import Target, table

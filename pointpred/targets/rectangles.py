@@ -8,10 +8,9 @@ from math import exp, inf, log
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.events import LARGEST
+from pointpred.records import LARGEST, FloatArray
 
 MOST_TARGETS = 1000
 SMALLEST_PX = 1e-3

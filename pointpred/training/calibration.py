@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic import calibration as table_law
 from pointpred.predictors.kinematic import features
 from pointpred.predictors.kinematic import network as net
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.measures.regions import LEVELS, reach
 from pointpred.scoring.measures.time_left import DEVIATIONS

@@ -12,11 +12,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import features as kinematic_features
 from pointpred.predictors.kinematic import observation
 from pointpred.recording import Recording
+from pointpred.records import EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.scoring import prepare
 from pointpred.scoring.executors import Caller, Executor
@@ -275,7 +275,7 @@ def collect(one: Collection) -> Examples:
 
 def read_sets(where: Path) -> list[Recording]:
     """The known sets that a folder holds; raises ParameterError where it holds none."""
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     paths = {name: where / f"{name}_samples.parquet" for name in SETS}
     recordings = [read(path) for path in paths.values() if path.is_file()]

@@ -11,9 +11,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
+from pointpred.records import FloatArray
 from pointpred.training.data import Examples
 
 Floats = NDArray[np.float32]

@@ -16,13 +16,13 @@ import msgspec
 import numpy as np
 
 import pointpred
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
+from pointpred.records import FloatArray
 from pointpred.registry import build
 from pointpred.scoring import score
 from pointpred.scoring.executors import Executor

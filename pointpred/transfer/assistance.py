@@ -8,13 +8,11 @@ from __future__ import annotations
 from math import expm1, hypot, inf, nan, sqrt
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
-from pointpred.events import LARGEST, Prediction
 from pointpred.parameter import parameter
+from pointpred.records import LARGEST, FloatArray, Prediction, Row
 from pointpred.regions import as_normal
-from pointpred.rows import Row
 from pointpred.stage import loop_of, offsets
 from pointpred.transfer import pixels
 from pointpred.transfer.pixels import ReportStage

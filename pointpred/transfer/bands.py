@@ -12,8 +12,8 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.records import FloatArray
 
 BANDS = 20
 ROUNDS = 6

@@ -9,7 +9,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.transfer.bands import Bands
 from pointpred.transfer.functions import ConstantGain, SigmoidGain, TransferFunction
 from pointpred.transfer.identification import Identification

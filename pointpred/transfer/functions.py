@@ -13,10 +13,10 @@ from typing import ClassVar, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import Parameter
+from pointpred.records import FloatArray
 
 # The kind, then its numbers, then zeros.
 CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, BOUNDED = 1.0, 2.0, 3.0, 4.0, 5.0

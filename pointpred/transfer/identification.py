@@ -14,14 +14,25 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, ROUNDING_S, PointerEvent
 from pointpred.parameter import option, parameter
+from pointpred.records import (
+    CPI,
+    DPI,
+    LARGEST,
+    LATEST_S,
+    METRES_PER_INCH,
+    ROUNDING_S,
+    EventColumns,
+    EventRow,
+    FloatArray,
+    PointerEvent,
+    Row,
+    SixFloats,
+)
 from pointpred.regression import least_squares
 from pointpred.regression.recursive_least_squares import fit
-from pointpred.rows import EventRow, Row, SixFloats
 from pointpred.stage import CompiledStage, loop_of, offsets
 from pointpred.transfer import bands
 from pointpred.transfer.functions import COEFFICIENTS_MOST

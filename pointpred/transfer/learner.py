@@ -8,7 +8,7 @@ from threading import Lock
 from typing import Any, Self
 
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH, PointerEvent
+from pointpred.records import LARGEST, LATEST_S, METRES_PER_INCH, PointerEvent
 from pointpred.transfer.bands import BANDS, Bands
 from pointpred.transfer.curve import GainCurve, curve_of
 from pointpred.transfer.identification import Identification, PolynomialIdentifier

@@ -7,12 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH
 from pointpred.parameter import option, parameter
-from pointpred.rows import Row
+from pointpred.records import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, FloatArray, Row
 from pointpred.stage import CompiledStage, loop_of, offsets
 from pointpred.transfer import functions
 

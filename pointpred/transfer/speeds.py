@@ -6,9 +6,8 @@ from typing import Protocol
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray, MotionColumns
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import METRES_PER_INCH
+from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray, MotionColumns
 
 
 class Differentiating(Protocol):

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pointpred.server.compiling.parts import Part
+from pointpred_server.compiling.parts import Part
 
 if sys.platform != "win32":
     import fcntl

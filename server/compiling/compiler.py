@@ -16,11 +16,11 @@ from contextlib import suppress
 from msgspec import Struct
 
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling.alone import compiling_alone
-from pointpred.server.compiling.order import PartQueue
-from pointpred.server.compiling.parts import FIRST, Part, parts
-from pointpred.server.compiling.process import LOW_PRIORITY, CompilerProcess
-from pointpred.server.logs import place_of
+from pointpred_server.compiling.alone import compiling_alone
+from pointpred_server.compiling.order import PartQueue
+from pointpred_server.compiling.parts import FIRST, Part, parts
+from pointpred_server.compiling.process import LOW_PRIORITY, CompilerProcess
+from pointpred_server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
 

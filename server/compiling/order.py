@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from pointpred.server.compiling.parts import Part
+from pointpred_server.compiling.parts import Part
 
 
 class PartQueue:

@@ -9,10 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
-from pointpred.events import Place, PointerEvent
 from pointpred.pipeline import joint_of, last_of, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
@@ -21,12 +19,13 @@ from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialM
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.packed import EVENT, unpack_events
+from pointpred.records import EventColumns, Place, PointerEvent
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, PlaceChooser, around, choice_law
 from pointpred.transfer import assistance
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.settings import Settings
 
 Frame = dict[str, Any] | bytes
 

@@ -1,4 +1,4 @@
-"""A process that compiles: ``python -m pointpred.server.compiling.process``; names in, a line back for each.
+"""A process that compiles: ``python -m pointpred_server.compiling.process``; names in, a line back for each.
 
 The serving process only loads what this one puts into the cache, so its clients need not wait for a compiler.
 Garbage is collected between the parts: collections during compiling free nothing.
@@ -13,7 +13,7 @@ import threading
 from contextlib import suppress
 from queue import SimpleQueue
 
-from pointpred.server.child_processes import command, environment
+from pointpred_server.child_processes import command, environment
 
 LOW_PRIORITY = "low priority"
 """Instead of a name: run with low priority from now on; may be sent again."""
@@ -26,7 +26,7 @@ class CompilerProcess:
     def __init__(self) -> None:
         """Its input stays open while this process lives, however it ends."""
         self.process = subprocess.Popen(
-            command("pointpred.server.compiling.process"),
+            command("pointpred_server.compiling.process"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -59,7 +59,7 @@ def main() -> None:
     names: SimpleQueue[str] = SimpleQueue()
     threading.Thread(target=_read_names, args=(names,), daemon=True).start()
     gc.disable()
-    from pointpred.server.compiling.parts import parts
+    from pointpred_server.compiling.parts import parts
 
     by_name = {part.name: part for part in parts()}
     while True:

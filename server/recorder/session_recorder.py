@@ -8,9 +8,9 @@ from itertools import groupby
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.protocol.client_messages import Goal, Hello
-from pointpred.server.recorder.files import SessionFiles, prediction_rows, sample_rows, trial_row
+from pointpred.recorder.files import SessionFiles, prediction_rows, sample_rows, trial_row
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 
 NOTHING: FloatArray = np.empty((0, 6))
 

@@ -18,13 +18,13 @@ from typing import Any
 import msgspec
 
 from pointpred.protocol.client_messages import Hello
+from pointpred.recorder.files import SessionFiles, Write, warm_rows
+from pointpred.recorder.recordings import name_of, prepare
+from pointpred.recorder.session_recorder import Item, SessionRecorder, rows_of
 from pointpred.recording import Provenance
-from pointpred.server.logs import place_of
-from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
-from pointpred.server.recorder.recordings import name_of, prepare
-from pointpred.server.recorder.session_recorder import Item, SessionRecorder, rows_of
-from pointpred.server.sessions.pipelines import cpi_of, dpi_of
-from pointpred.sources.own.appended import FORMAT
+from pointpred.recordings.appended import FORMAT
+from pointpred_server.logs import place_of
+from pointpred_server.sessions.pipelines import cpi_of, dpi_of
 
 WRITE_S = 0.1
 SYNC_S = 0.3

@@ -8,22 +8,21 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError
-from pointpred.events import LARGEST
 from pointpred.protocol.client_messages import Assist, Configure, Hello
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Cursor, Likely, encode
+from pointpred.records import LARGEST, FloatArray
 from pointpred.regions import as_normal
-from pointpred.server.sessions.observer import SessionObserver
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
-from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
-from pointpred.server.sessions.work import Slices
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assistance import UNGUIDED
+from pointpred_server.sessions.observer import SessionObserver
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
+from pointpred_server.sessions.prediction_stream import Finish, PredictionStream
+from pointpred_server.sessions.work import Slices
 
 
 def open_stream(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> PredictionStream:

@@ -11,9 +11,9 @@ from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Bye, ClientMessage, Events, Hello
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, ErrorMessage, Limits, ServerMessage, encode
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.quota import Quota
-from pointpred.server.sessions.work import Completion, Work
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.quota import Quota
+from pointpred_server.sessions.work import Completion, Work
 
 HELLO_S = 10.0
 """A client sends hello within this time."""

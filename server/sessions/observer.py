@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.protocol.client_messages import Goal, Hello
+from pointpred.records import EventColumns, PredictionColumns
 
 
 class SessionObserver(Protocol):

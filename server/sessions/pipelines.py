@@ -15,7 +15,7 @@ from pointpred.protocol.client_messages import Hello, Setting
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import build, takes
-from pointpred.server.sessions.costs import memory_of
+from pointpred_server.sessions.costs import memory_of
 
 DPI = 96.0
 COEFFICIENTS = "coefficients"

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pointpred.columns import FloatArray
-from pointpred.events import Place
 from pointpred.protocol.server_messages import Choice, PlaceSquare
-from pointpred.rows import event_of, prediction_of
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.target_tracker import within_bounds
-from pointpred.server.sessions.work import Slices
+from pointpred.records import FloatArray, Place, event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.target_tracker import within_bounds
+from pointpred_server.sessions.work import Slices
 
 
 class PlaceTracker:

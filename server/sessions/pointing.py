@@ -9,7 +9,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.person import portable
 from pointpred.protocol.client_messages import (
@@ -36,10 +35,10 @@ from pointpred.protocol.server_messages import (
     TargetsTaken,
     Welcome,
 )
-from pointpred.records import SixFloats
-from pointpred.server.sessions.assisted_stream import open_stream
-from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, PERSON_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
-from pointpred.server.sessions.lifecycle import (
+from pointpred.records import FloatArray, SixFloats
+from pointpred_server.sessions.assisted_stream import open_stream
+from pointpred_server.sessions.costs import AT_ONCE_S, BUILD_S, PERSON_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
+from pointpred_server.sessions.lifecycle import (
     TRANSITIONS,
     TRIGGERS,
     Session,
@@ -47,11 +46,11 @@ from pointpred.server.sessions.lifecycle import (
     Trigger,
     bad_event,
 )
-from pointpred.server.sessions.observer import SessionObserver
-from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
-from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
-from pointpred.server.sessions.trials import Scoring
-from pointpred.server.sessions.work import Completion, Slices, Work, result_of
+from pointpred_server.sessions.observer import SessionObserver
+from pointpred_server.sessions.pipelines import NO_COEFFICIENTS
+from pointpred_server.sessions.prediction_stream import Finish, PredictionStream
+from pointpred_server.sessions.trials import Scoring
+from pointpred_server.sessions.work import Completion, Slices, Work, result_of
 
 RECORD_BYTES = EVENT.itemsize
 CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE

@@ -9,9 +9,7 @@ from pathlib import Path
 import numpy as np
 from msgspec import structs
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.errors import EventError
-from pointpred.events import Place
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target
@@ -19,14 +17,15 @@ from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Likely
-from pointpred.server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
-from pointpred.server.sessions.observer import SessionObserver
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
-from pointpred.server.sessions.place_tracker import PlaceTracker
-from pointpred.server.sessions.target_tracker import TargetTracker
-from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
-from pointpred.server.sessions.work import Slices, result_of
+from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns
+from pointpred_server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
+from pointpred_server.sessions.observer import SessionObserver
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
+from pointpred_server.sessions.place_tracker import PlaceTracker
+from pointpred_server.sessions.target_tracker import TargetTracker
+from pointpred_server.sessions.trials import Scoring, TrialBuffer, with_outcome
+from pointpred_server.sessions.work import Slices, result_of
 
 NEVER = float("-inf")
 

@@ -6,7 +6,7 @@ from pointpred.protocol.client_messages import Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Limits
 from pointpred.protocol.token_bucket import TokenBucket
-from pointpred.server.sessions.costs import TEXT_BYTE_S
+from pointpred_server.sessions.costs import TEXT_BYTE_S
 
 MESSAGES_PER_S = 500
 """Messages other than events, a second: two for each refresh of a fast display."""

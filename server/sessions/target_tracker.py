@@ -6,17 +6,16 @@ from collections.abc import Hashable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.events import Place
 from pointpred.protocol.client_messages import Goal, Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Choice, Likely
-from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.work import Slices
+from pointpred.records import FloatArray, Place
 from pointpred.targets import Choice as Change
 from pointpred.targets import Chooser
 from pointpred.targets import Target as Rectangle
+from pointpred_server.sessions.outbox import Outbox
+from pointpred_server.sessions.work import Slices
 
 LIKELIEST = 5
 """Targets that are sent with a prediction."""

@@ -9,15 +9,15 @@ from functools import partial
 import numpy as np
 from msgspec import structs
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.scores import score_of
 from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
-from pointpred.server.sessions.target_tracker import Outcome
+from pointpred_server.sessions.target_tracker import Outcome
 
 MOST_EVENTS = 100_000
 """A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""

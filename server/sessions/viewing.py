@@ -9,7 +9,7 @@ from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.protocol.server_messages import Limits, encode
-from pointpred.server.sessions.lifecycle import Session, State
+from pointpred_server.sessions.lifecycle import Session, State
 
 READ_ONLY = "this stream is only read; expected nothing but 'bye', received "
 

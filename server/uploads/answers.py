@@ -8,11 +8,11 @@ import msgspec
 import pyarrow.parquet  # noqa: F401 - loaded before the memory is bounded
 
 from pointpred.errors import PointpredError
-from pointpred.server.logs import place_of
-from pointpred.server.uploads.process import TOO_LARGE, Order, Outcome
-from pointpred.server.uploads.receiving import UploadError
-from pointpred.server.uploads.recordings import open_body, score_body
-from pointpred.server.uploads.refusals import refusal_of
+from pointpred_server.logs import place_of
+from pointpred_server.uploads.process import TOO_LARGE, Order, Outcome
+from pointpred_server.uploads.receiving import UploadError
+from pointpred_server.uploads.recordings import open_body, score_body
+from pointpred_server.uploads.refusals import refusal_of
 
 
 def answer(order: Order, body: bytes) -> tuple[Outcome, bytes]:

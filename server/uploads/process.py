@@ -1,6 +1,6 @@
 """A process that opens and scores uploaded recordings: sessions do not share its interpreter, nor its memory.
 
-``python -m pointpred.server.uploads.process``: a line that says what to do and the body in, a line about the
+``python -m pointpred_server.uploads.process``: a line that says what to do and the body in, a line about the
 response and the response out, until the input ends. It runs with low priority, may take so much memory beyond
 what is loaded, and is killed where a recording takes too long; the next one starts another.
 """
@@ -21,8 +21,8 @@ from typing import BinaryIO, Literal
 
 import msgspec
 
-from pointpred.server.child_processes import command, environment
-from pointpred.server.uploads.receiving import UploadError
+from pointpred_server.child_processes import command, environment
+from pointpred_server.uploads.receiving import UploadError
 
 log = logging.getLogger("pointpred.service")
 
@@ -133,7 +133,7 @@ class UploadProcess:
             self._kill()
         if self._process is None:
             self._process = subprocess.Popen(
-                command("pointpred.server.uploads.process"),
+                command("pointpred_server.uploads.process"),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
@@ -174,7 +174,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to the whole group: the parent decides
     if hasattr(os, "nice"):
         os.nice(NICENESS)
-    from pointpred.server.uploads.answers import answer
+    from pointpred_server.uploads.answers import answer
 
     _bound_memory()
     source: BinaryIO = sys.stdin.buffer

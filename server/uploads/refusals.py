@@ -7,7 +7,7 @@ import msgspec
 from pointpred.errors import ColumnsError, PointpredError
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
-from pointpred.server.uploads.receiving import UploadError
+from pointpred_server.uploads.receiving import UploadError
 
 
 def refusal_of(error: Exception) -> tuple[int, bytes]:

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 
-from pointpred.server.compiling.compiler import Progress
-from pointpred.server.workers.families import Family
+from pointpred_server.compiling.compiler import Progress
+from pointpred_server.workers.families import Family
 
 LINE_BYTES = 2**24
 """Longest line that is read: the metrics of one worker have some 10 kB."""

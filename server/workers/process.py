@@ -11,9 +11,9 @@ from typing import Any
 
 import msgspec
 
-from pointpred.server.child_processes import command, environment
-from pointpred.server.workers.counts import CONNECTIONS, TAKEN, WorkerCounts
-from pointpred.server.workers.messages import (
+from pointpred_server.child_processes import command, environment
+from pointpred_server.workers.counts import CONNECTIONS, TAKEN, WorkerCounts
+from pointpred_server.workers.messages import (
     LINE_BYTES,
     Begin,
     Collect,
@@ -55,7 +55,7 @@ class WorkerProcess:
         with far_control, far_connections:
             try:
                 process = await asyncio.create_subprocess_exec(
-                    *command("pointpred.server.workers.worker", *map(str, passed)),
+                    *command("pointpred_server.workers.worker", *map(str, passed)),
                     stdin=subprocess.DEVNULL,
                     pass_fds=passed,
                     env=environment(),

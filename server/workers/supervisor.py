@@ -18,12 +18,12 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 from prometheus_client.process_collector import ProcessCollector
 
 from pointpred.errors import SourceError
-from pointpred.server.compiling.compiler import Progress
-from pointpred.server.settings import Settings
-from pointpred.server.workers.counts import CONNECTIONS, SESSIONS, WorkerCounts
-from pointpred.server.workers.dispatcher import Dispatcher
-from pointpred.server.workers.families import ServiceFamilies, families_of, text_of
-from pointpred.server.workers.messages import (
+from pointpred_server.compiling.compiler import Progress
+from pointpred_server.settings import Settings
+from pointpred_server.workers.counts import CONNECTIONS, SESSIONS, WorkerCounts
+from pointpred_server.workers.dispatcher import Dispatcher
+from pointpred_server.workers.families import ServiceFamilies, families_of, text_of
+from pointpred_server.workers.messages import (
     AskText,
     Collected,
     Compiling,
@@ -34,8 +34,8 @@ from pointpred.server.workers.messages import (
     Stop,
     Text,
 )
-from pointpred.server.workers.process import WorkerProcess
-from pointpred.server.workers.restarts import Restarts
+from pointpred_server.workers.process import WorkerProcess
+from pointpred_server.workers.restarts import Restarts
 
 WATCH_S = 1.0
 """How often each worker is asked for its metrics."""

@@ -1,4 +1,4 @@
-"""A worker: ``python -m pointpred.server.workers.worker CONTROL CONNECTIONS COUNTS``, three descriptors.
+"""A worker: ``python -m pointpred_server.workers.worker CONTROL CONNECTIONS COUNTS``, three descriptors.
 
 The supervisor starts it, and sends the settings first and accepted connections later. It ends when the
 supervisor asks it to or has ended itself.
@@ -17,20 +17,20 @@ from typing import Any, cast
 
 import msgspec
 
-from pointpred.server.access import HostRule
-from pointpred.server.allocator import bound_free_memory
-from pointpred.server.compiling.compiler import Progress
-from pointpred.server.garbage import tune_collector
-from pointpred.server.http_protocol import BoundedHttpProtocol
-from pointpred.server.listening import PointpredServer, web_config
-from pointpred.server.logs import set_up
-from pointpred.server.network_counts import NetworkCounts
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
-from pointpred.server.workers.counts import CONNECTIONS, SESSIONS, TAKEN, WorkerCounts
-from pointpred.server.workers.dispatcher import NO_FILES_S
-from pointpred.server.workers.families import families_of
-from pointpred.server.workers.messages import (
+from pointpred.garbage import tune_collector
+from pointpred_server.access import HostRule
+from pointpred_server.allocator import bound_free_memory
+from pointpred_server.compiling.compiler import Progress
+from pointpred_server.http_protocol import BoundedHttpProtocol
+from pointpred_server.listening import PointpredServer, web_config
+from pointpred_server.logs import set_up
+from pointpred_server.network_counts import NetworkCounts
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
+from pointpred_server.workers.counts import CONNECTIONS, SESSIONS, TAKEN, WorkerCounts
+from pointpred_server.workers.dispatcher import NO_FILES_S
+from pointpred_server.workers.families import families_of
+from pointpred_server.workers.messages import (
     LINE_BYTES,
     AskText,
     Begin,

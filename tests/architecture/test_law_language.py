@@ -76,7 +76,7 @@ def test_what_the_language_has_is_translated() -> None:
     source = """
 from math import hypot, nan
 import numpy as np
-from pointpred.rows import MotionRow
+from pointpred.records import MotionRow
 TABLE = (1.0, 2.0)
 @law
 def step(memory, motion):

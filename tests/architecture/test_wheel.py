@@ -19,11 +19,11 @@ INSTALLED = int(importlib.metadata.version("setuptools").split(".")[0])
 LEFT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "build", "dist", "tests")
 
 CHECK = """
-import importlib.util, pointpred.server.app, pointpred.datasets
+import importlib.util, pointpred_server.app, pointpred.datasets
 assert pointpred.__file__.startswith({folder!r}), pointpred.__file__
 assert importlib.util.find_spec("server") is None
 assert importlib.util.find_spec("datasets") is None
-assert (pointpred.server.app.WEB / "index.html").exists()
+assert (pointpred_server.app.WEB / "index.html").exists()
 from pointpred.reproduction.catalogue import entry_of
 assert "</svg>" in entry_of("3.4").make(None).draw().svg
 """

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-ROOMS = {"server": "pointpred.server", "datasets": "pointpred.datasets"}
+ROOMS = {"server": "pointpred_server", "datasets": "pointpred.datasets"}
 """Top-level folders that are installed inside the package."""
 
 

@@ -7,9 +7,9 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from pointpred.camera import SCENARIOS, consistent, cramer_rao, trajectory
-from pointpred.camera.scenario import Trajectory
 from pointpred.errors import ParameterError
+from pointpred_observers.camera import SCENARIOS, consistent, cramer_rao, trajectory
+from pointpred_observers.camera.scenario import Trajectory
 
 FOCAL, NOISE = 800.0, 2.0
 

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import ParameterError
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 number = st.floats(-100.0, 100.0)
 axis = st.tuples(number, st.one_of(st.just(0.0), st.floats(0.01, 50.0)))

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, CameraColumns, CameraSample, DepthObserver, Noise, simulate
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred_observers.camera import SCENARIOS, CameraColumns, CameraSample, DepthObserver, Noise, simulate
 
 FOCAL = 800.0
 
@@ -93,7 +93,7 @@ def test_rows_chunks_pickles_and_fresh_agree() -> None:
 SCRIPT = """
 import sys
 import numpy as np
-from pointpred.camera import *
+from pointpred_observers.camera import *
 import pointpred.compiled
 assert not pointpred.compiled.COMPILED
 samples = CameraColumns(np.load(sys.argv[1]))
@@ -105,7 +105,7 @@ np.savez(sys.argv[2], depth=depth.table, state=track.state, covariance=track.cov
 
 
 def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
-    from pointpred.camera import PointFilter, UnknownInputs
+    from pointpred_observers.camera import PointFilter, UnknownInputs
 
     noise = Noise(noise_px=1.5, dropped=0.2)
     samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=noise)
@@ -126,7 +126,7 @@ def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_wild_samples_within_the_bounds_leave_a_memory_of_finite_numbers(seed: int) -> None:
-    from pointpred.camera import PointFilter
+    from pointpred_observers.camera import PointFilter
 
     random = np.random.default_rng(seed)
     rows = 3000

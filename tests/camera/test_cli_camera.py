@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, CameraColumns, trajectory
-from pointpred.camera.samples import observed
 from pointpred.cli.camera_files import TRUTH, read_samples, truth_table, write_table
+from pointpred_observers.camera import SCENARIOS, CameraColumns, trajectory
+from pointpred_observers.camera.samples import observed
 
 FOCAL = ("--focal-px", "800")
 

@@ -7,7 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from pointpred.camera import (
+from pointpred.errors import ParameterError
+from pointpred_observers.camera import (
     SCENARIOS,
     CameraSample,
     DepthObserver,
@@ -17,10 +18,9 @@ from pointpred.camera import (
     model,
     simulate,
 )
-from pointpred.errors import ParameterError
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 FOCAL = 800.0
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
@@ -64,7 +64,7 @@ def test_the_reduced_form_is_the_full_form(design: UnknownInputObserver) -> None
 
 
 def test_the_general_reduced_form_is_the_compiled_law(design: UnknownInputObserver) -> None:
-    from pointpred.camera import depth
+    from pointpred_observers.camera import depth
 
     random = np.random.default_rng(4)
     for x, y, wx, wy, wz, eta, a_z, dwx, dwy, chi in random.uniform(0.03, 0.05, (20, 10)):

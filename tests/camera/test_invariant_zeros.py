@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy.linalg import eig
 
-from pointpred.camera import model
-from pointpred.camera.model import camera_system
 from pointpred.errors import ParameterError
-from pointpred.observers.unknown_input.invariant_zeros import (
+from pointpred_observers.camera import model
+from pointpred_observers.camera.model import camera_system
+from pointpred_observers.unknown_input.invariant_zeros import (
     decoupling,
     fixed_modes,
     invariant_zeros,

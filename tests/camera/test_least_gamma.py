@@ -6,9 +6,9 @@ import mpmath
 import pytest
 
 from pages.designs.least import minimum
-from pointpred.camera import camera_box, camera_system
-from pointpred.observers.unknown_input.gains import ROOMS
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 DIGITS = 40
 

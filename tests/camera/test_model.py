@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, model, printed, trajectory
-from pointpred.camera.scenario import Trajectory
 from pointpred.errors import ParameterError
+from pointpred_observers.camera import SCENARIOS, model, printed, trajectory
+from pointpred_observers.camera.scenario import Trajectory
 
 
 @pytest.fixture(scope="module", params=["paper", "approaching"])

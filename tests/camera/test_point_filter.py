@@ -7,7 +7,8 @@ import pickle
 import numpy as np
 import pytest
 
-from pointpred.camera import (
+from pointpred.errors import EventError, ParameterError
+from pointpred_observers.camera import (
     SCENARIOS,
     CameraColumns,
     Noise,
@@ -20,8 +21,7 @@ from pointpred.camera import (
     simulate,
     trajectory,
 )
-from pointpred.camera.samples import observed
-from pointpred.errors import EventError, ParameterError
+from pointpred_observers.camera.samples import observed
 
 FOCAL = 800.0
 

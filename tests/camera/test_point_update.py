@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.camera import PointFilter, point_filter
+from pointpred_observers.camera import PointFilter, point_filter
 
 
 @pytest.mark.parametrize("seed", range(5))

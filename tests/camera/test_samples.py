@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, Noise, Scenario, simulate, trajectory
-from pointpred.camera.samples import observed
 from pointpred.errors import ParameterError
+from pointpred_observers.camera import SCENARIOS, Noise, Scenario, simulate, trajectory
+from pointpred_observers.camera.samples import observed
 
 FOCAL = 500.0
 

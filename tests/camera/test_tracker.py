@@ -7,10 +7,10 @@ import sys
 import numpy as np
 import pytest
 
-from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, Trajectory, trajectory
-from pointpred.camera.samples import observed
-from pointpred.camera.tracker import PointTracker, tracked
 from pointpred.errors import EventError, MissingExtraError, ParameterError
+from pointpred_observers.camera import SCENARIOS, DepthObserver, PointFilter, Trajectory, trajectory
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera.tracker import PointTracker, tracked
 from tests.camera.rendering import render
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from pointpred import observers as o
-from pointpred.camera import camera_box, camera_system, printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.documents.files import encoded
-from pointpred.observers.inequalities.definite import least
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.certificate import audit, discrete_inequality, inequality
-from pointpred.observers.unknown_input.corners import CornerSystem
-from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.camera import camera_box, camera_system, printed
+from pointpred_observers.documents.files import encoded
+from pointpred_observers.inequalities.definite import least
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.certificate import audit, discrete_inequality, inequality
+from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 CAMERA = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
 

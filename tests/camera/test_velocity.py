@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pointpred.camera import (
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred_observers.camera import (
     SCENARIOS,
     WAYS,
     CameraColumns,
@@ -23,11 +24,10 @@ from pointpred.camera import (
     trajectory,
     velocities,
 )
-from pointpred.camera.samples import observed
-from pointpred.camera.scenario import Trajectory
-from pointpred.camera.unknown_input_filter import UnknownInputFilter, flow
-from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera.scenario import Trajectory
+from pointpred_observers.camera.unknown_input_filter import UnknownInputFilter, flow
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL = 800.0
 
@@ -70,7 +70,7 @@ def test_raw_differences_are_as_bad_as_theory_says(truth: Trajectory) -> None:
 
 
 def test_the_known_flow_and_d_make_the_motion_of_the_image(truth: Trajectory) -> None:
-    from pointpred.camera import printed
+    from pointpred_observers.camera import printed
 
     expected = printed.derivatives(truth)
     for k in range(0, 331, 30):

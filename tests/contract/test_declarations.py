@@ -7,12 +7,11 @@ import inspect
 import numpy as np
 
 from pointpred import PointerEvent, build
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import LinearPredictor, Predictor
-from pointpred.rows import MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FloatArray, MotionRow, Row, TenFloats, endpoint
 
 
 class Far(LinearPredictor):

@@ -16,9 +16,9 @@ from pointpred.person import LARGEST
 from pointpred.protocol.decoding import EXTREME_MOST
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import REGISTRY, build, parameters
-from pointpred.server import access, connection, http_protocol, request_rates, websocket_protocol
-from pointpred.server.sessions import costs, lifecycle, outbox, pipelines, quota, trials
-from pointpred.server.settings import Settings
+from pointpred_server import access, connection, http_protocol, request_rates, websocket_protocol
+from pointpred_server.sessions import costs, lifecycle, outbox, pipelines, quota, trials
+from pointpred_server.settings import Settings
 
 CONSTANTS = {
     "events of a frame": Limits().max_events_per_frame,

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred import EventColumns
-from pointpred.columns import MotionColumns
+from pointpred.records import MotionColumns
 from tests.contract.conftest import minimum_jerk
 from tests.contract.test_stage_laws import EVERY, answers, make, same
 

@@ -8,12 +8,11 @@ from math import isnan
 import pytest
 
 from pointpred import build
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import Predictor
-from pointpred.records import MOTION_FIELD, MotionRow, Row, TenFloats, endpoint, refused
+from pointpred.records import MOTION_FIELD, FloatArray, MotionRow, Row, TenFloats, endpoint, refused
 
 
 @law

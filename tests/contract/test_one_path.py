@@ -13,11 +13,10 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
-from pointpred.events import PHASES
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred.records import PHASES, FloatArray
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)

@@ -12,8 +12,8 @@ import pytest
 
 from pointpred import PointerEvent, Prediction, build, run
 from pointpred.datasets import sample
-from pointpred.server.sessions.pointing import PointingSession
 from pointpred.targets import Chooser, Target, around
+from pointpred_server.sessions.pointing import PointingSession
 from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
 from tests.server.running import PATIENCE_S, Running, running
 

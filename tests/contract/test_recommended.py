@@ -72,7 +72,7 @@ def test_it_is_a_name_of_the_registry() -> None:
     ],
 )
 def test_the_scripts_say_it(script: str, default: str) -> None:
-    text = (files("pointpred.server") / "web" / script).read_text(encoding="utf-8")
+    text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
     assert re.findall(default, text, re.MULTILINE) == [RECOMMENDED]
 
 
@@ -80,7 +80,7 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
     "script", ["pointpred.js", "intent/options.js", "prediction/messages.js", "service/listing.js"]
 )
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
-    text = (files("pointpred.server") / "web" / script).read_text(encoding="utf-8")
+    text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
     assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "\.{1,2}/laws/registry\.js"', text)
     assert f'predictor: "{RECOMMENDED}"' not in text
 

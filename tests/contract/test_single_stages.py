@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, Motion, PointerEvent, build, run
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import EventError, EventOrderError
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 
 LARGEST_STAGE_BYTES = 64 * 1024
 

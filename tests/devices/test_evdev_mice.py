@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.devices.evdev.frame_decoder import FrameDecoder
-from pointpred.sources.device_logs.evdev_frames import Frames, frames
+from pointpred.recordings.formats.evdev_frames import Frames, frames
+from pointpred.records import EventColumns
 from tests.devices import evdev_mice
 from tests.devices.evdev_mice import Mouse, Reader, described, events_of, plug, unplug
 from tests.devices.umockdev import Testbed

@@ -17,15 +17,14 @@ import pytest
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import ParameterError
-from pointpred.events import Pair
 from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource
 from pointpred.live.replay_trials import PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
+from pointpred.records import FloatArray, Pair, PredictionColumns
 from tests.devices.live_process import PATIENCE_S
 from tests.devices.test_live_served import goodbye, heard
 

@@ -11,9 +11,9 @@ import pytest
 from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
-from pointpred.events import Pair
 from pointpred.live.session import LiveSession
 from pointpred.live.statistics import Delays, Pace
+from pointpred.records import Pair
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain
 from tests.devices.live_fakes import FakeMouse, reach
 

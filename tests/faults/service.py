@@ -20,11 +20,11 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
-from pointpred.sources import read
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from tests.server.running import PATIENCE_S
 
 AT_ONCE = 50

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from pointpred.errors import PointpredError
-from pointpred.observers.documents.files import decoded, encoded
+from pointpred_observers.documents.files import decoded, encoded
 from tests.fuzz.refusals import refused
 from tests.observers import kept_designs as kept
 

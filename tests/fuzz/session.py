@@ -24,8 +24,8 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import build
-from pointpred.server.compiling.parts import parts_for
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.compiling.parts import parts_for
+from pointpred_server.sessions.pointing import PointingSession
 from tests.fuzz.refusals import refused
 
 BINARY = 0x8000

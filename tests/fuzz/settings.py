@@ -6,8 +6,8 @@ import re
 
 from pydantic import ValidationError
 
-from pointpred.server.access import HostRule, admits_origin, has_token, is_origin, origin_advice
-from pointpred.server.settings import Settings
+from pointpred_server.access import HostRule, admits_origin, has_token, is_origin, origin_advice
+from pointpred_server.settings import Settings
 from tests.fuzz.refusals import refused
 
 SERVED = (b"127.0.0.1", b"[127.0.0.1]", b"localhost", b"[::1]", b"lab.example")

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from pointpred.sources.known_formats import FORMATS
+from pointpred.recordings.known_formats import FORMATS
 from tests.fuzz import designs, evdev, files, hid, person, session, settings, transfer, uploads
 
 
@@ -27,7 +27,7 @@ class Target(NamedTuple):
     most_bytes: int = 4096
 
 
-PROTOCOL = ("pointpred.protocol", "pointpred.server.sessions")
+PROTOCOL = ("pointpred.protocol", "pointpred_server.sessions")
 TARGETS = {
     target.name: target
     for target in (
@@ -46,23 +46,27 @@ TARGETS = {
             ("pointpred.predictors.kinematic.coefficient_file",),
             8192,
         ),
-        Target("designs", designs.check, designs.seeds, ("pointpred.observers.documents",), 8192),
+        Target("designs", designs.check, designs.seeds, ("pointpred_observers.documents",), 8192),
         Target("transfer", transfer.check, transfer.seeds, ("pointpred.transfer",)),
         Target(
             "settings",
             settings.check,
             settings.seeds,
-            ("pointpred.server.settings", "pointpred.server.access"),
+            ("pointpred_server.settings", "pointpred_server.access"),
         ),
         Target(
-            "uploads", uploads.check, uploads.seeds, ("pointpred.server.uploads", "pointpred.sources"), 8192
+            "uploads",
+            uploads.check,
+            uploads.seeds,
+            ("pointpred_server.uploads", "pointpred.recordings"),
+            8192,
         ),
         *(
             Target(
                 f"source-{form.key}",
                 partial(files.check_source, form),
                 partial(files.source_seeds, form),
-                ("pointpred.sources", "pyxdf") if form.key == "xdf" else ("pointpred.sources",),
+                ("pointpred.recordings", "pyxdf") if form.key == "xdf" else ("pointpred.recordings",),
                 8192,
             )
             for form in FORMATS

@@ -7,8 +7,8 @@ import warnings
 from urllib.parse import parse_qsl
 
 from pointpred.errors import PointpredError
-from pointpred.server.uploads.receiving import UploadError
-from pointpred.server.uploads.recordings import reading_of, recordings_of
+from pointpred_server.uploads.receiving import UploadError
+from pointpred_server.uploads.recordings import reading_of, recordings_of
 from tests.fuzz.files import DATA
 from tests.fuzz.inputs import check as check_recording
 from tests.fuzz.refusals import refused

@@ -17,9 +17,9 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.protocol.packed import pack_events
+from pointpred.records import FloatArray
 from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read, write
 
 SILENCE_S = 1.5

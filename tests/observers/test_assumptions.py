@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     SymbolicGenerator,
@@ -24,8 +24,8 @@ from pointpred.observers import (
     steady_state_map,
     trajectory,
 )
-from pointpred.observers.examples import academic, chua_circuits
-from pointpred.observers.triangular.ranges import enclosure
+from pointpred_observers.examples import academic, chua_circuits
+from pointpred_observers.triangular.ranges import enclosure
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

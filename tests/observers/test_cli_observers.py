@@ -16,7 +16,7 @@ import pytest
 from pages import DOCS
 from pointpred import observers as o
 from pointpred.cli.observer_examples import EXAMPLES
-from pointpred.observers.documents.files import decoded, encoded
+from pointpred_observers.documents.files import decoded, encoded
 from tests.conftest import Left
 
 pytest.importorskip("cvxpy")

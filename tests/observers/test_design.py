@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     ObserverDesign,
     Persidskii,
@@ -24,8 +24,8 @@ from pointpred.observers import (
     theorem_3_2_1,
     trajectory,
 )
-from pointpred.observers.bounds import ErrorBound
-from pointpred.observers.interconnected.design import certified_design
+from pointpred_observers.bounds import ErrorBound
+from pointpred_observers.interconnected.design import certified_design
 
 
 def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Generator, Any]:

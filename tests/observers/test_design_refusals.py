@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     design_full_order,

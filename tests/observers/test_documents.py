@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from pointpred import observers as o
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.documents.designs import margins_of
-from pointpred.observers.documents.files import VERSION, decoded, encoded
-from pointpred.observers.persidskii import NAMES
+from pointpred_observers.documents.designs import margins_of
+from pointpred_observers.documents.files import VERSION, decoded, encoded
+from pointpred_observers.persidskii import NAMES
 from tests.observers import kept_designs as kept
 
 pytest.importorskip("cvxpy")

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Box,
     ErrorSystem,
     Generator,
@@ -29,9 +29,9 @@ from pointpred.observers import (
     l2_gain,
     trajectory,
 )
-from pointpred.observers.documents.files import decoded, encoded
-from pointpred.observers.error_systems.h_infinity import h_infinity
-from pointpred.observers.error_systems.system import sloped_system
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.error_systems.h_infinity import h_infinity
+from pointpred_observers.error_systems.system import sloped_system
 
 RESONANCES = [(3.0, 0.1), (0.2, 0.4), (1e3, 0.01)]
 
@@ -259,7 +259,7 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
 
 def test_the_error_system_of_an_interlaced_observer() -> None:
     sp = pytest.importorskip("sympy")
-    from pointpred.observers import InterlacedObserver, SymbolicGenerator, SymbolicSystem, interlaced
+    from pointpred_observers import InterlacedObserver, SymbolicGenerator, SymbolicSystem, interlaced
 
     x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))

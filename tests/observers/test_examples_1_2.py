@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError
-from pointpred.observers import (
+from pointpred_observers import (
     design_observer,
     residuals,
     steady_state_map,
     theorem_3_2_1,
     trajectory,
 )
-from pointpred.observers.examples import (
+from pointpred_observers.examples import (
     Bioreactor,
     academic,
 )

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError, InfeasibleError
-from pointpred.observers import (
+from pointpred_observers import (
     certify_tracking,
     closed_loop,
     design_observer,
@@ -20,7 +20,7 @@ from pointpred.observers import (
     theorem_3_2_3,
     trajectory,
 )
-from pointpred.observers.examples import (
+from pointpred_observers.examples import (
     ROBOT_INPUT_MODIFIED,
     academic,
     chua_circuits,

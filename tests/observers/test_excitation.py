@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy import integrate
 
 from pointpred.errors import ParameterError
-from pointpred.observers import discrete_excitation, linear_independence, persistent_excitation
+from pointpred_observers import discrete_excitation, linear_independence, persistent_excitation
 
 SEEDS = st.integers(0, 2**32 - 1)
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-import pointpred.observers as o
+import pointpred_observers as o
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.bounds import least_ratio
-from pointpred.observers.documents.files import decoded, encoded
-from pointpred.observers.inequalities.definite import least
-from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
+from pointpred_observers.bounds import least_ratio
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.inequalities.definite import least
+from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
 from tests.observers import kept_designs as kept
 
 

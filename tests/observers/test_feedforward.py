@@ -12,9 +12,9 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.triangular.forms import feedforward
-from pointpred.observers.triangular.polynomials import composed
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular.forms import feedforward
+from pointpred_observers.triangular.polynomials import composed
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

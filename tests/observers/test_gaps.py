@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred.camera import camera_box, camera_system
-from pointpred.observers import (
+from pointpred_observers import (
     UnknownInputObserver,
     certify_convergence,
     certify_interlaced,
@@ -17,11 +16,12 @@ from pointpred.observers import (
     invariant_observer,
     steady_state_map,
 )
-from pointpred.observers.examples import UNMEASURED, academic, chua_circuits, two_masses
-from pointpred.observers.inequalities import matrix_inequalities
-from pointpred.observers.inequalities.affine import Affine
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.solver import Answer, run
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.affine import Affine
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.solver import Answer, run
 
 CALM = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
 DOORS: dict[str, Any] = {

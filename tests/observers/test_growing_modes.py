@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from pages.designs.measure import outcome
 from pointpred.errors import InfeasibleError, PointpredError
-from pointpred.observers import Generator, Persidskii, SectorBounds, certify_tracking, sector_bounds
-from pointpred.observers.interconnected.growing_mode import growing_mode, quadrant
-from pointpred.observers.interconnected.regulated import Followed, Regulated
+from pointpred_observers import Generator, Persidskii, SectorBounds, certify_tracking, sector_bounds
+from pointpred_observers.interconnected.growing_mode import growing_mode, quadrant
+from pointpred_observers.interconnected.regulated import Followed, Regulated
 
 SIZES = (3, 2)
 """States and components of f."""

@@ -18,13 +18,13 @@ from pointpred.errors import (
     ParameterError,
     UndecidedError,
 )
-from pointpred.observers.inequalities import matrix_inequalities
-from pointpred.observers.inequalities.affine import Affine, scaled
-from pointpred.observers.inequalities.audit import Inequalities
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.proof import largest_margin, reach
-from pointpred.observers.inequalities.rescaling import rescaled
-from pointpred.observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.affine import Affine, scaled
+from pointpred_observers.inequalities.audit import Inequalities
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.proof import largest_margin, reach
+from pointpred_observers.inequalities.rescaling import rescaled
+from pointpred_observers.inequalities.solver import CAP, Answer, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:

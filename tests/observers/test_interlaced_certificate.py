@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import eigh, expm
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.triangular.interlaced_certificate import (
+from pointpred_observers.triangular.interlaced_certificate import (
     InterlacedCertificate,
     certificate,
     certify,

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers.trajectories import trajectory
-from pointpred.observers.triangular.forms import interlaced
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.trajectories import trajectory
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

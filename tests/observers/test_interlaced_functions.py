@@ -10,10 +10,10 @@ import pytest
 from scipy.special import erf
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.forms import interlaced
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred.observers.triangular.program import computable
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.triangular.program import computable
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 pytest.importorskip("cvxpy")

@@ -16,10 +16,10 @@ from pointpred.errors import (
     EventOrderError,
     ParameterError,
 )
-from pointpred.observers.triangular import interlaced_observer
-from pointpred.observers.triangular.forms import interlaced
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular import interlaced_observer
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 pytest.importorskip("cvxpy")

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from pointpred.observers import SymbolicGenerator, SymbolicSystem, interlaced
+from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
 
 sp = pytest.importorskip("sympy")
 W1, W2, U, Z = sp.symbols("w1 w2 u z")

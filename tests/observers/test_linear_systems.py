@@ -11,7 +11,7 @@ import pytest
 from scipy import signal
 
 from pointpred.errors import ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     as_plant,

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     MissingInputs,
     Persidskii,

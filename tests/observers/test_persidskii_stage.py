@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
-from pointpred.observers import PersidskiiObserver, trajectory
-from pointpred.observers.nonlinearity import KNOWN, nonlinearity
+from pointpred_observers import PersidskiiObserver, trajectory
+from pointpred_observers.nonlinearity import KNOWN, nonlinearity
 
 NAMES = ["sin", "tanh", "atan", "saturation", "cube", "identity"]
 
@@ -126,7 +126,7 @@ def test_named_nonlinearities_are_what_their_names_say(name: str) -> None:
 
 PLAIN = """
 import numpy as np
-from pointpred.observers import PersidskiiObserver
+from pointpred_observers import PersidskiiObserver
 for time in ("continuous", "discrete"):
     stage = PersidskiiObserver(
         [[-1.0, 2.0], [-2.0, -1.0]], np.ones((2, 5)), np.arange(10.0).reshape(5, 2) / 10.0, [1.0, 0.0],

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     MissingInputs,
     Persidskii,
@@ -23,7 +23,7 @@ from pointpred.observers import (
     invariant_stage,
     observer_stage,
 )
-from pointpred.observers.nonlinearity import nonlinearity
+from pointpred_observers.nonlinearity import nonlinearity
 
 
 def exactly(field: Any, start: Any, span: tuple[float, float], at: Any = None) -> Any:

@@ -9,7 +9,7 @@ import pytest
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     SymbolicGenerator,
@@ -21,7 +21,7 @@ from pointpred.observers import (
     theorem_3_3_1,
     theorem_3_3_2,
 )
-from pointpred.observers.examples import UNMEASURED, Bioreactor, academic, chua_circuits, two_masses
+from pointpred_observers.examples import UNMEASURED, Bioreactor, academic, chua_circuits, two_masses
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     UnknownInputObserver,
@@ -19,10 +19,10 @@ from pointpred.observers import (
     invariant_observer,
     undetectable,
 )
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.triangular.interlaced_certificate import certify
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.triangular.interlaced_certificate import certify
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 PLANT = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
 DRIVEN = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])

@@ -10,12 +10,12 @@ import pytest
 from pages.designs.measure import outcome
 from pages.designs.plants import hiding
 from pointpred.errors import UndecidedError
-from pointpred.observers import Persidskii, certify_convergence, design_reduced_order, invariant_observer
-from pointpred.observers.inequalities import matrix_inequalities
-from pointpred.observers.inequalities.solver import Answer
-from pointpred.observers.reduced_order import design
-from pointpred.observers.reduced_order.upsilon import split
-from pointpred.observers.stationary import filter_start
+from pointpred_observers import Persidskii, certify_convergence, design_reduced_order, invariant_observer
+from pointpred_observers.inequalities import matrix_inequalities
+from pointpred_observers.inequalities.solver import Answer
+from pointpred_observers.reduced_order import design
+from pointpred_observers.reduced_order.upsilon import split
+from pointpred_observers.stationary import filter_start
 
 
 def hidden(seed: int, share: float) -> Persidskii:

@@ -7,7 +7,7 @@ import pytest
 from scipy import signal
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers import (
+from pointpred_observers import (
     Persidskii,
     SeededSignal,
     certify_convergence,
@@ -16,9 +16,9 @@ from pointpred.observers import (
     invariant_stage,
     trajectory,
 )
-from pointpred.observers.bounds import continuous_bound, convergence_bound, discrete_bound
-from pointpred.observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
-from pointpred.observers.reduced_order.reversed_connection import Connection
+from pointpred_observers.bounds import continuous_bound, convergence_bound, discrete_bound
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
+from pointpred_observers.reduced_order.reversed_connection import Connection
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 

@@ -10,7 +10,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import GradientRegressor, Persidskii, invariant_observer, trajectory
+from pointpred_observers import GradientRegressor, Persidskii, invariant_observer, trajectory
 
 SEEDS = st.integers(0, 2**32 - 1)
 

@@ -10,7 +10,7 @@ import pytest
 
 from pages.markdown import filled
 from pointpred.errors import CertificateError, InfeasibleError
-from pointpred.observers import (
+from pointpred_observers import (
     NonlinearRegressor,
     Persidskii,
     certify_convergence,
@@ -18,8 +18,8 @@ from pointpred.observers import (
     regression_margin,
     trajectory,
 )
-from pointpred.observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
-from pointpred.observers.reduced_order.reversed_certificate import theorem_3_3_1
+from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
+from pointpred_observers.reduced_order.reversed_certificate import theorem_3_3_1
 
 PAGES = Path(__file__).parents[2] / "docs" / "guide" / "observers"
 PRINTED = [[-1.0, 0.0], [0.0, 0.0]]
@@ -108,7 +108,7 @@ def test_the_table_of_example_7_is_that_of_the_data() -> None:
         pytest.skip("POINTPRED_RECORDINGS is not set")
     from pages.observers.measure import recursion, starts
     from pages.rendering import shown
-    from pointpred.reproduction.reversed_connection import sniffer
+    from pointpred_observers.reproduction.reversed_connection import sniffer
 
     file = Path(os.environ["POINTPRED_RECORDINGS"], "sniffer.csv")
     if not file.is_file():

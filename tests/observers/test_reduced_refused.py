@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Persidskii,
     certify_convergence,
     design_reduced_order,

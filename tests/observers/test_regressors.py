@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers import GradientRegressor
-from pointpred.observers.regressors import gradient as gradient_regressor
 from pointpred.regression import gradient
+from pointpred_observers import GradientRegressor
+from pointpred_observers.regressors import gradient as gradient_regressor
 
 SEEDS = st.integers(0, 2**32 - 1)
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import ParameterError
-from pointpred.observers import RecursiveLeastSquares
+from pointpred_observers import RecursiveLeastSquares
 
 SEEDS = st.integers(0, 2**32 - 1)
 

@@ -10,8 +10,8 @@ import pytest
 from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError, UndecidedError
-from pointpred.observers import GradientRegressor, NonlinearRegressor, regression_margin
-from pointpred.observers.regressors import nonlinear_regression
+from pointpred_observers import GradientRegressor, NonlinearRegressor, regression_margin
+from pointpred_observers.regressors import nonlinear_regression
 
 TRUTH = np.array([3.0, 5.0])
 

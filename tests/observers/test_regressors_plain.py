@@ -13,8 +13,8 @@ SCRIPT = """
 import sys
 import numpy as np
 import pointpred.compiled
-from pointpred.observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
-from pointpred.observers.examples import UNMEASURED, two_masses
+from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
+from pointpred_observers.examples import UNMEASURED, two_masses
 
 def answers(seed):
     random = np.random.default_rng(seed)

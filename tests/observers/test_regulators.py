@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     c2d,
@@ -24,7 +24,7 @@ from pointpred.observers import (
     residuals,
     trajectory,
 )
-from pointpred.observers.examples import robotic_arm
+from pointpred_observers.examples import robotic_arm
 
 MASS = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])
 """An inverted pendulum: x'' = sin x + u."""

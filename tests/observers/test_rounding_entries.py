@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.observers import Persidskii, design_reduced_order
-from pointpred.observers.matrices import without_rounding
+from pointpred_observers import Persidskii, design_reduced_order
+from pointpred_observers.matrices import without_rounding
 
 
 def tanks(coupling: float = 0.0) -> Persidskii:

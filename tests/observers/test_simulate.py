@@ -12,7 +12,7 @@ from scipy.linalg import expm
 
 from pointpred import observers as o
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred.observers import trajectories
+from pointpred_observers import trajectories
 from tests.observers import kept_designs as kept
 
 pytest.importorskip("cvxpy")

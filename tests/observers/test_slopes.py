@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers import Persidskii, design_full_order
-from pointpred.observers.documents.files import decoded, encoded
-from pointpred.observers.nonlinearity import KNOWN, value
-from pointpred.observers.slopes import true_slopes
+from pointpred_observers import Persidskii, design_full_order
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.nonlinearity import KNOWN, value
+from pointpred_observers.slopes import true_slopes
 
 
 def plant(f: Any, slopes: Any, domain: float = np.inf) -> Persidskii:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     certify_tracking,

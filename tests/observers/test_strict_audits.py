@@ -14,19 +14,19 @@ import pytest
 from pages.designs.plants import DOORS, KINDS, Problem
 from pointpred.cli.observer_tables import print_audit, print_design, summary
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     audit,
     design_full_order,
     design_reduced_order,
 )
-from pointpred.observers.documents.files import decoded, encoded
-from pointpred.observers.inequalities.affine import Affine
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.proof import Multipliers, reach
-from pointpred.observers.interconnected import design as interconnected
-from pointpred.observers.reduced_order import design as reduced
+from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.inequalities.affine import Affine
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.proof import Multipliers, reach
+from pointpred_observers.interconnected import design as interconnected
+from pointpred_observers.reduced_order import design as reduced
 
 MOTOR = Persidskii(
     [[0.0, 1.0, 0.0], [0.0, -0.5, 4.0], [0.0, -0.2, -8.0]], None, None, "sin", [0.0, 0.0, 2.0], None,

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     SectorBounds,

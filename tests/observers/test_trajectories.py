@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred.observers import SeededSignal, trajectories, trajectory
+from pointpred_observers import SeededSignal, trajectories, trajectory
 
 
 @pytest.mark.parametrize("integrator", ["rk4", "scipy"])

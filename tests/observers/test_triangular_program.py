@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.triangular import program as triangular_program
-from pointpred.observers.triangular.nonzero import prove_nonzero
-from pointpred.observers.triangular.program import ROW, program
+from pointpred_observers.triangular import program as triangular_program
+from pointpred_observers.triangular.nonzero import prove_nonzero
+from pointpred_observers.triangular.program import ROW, program
 
 sp = pytest.importorskip("sympy")
 W1, W2 = W = sp.symbols("w1 w2")

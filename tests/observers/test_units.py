@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import InfeasibleError
-from pointpred.observers import (
+from pointpred_observers import (
     Generator,
     Persidskii,
     certify_convergence,
@@ -16,9 +16,9 @@ from pointpred.observers import (
     design_reduced_order,
     invariant_observer,
 )
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 ARM = ([[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0])
 

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import EventError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
-from pointpred.observers.unknown_input.discrete_gains import gain
+from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers.unknown_input.discrete_gains import gain
 
 NAN = np.nan
 

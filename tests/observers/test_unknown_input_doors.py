@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pointpred.camera import SCENARIOS, camera_box, camera_system, model, simulate
 from pointpred.errors import EventError, InfeasibleError, ParameterError
-from pointpred.observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers.camera import SCENARIOS, camera_box, camera_system, model, simulate
 
 A = np.array([[-1.0, 2.0, 0.0], [0.5, 0.3, 1.0], [0.0, -1.0, -0.4]])
 F = np.array([[1.0], [0.5], [0.0]])

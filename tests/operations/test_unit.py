@@ -13,9 +13,9 @@ import pytest
 from typer.testing import CliRunner
 
 from pointpred.cli.app import app
-from pointpred.server.service import STOP_TOTAL_S
-from pointpred.server.settings import Settings
-from pointpred.server.workers.supervisor import WORKERS_END_S
+from pointpred_server.service import STOP_TOTAL_S
+from pointpred_server.settings import Settings
+from pointpred_server.workers.supervisor import WORKERS_END_S
 from tests.operations.monitoring import DEPLOY
 
 UNIT, ENVIRONMENT = DEPLOY / "pointpred.service", DEPLOY / "pointpred.env"

@@ -10,8 +10,8 @@ import numpy as np
 from pointpred import REGISTRY, build
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
+from pointpred.records import row_at
 from pointpred.registry import GAINS
-from pointpred.rows import row_at
 from pointpred.targets import around, choice_law, decision, posterior, prefetch
 from pointpred.targets.rectangles import table
 from tests.page.movements import movements

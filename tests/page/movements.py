@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 
 def movements(seed: int, *, rate_hz: float = 125.0, count: int = 6) -> FloatArray:

@@ -10,7 +10,7 @@ import pytest
 
 from pointpred import Place, build
 from pointpred.errors import PointpredError
-from pointpred.rows import event_of, prediction_of
+from pointpred.records import event_of, prediction_of
 from pointpred.targets import Chooser, Target
 from tests.page import node
 from tests.page.movements import movements

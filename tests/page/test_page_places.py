@@ -10,7 +10,7 @@ import pytest
 
 from pointpred import Place, build
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.rows import event_of, prediction_of
+from pointpred.records import event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
 from tests.page import node
 from tests.page.test_page_chooser import assert_alike as assert_close

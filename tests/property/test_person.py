@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns, build, run
 from pointpred import person as persons
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.predictors.adaptation import correction as law
 from pointpred.predictors.adaptation import distances, places, time_left
 from pointpred.predictors.adaptation import durations as clock
+from pointpred.records import FloatArray
 from pointpred.stage import Slot
 
 NAME = "kinematic-adaptive"

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns
 from pointpred.differentiators import DIFFERENTIATORS, sampling
-from pointpred.rows import event_row
+from pointpred.records import event_row
 
 NAMES = list(DIFFERENTIATORS)
 INTERVALS = st.sampled_from([0.0, 1e-9, 1e-6, 2.0**-13, 0.001, 0.008, 1 / 60, 0.09, 0.11, 0.31, 5.0])

@@ -11,8 +11,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pointpred import EventColumns
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.recording import Recording, Trial
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import prepare, replay
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
 from tests.scripted import Scripted, pipeline_with

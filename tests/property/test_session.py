@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from pointpred import REGISTRY
 from pointpred.protocol.decoding import ONE_EVENT, decode_server_message
 from pointpred.protocol.server_messages import ErrorMessage, Limits, Score
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
 
 CODES = {1000, 1001, 1008, 1009, 1011, 1013}

@@ -6,10 +6,10 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import EventColumns
 from pointpred.recording import IN_MEMORY
-from pointpred.sources.reading import Cut, Reading
-from pointpred.sources.trials.segmentation import cut, cut_at_clicks, cut_at_pauses, trials_of_stream
+from pointpred.recordings.reading import Cut, Reading
+from pointpred.recordings.segmentation import cut, cut_at_clicks, cut_at_pauses, trials_of_stream
+from pointpred.records import EventColumns
 
 HOWS: tuple[Cut, ...] = ("clicks", "bursts", "whole")
 rows = st.lists(

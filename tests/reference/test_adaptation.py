@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import distances, stages
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
+from pointpred.records import FloatArray
 
 FORGETTING, RIDGE = 0.97, 20.0
 LAWS = [(time, width) for time in (1.5, 12.0) for width in (0.02, 0.08, 0.35)]

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import levels as tracker
 from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels
+from pointpred.records import FloatArray
 
 AT = levels.LEARNED
 SIZE = levels.LEARNED + levels.STATES

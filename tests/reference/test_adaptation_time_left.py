@@ -8,11 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import optimize
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import arrival_intervals as intervals
 from pointpred.predictors.adaptation import time_left
 from pointpred.predictors.adaptation.time_left import TERMS, Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
+from pointpred.records import FloatArray
 
 KEEP, SMALL, JUDGED = 0.98, 0.05, 12
 INTERVALS, MOVEMENT = time_left.LEARNED, time_left.LEARNED + intervals.LEARNED

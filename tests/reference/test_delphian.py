@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, Motion, build
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.predictors import DelphianPredictor, fit_line
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray, MotionColumns
 
 SLOPE, OFFSET = 400.0, 60.0
 PX_PER_M = 96.0 / 0.0254

@@ -8,9 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred import EventColumns, Motion, build, run
-from pointpred.columns import FloatArray
-from pointpred.events import Prediction
 from pointpred.predictors import KinematicEndpointPredictor
+from pointpred.records import FloatArray, Prediction
 
 DIRECTION = np.array([0.6, -0.8])
 

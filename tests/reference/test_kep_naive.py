@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from benchmarks.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
-from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
 from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep
 from pointpred.predictors.kep import quartic
+from pointpred.records import FloatArray
 from pointpred.regression import least_squares
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build
-from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features, history, observation
+from pointpred.records import FloatArray
 
 LAGS = np.array(features.LAGS_S)
 

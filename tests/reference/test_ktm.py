@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, Motion, build, run
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import TemplatePredictor, templates_of
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray
 from tests.reference import naive_ktm
 
 Move = tuple[FloatArray, FloatArray, FloatArray]

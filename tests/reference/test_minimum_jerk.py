@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 from pointpred import EventColumns, Motion, build, run
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors import MinimumJerkPredictor, minimum_jerk
+from pointpred.records import FloatArray, MotionColumns
 
 
 def way(tau: FloatArray) -> FloatArray:

@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.mixtures import contours, density, levels
 from pointpred.mixtures.mixture import LevelSet, Mixture, Part
+from pointpred.records import FloatArray
 from pointpred.regions import reach, region_of
 
 ELSEWHERE = Part(0.4, 500.0, 300.0, (9000.0, 2000.0, 4000.0), 1.2)

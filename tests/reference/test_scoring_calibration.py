@@ -9,9 +9,9 @@ import pytest
 from scipy import integrate, stats
 
 from pointpred import EventColumns, build
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import prepare, replay, score, summarise
 from pointpred.scoring.measures.regions import CLAIMED, INSIDE, RANKED, calibrate, ranked_score
 from tests.scripted import Scripted, pipeline_with

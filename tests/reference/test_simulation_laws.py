@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.simulation import hand, loop, slots
 from pointpred.simulation.validation import (
     ballistic_estimate,

@@ -9,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors.switched import SwitchedPredictor
+from pointpred.records import FloatArray, MotionColumns
 
 
 def motions(t: FloatArray, x: FloatArray, v: FloatArray, a: FloatArray) -> MotionColumns:

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors import SwitchedDirectionPredictor
+from pointpred.records import FloatArray, MotionColumns
 
 PX_M = 2500.0
 ALONE = {"rise": 0.35, "typical_s": 0.05, "own": 1.0, "turn": 0.5, "watched": 1.0, "stopping": 1.0}

@@ -11,12 +11,12 @@ import pytest
 from pages.data import stored
 from pages.differentiators.signals import exact, ramp
 from pages.reproduce.measure import DRAWN, rows_of
-from pointpred.observers import trajectory
-from pointpred.observers.examples import Bioreactor
 from pointpred.reproduction import camera, interconnected, trials
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import Entry, Reproduction, Value
-from pointpred.reproduction.reversed_connection import SNIFFER
+from pointpred_observers import trajectory
+from pointpred_observers.examples import Bioreactor
+from pointpred_observers.reproduction.reversed_connection import SNIFFER
 
 PAPER, COSINE = "(45) as printed, 10 s", "cos for sin in v_z, 63 s"
 TABLE_ROWS = [f"noise {noise} px" for noise in (0, 2, 4, 8)]

@@ -15,8 +15,8 @@ from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.service import Service
-from pointpred.server.sessions.lifecycle import Session
+from pointpred_server.service import Service
+from pointpred_server.sessions.lifecycle import Session
 from tests.server.running import running
 
 FAMILIES = {"1": 16, "2": 11, "3": 7, "4": 10, "5": 20, "6": 145, "7": 37, "9": 54, "10": 1}

@@ -6,9 +6,9 @@ import threading
 from collections import defaultdict
 from collections.abc import Sequence
 
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.compiling.parts import Part
-from pointpred.server.compiling.process import LOW_PRIORITY
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.compiling.parts import Part
+from pointpred_server.compiling.process import LOW_PRIORITY
 
 
 class Awaited(Part):

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from pointpred.live.devtools import Page
-from pointpred.server.recorder.writer import Recorder
+from pointpred.recorder.writer import Recorder
 from tests.server import browser, page_browser
 from tests.server.listener import Listener
 from tests.server.page_browser import Visitor

@@ -113,10 +113,10 @@ def served(folder: Path) -> dict[str, Any]:
     """A session with predictions, recorded to disk; the page, and an upload that is scored."""
     from pointpred import PointerEvent
     from pointpred.client import connect
-    from pointpred.server.access import HostRule
-    from pointpred.server.listening import address, listen, make_server
-    from pointpred.server.service import Service
-    from pointpred.server.settings import Settings
+    from pointpred_server.access import HostRule
+    from pointpred_server.listening import address, listen, make_server
+    from pointpred_server.service import Service
+    from pointpred_server.settings import Settings
 
     opened, up = listen("127.0.0.1", 0), threading.Event()
     server = make_server(HostRule(), Service(Settings(record=folder)), up.set)
@@ -141,7 +141,7 @@ def served(folder: Path) -> dict[str, Any]:
 def scored(file: Path) -> dict[str, Any]:
     """What the command line and the service's upload make of a recording."""
     from pointpred.cli import main
-    from pointpred.server.uploads.recordings import score_body
+    from pointpred_server.uploads.recordings import score_body
 
     target, code = file.with_suffix(".json"), None
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from pointpred.protocol.frames import Frame
-from pointpred.server.connection import Receiver
+from pointpred_server.connection import Receiver
 
 
 class FakeSocket:

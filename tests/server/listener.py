@@ -23,9 +23,9 @@ from websockets.typing import Subprotocol
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.app import CLIENT_MODULE
-from pointpred.server.http_responses import SECURITY_HEADERS
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.app import CLIENT_MODULE
+from pointpred_server.http_responses import SECURITY_HEADERS
+from pointpred_server.sessions.pointing import PointingSession
 
 WEB = Path(__file__).parents[2] / "server" / "web"
 RECORD = np.dtype(

@@ -14,8 +14,8 @@ from pointpred.devices.source import Report
 from pointpred.live.page import status_of
 from pointpred.live.session import LiveSession
 from pointpred.protocol.live_messages import Attached
-from pointpred.server.live_feed import LiveFeed
-from pointpred.server.service import Service
+from pointpred_server.live_feed import LiveFeed
+from pointpred_server.service import Service
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.running import PATIENCE_S, Running, running
 

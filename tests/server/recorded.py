@@ -7,12 +7,12 @@ from collections.abc import Callable
 import numpy as np
 
 from pointpred import build, run
-from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
+from pointpred.recorder.session_recorder import SessionRecorder
+from pointpred.recorder.writer import Recorder
 from pointpred.recording import Recording
-from pointpred.server.recorder.session_recorder import SessionRecorder
-from pointpred.server.recorder.writer import Recorder
+from pointpred.records import EventColumns, PredictionColumns
 
 HELLO = Hello(1, "switched", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
 Opened = Callable[..., Recorder]

@@ -13,12 +13,12 @@ import pytest
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred.server.connection
+import pointpred_server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.access import HostRule
-from pointpred.server.listening import listen, make_server
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred_server.access import HostRule
+from pointpred_server.listening import listen, make_server
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
 PATIENCE_S = 600.0
@@ -69,8 +69,8 @@ def running(
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     patch = pytest.MonkeyPatch()
-    patch.setattr(pointpred.server.connection, "TOGETHER_S", math.inf)
-    patch.setattr(pointpred.server.connection, "BEHIND_S", math.inf)
+    patch.setattr(pointpred_server.connection, "TOGETHER_S", math.inf)
+    patch.setattr(pointpred_server.connection, "BEHIND_S", math.inf)
     try:
         assert up.wait(PATIENCE_S)
         yield Running(service, opened.getsockname()[1], server)

@@ -46,7 +46,7 @@ class Served:
             except (OSError, ValueError):
                 continue
             parent = status.rpartition(")")[2].split()[1]
-            if b"pointpred.server.workers.worker" in line and int(parent) == self.process.pid:
+            if b"pointpred_server.workers.worker" in line and int(parent) == self.process.pid:
                 children.append(int(folder.name))
         return sorted(children)
 

@@ -9,8 +9,8 @@ import urllib.request
 import pytest
 from websockets.exceptions import InvalidStatus
 
-from pointpred.server.access import MOST_ORIGINS, RefusedOrigins, is_origin, origin_advice
-from pointpred.server.settings import Settings
+from pointpred_server.access import MOST_ORIGINS, RefusedOrigins, is_origin, origin_advice
+from pointpred_server.settings import Settings
 from tests.server.running import Running, running
 
 PAGE, OTHER = "https://page.example", "http://127.0.0.1:5173"

@@ -11,9 +11,9 @@ from fastapi.testclient import TestClient
 from pointpred import __version__, build
 from pointpred.datasets import sample
 from pointpred.registry import REGISTRY
-from pointpred.server.access import HostRule
-from pointpred.server.app import create_app
-from pointpred.server.page import WEB
+from pointpred_server.access import HostRule
+from pointpred_server.app import create_app
+from pointpred_server.page import WEB
 
 
 @pytest.fixture(scope="module")

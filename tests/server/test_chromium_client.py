@@ -9,10 +9,10 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.live.devtools import Page
 from pointpred.live.mouse import drive_mouse
 from pointpred.protocol.server_messages import Limits
+from pointpred.records import EventColumns
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

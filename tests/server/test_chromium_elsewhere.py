@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.live.devtools import Page
-from pointpred.server.page import WEB
+from pointpred_server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.pages_elsewhere import page_elsewhere

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 from pointpred import RECOMMENDED, EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.live.devtools import Page
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
+from pointpred.records import FloatArray
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import soon

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pointpred.client import ServiceError, connect, connect_async
 from pointpred.client.session import ClientSession, hello_message
 from pointpred.protocol.server_messages import Limits, Welcome
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 
 Rows = Sequence[tuple[float, float, float]]

@@ -16,10 +16,10 @@ from websockets.exceptions import ConnectionClosed
 
 from pointpred.compiled import COMPILED
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling import compiler as room
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.compiling.order import PartQueue
-from pointpred.server.compiling.parts import (
+from pointpred_server.compiling import compiler as room
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.compiling.order import PartQueue
+from pointpred_server.compiling.parts import (
     ASSISTANCE,
     PIECES,
     TARGETS,
@@ -29,8 +29,8 @@ from pointpred.server.compiling.parts import (
     parts_for,
     predict,
 )
-from pointpred.server.compiling.process import LOW_PRIORITY, CompilerProcess
-from pointpred.server.service import Service
+from pointpred_server.compiling.process import LOW_PRIORITY, CompilerProcess
+from pointpred_server.service import Service
 from tests.server.compiler import Awaited, FakeProcesses
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
@@ -364,8 +364,8 @@ def test_a_session_whose_parts_are_ready_compiles_and_loads_nothing() -> None:
     program = """
 import json
 from numba.core.dispatcher import Dispatcher
-from pointpred.server.compiling.parts import parts_for
-from pointpred.server.compiling.parts import HELLO, parts, reach, run_session
+from pointpred_server.compiling.parts import parts_for
+from pointpred_server.compiling.parts import HELLO, parts, reach, run_session
 known = {part.name: part for part in parts()}
 asked, compile = [], Dispatcher.compile
 def spied(self, signature):

@@ -15,12 +15,12 @@ import pytest
 from httpx2 import get
 
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling import compiler as room
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.compiling.order import PartQueue
-from pointpred.server.compiling.parts import PIECES, TARGETS, Part
-from pointpred.server.compiling.process import LOW_PRIORITY, NICENESS
-from pointpred.server.service import Service
+from pointpred_server.compiling import compiler as room
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.compiling.order import PartQueue
+from pointpred_server.compiling.parts import PIECES, TARGETS, Part
+from pointpred_server.compiling.process import LOW_PRIORITY, NICENESS
+from pointpred_server.service import Service
 from tests.server.compiler import Awaited, FakeProcesses
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
@@ -172,7 +172,7 @@ def test_what_failed_is_not_among_the_ready() -> None:
 def test_a_process_of_a_nice_service_stays_as_nice_as_it_is() -> None:
     most = NICENESS + 4
     more = most - os.nice(0)
-    command = ["nice", "-n", str(more), sys.executable, "-m", "pointpred.server.compiling.process"]
+    command = ["nice", "-n", str(more), sys.executable, "-m", "pointpred_server.compiling.process"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdin is not None
         assert process.stdout is not None

@@ -18,8 +18,8 @@ import pytest
 
 from benchmarks.longest_messages import targets
 from pointpred.protocol.frames import Frame
-from pointpred.server.connection import Violation
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.connection import Violation
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from fastapi.testclient import TestClient
 
-from pointpred.server.app import create_app
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred_server.app import create_app
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 SECRET = "7315.25"
 HERE = "http://127.0.0.1:8765"
@@ -90,7 +90,7 @@ def test_what_breaks_is_500_in_the_shape_of_errors_without_its_words(
     def broken() -> None:
         raise RuntimeError(f"at {SECRET}")
 
-    monkeypatch.setattr("pointpred.server.samples.listing", broken)
+    monkeypatch.setattr("pointpred_server.samples.listing", broken)
     client = TestClient(create_app(), base_url=HERE, raise_server_exceptions=False)
     answer = client.get("/v1/samples")
     assert answer.status_code == 500

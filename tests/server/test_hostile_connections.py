@@ -15,9 +15,9 @@ from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointpred.registry import RECOMMENDED
-from pointpred.server.connection import FRAMES
-from pointpred.server.endpoints import StreamEndpoint
-from pointpred.server.service import Service
+from pointpred_server.connection import FRAMES
+from pointpred_server.endpoints import StreamEndpoint
+from pointpred_server.service import Service
 from tests.server.compiler import FakeProcesses
 from tests.server.fake_socket import FakeSocket
 from tests.server.listener import soon
@@ -143,7 +143,7 @@ WHOLE = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 
 @pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2]])
 def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.http_protocol.HEADER_S", 0.3)
+    monkeypatch.setattr("pointpred_server.http_protocol.HEADER_S", 0.3)
     with running() as here, half(here, sent) as opened:
         ends(here, opened)
 
@@ -154,7 +154,7 @@ def test_an_incomplete_second_header_closes_the_connection(
     with running() as here, half(here, WHOLE) as opened:
         healthy(opened)
         # Not before: the first answer takes its time, and so may what comes of the first header.
-        monkeypatch.setattr("pointpred.server.http_protocol.HEADER_S", 0.3)
+        monkeypatch.setattr("pointpred_server.http_protocol.HEADER_S", 0.3)
         opened.sendall(b"GET / HTT")
         ends(here, opened)
 
@@ -188,7 +188,7 @@ def test_the_header_timer_spares_later_requests_and_sessions(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(
-        "pointpred.server.http_protocol.HEADER_S", 2.0
+        "pointpred_server.http_protocol.HEADER_S", 2.0
     )  # a first header may take a while, too
     with running() as here, here.greeted() as socket, half(here, WHOLE) as opened:
         healthy(opened)
@@ -223,7 +223,7 @@ def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitt
 def test_an_endless_upload_is_cancelled_when_the_service_stops(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
+    monkeypatch.setattr("pointpred_server.listening.REQUESTS_END_S", 1)
     head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
     with running() as here:
         opened = half(here, head)
@@ -241,12 +241,12 @@ def test_an_address_of_another_machine_has_a_share_of_the_sessions(monkeypatch: 
                 others.enter_context(here.greeted())  # this machine has no share of its own
             soon(lambda: here.service.full, "every session is open")
         soon(lambda: not here.service._open, "they are over")
-        monkeypatch.setattr("pointpred.server.endpoints._address", lambda scope: "192.0.2.7")
+        monkeypatch.setattr("pointpred_server.endpoints._address", lambda scope: "192.0.2.7")
         with here.greeted(), here.greeted():
             with here.connect() as socket:
                 error = json.loads(socket.recv(PATIENCE_S))
                 assert (error["code"], error["message"][:2]) == ("too_many", "2 ")
-            monkeypatch.setattr("pointpred.server.endpoints._address", lambda scope: "192.0.2.8")
+            monkeypatch.setattr("pointpred_server.endpoints._address", lambda scope: "192.0.2.8")
             with here.greeted():
                 pass
         soon(lambda: not here.service._open, "they are over")

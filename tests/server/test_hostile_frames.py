@@ -12,8 +12,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.websocket_protocol
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+import pointpred_server.websocket_protocol
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -64,7 +64,7 @@ def test_is_told_why_and_closed_while_others_go_on(
     frames: bytes, code: str, close: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        pointpred.server.websocket_protocol, "LINGER_S", PATIENCE_S
+        pointpred_server.websocket_protocol, "LINGER_S", PATIENCE_S
     )  # nobody is cut for being slow
     with running() as here, here.greeted() as other:
         with here.greeted() as socket:
@@ -121,8 +121,8 @@ def test_others_have_their_turn_after_64_pieces(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pointpred.server.websocket_protocol, "CONTROL_FRAMES_PER_S", 10**9)
-    monkeypatch.setattr(pointpred.server.websocket_protocol, "READ_BYTES", 131)  # as if each had come alone
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "CONTROL_FRAMES_PER_S", 10**9)
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "READ_BYTES", 131)  # as if each had come alone
     with running() as here, socket_module.socket() as mute:
         mute.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_RCVBUF, 4096)
         mute.connect(("127.0.0.1", here.port))

@@ -10,7 +10,7 @@ import pytest
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from websockets.frames import Frame, Opcode
 
-from pointpred.server.http_protocol import CHUNKS, HEADER_LINES, PIECE_BYTES
+from pointpred_server.http_protocol import CHUNKS, HEADER_LINES, PIECE_BYTES
 from tests.server.listener import soon
 from tests.server.running import HELLO, running
 from tests.server.test_hostile_connections import half, refused
@@ -45,7 +45,7 @@ def test_what_costs_the_parser_much_is_refused(
         keep(self, name, value)
 
     monkeypatch.setattr(HttpToolsProtocol, "on_header", counted)
-    monkeypatch.setattr("pointpred.server.http_protocol.DRAIN_S", 0.3)
+    monkeypatch.setattr("pointpred_server.http_protocol.DRAIN_S", 0.3)
     with running(token=token) as here, half(here, sent) as opened:
         heard = answer(opened)
         assert b"HTTP/1.1 %d " % status in heard

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.server.recorder.files import SessionFiles
-from pointpred.server.recorder.recordings import delete, listing
-from pointpred.server.recorder.writer import Recorder
+from pointpred.recorder.files import SessionFiles
+from pointpred.recorder.recordings import delete, listing
+from pointpred.recorder.writer import Recorder
 from tests.server.listener import soon
 from tests.server.recorded import begin
 from tests.server.running import PATIENCE_S, running
@@ -78,7 +78,7 @@ def test_an_error_of_no_file_is_told_by_its_place(
     def broken(*rows: object) -> bytes:
         raise ValueError("at 7315.25")
 
-    monkeypatch.setattr("pointpred.server.recorder.session_recorder.sample_rows", broken)
+    monkeypatch.setattr("pointpred.recorder.session_recorder.sample_rows", broken)
     with running(record=tmp_path / "kept") as here, here.greeted() as socket:
         socket.send(event(1.0))
         assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0

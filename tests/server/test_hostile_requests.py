@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 from pointpred.protocol.client_messages import Hello
-from pointpred.server.access import usual_address as usual
-from pointpred.server.recorder.writer import Recorder
-from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S, RequestRates
+from pointpred.recorder.writer import Recorder
+from pointpred_server.access import usual_address as usual
+from pointpred_server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S, RequestRates
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_hostile_connections import half, refused
@@ -88,13 +88,13 @@ def test_a_long_header_is_refused_before_the_token_is_looked_at_and_says_so(
 
 
 def test_an_upgrade_that_the_application_does_not_answer_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.websocket_protocol.UPGRADE_S", 0.2)
+    monkeypatch.setattr("pointpred_server.websocket_protocol.UPGRADE_S", 0.2)
 
     async def silent(*arguments: object) -> None:
         await asyncio.Event().wait()
 
-    monkeypatch.setattr("pointpred.server.endpoints.StreamEndpoint._admit", silent)
-    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
+    monkeypatch.setattr("pointpred_server.endpoints.StreamEndpoint._admit", silent)
+    monkeypatch.setattr("pointpred_server.listening.REQUESTS_END_S", 1)
     with running() as here, half(here, LINE + UPGRADE + b"\r\n") as opened:
         assert not answer_or_reset(opened)
         soon(lambda: not here.server.server_state.connections, "it is closed")
@@ -108,7 +108,7 @@ def answer_or_reset(opened: socket_module.socket) -> bytes:
 
 
 def test_a_body_that_nobody_asked_for_is_not_read_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.http_protocol.BODY_BYTES", 2**20)
+    monkeypatch.setattr("pointpred_server.http_protocol.BODY_BYTES", 2**20)
     head = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 100000000\r\n\r\n"
     with running() as here, half(here, head) as opened:
         with pytest.raises((ConnectionResetError, BrokenPipeError)):
@@ -197,8 +197,8 @@ def test_writing_recordings_may_take_what_a_client_that_hangs_has_left_of_the_ti
         return close(self)
 
     monkeypatch.setattr(Recorder, "close", measured)
-    monkeypatch.setattr("pointpred.server.service.STOP_TOTAL_S", 0.3)
-    monkeypatch.setattr("pointpred.server.listening.REQUESTS_END_S", 1)
+    monkeypatch.setattr("pointpred_server.service.STOP_TOTAL_S", 0.3)
+    monkeypatch.setattr("pointpred_server.listening.REQUESTS_END_S", 1)
     with running(record=tmp_path) as here:
         opened = half(here, LINE + UPGRADE + b"\r\n")
         assert opened.recv(4096).startswith(b"HTTP/1.1 101 ")
@@ -221,7 +221,7 @@ def reading_slowly(here: Running, sent: bytes, held: int = 4096) -> socket_modul
 
 @pytest.mark.parametrize("sent", [FILE * 10, FILE * 2 + b"GET / HTT"], ids=["ten files", "half a request"])
 def test_a_client_that_reads_no_response_is_cut(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.3)
+    monkeypatch.setattr("pointpred_server.http_protocol.UNREAD_S", 0.3)
     with running() as here, reading_slowly(here, sent):
         soon(lambda: refused(here, "slow") == 1.0, "it is noticed")
         soon(lambda: not here.server.server_state.connections, "it is closed")
@@ -241,8 +241,8 @@ def test_a_response_that_was_left_unread_when_its_connection_closed_is_cut(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The response has been written, and the part that the kernel did not take is small."""
-    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.3)
-    monkeypatch.setattr("pointpred.server.app.CLIENT_MODULE", "/" * 500_000)
+    monkeypatch.setattr("pointpred_server.http_protocol.UNREAD_S", 0.3)
+    monkeypatch.setattr("pointpred_server.app.CLIENT_MODULE", "/" * 500_000)
     request = b"GET /pointpred.js HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
     with running() as here, reading_slowly(here, request):
         soon(lambda: refused(here, "slow") == 1.0, "it is noticed")
@@ -250,8 +250,8 @@ def test_a_response_that_was_left_unread_when_its_connection_closed_is_cut(
 
 
 def test_a_client_that_reads_slowly_gets_its_response(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.8)
-    monkeypatch.setattr("pointpred.server.app.CLIENT_MODULE", "/" * 1_000_000)
+    monkeypatch.setattr("pointpred_server.http_protocol.UNREAD_S", 0.8)
+    monkeypatch.setattr("pointpred_server.app.CLIENT_MODULE", "/" * 1_000_000)
     request = b"GET /pointpred.js HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
     with running() as here, reading_slowly(here, request, 2**17) as opened:
         heard = 0
@@ -273,7 +273,7 @@ def test_a_websocket_is_not_opened_before_an_earlier_response_has_been_read() ->
 
 def test_a_websocket_is_not_opened_while_the_client_reads_no_refusal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its session would never learn that what it sends is not read; the response itself is complete."""
-    monkeypatch.setattr("pointpred.server.access.HOST_REFUSED", b"x" * 8_000_000)
+    monkeypatch.setattr("pointpred_server.access.HOST_REFUSED", b"x" * 8_000_000)
     foreign = b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n"
     with running() as here, reading_slowly(here, foreign) as opened:
         connections = here.server.server_state.connections
@@ -296,9 +296,9 @@ def test_a_websocket_is_not_opened_while_the_client_reads_no_refusal(monkeypatch
 def test_requests_of_another_machine_are_limited(
     address: str, settings: dict[str, Any], answered: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pointpred.server.http_protocol.usual_address", lambda client: usual((address, 1)))
-    monkeypatch.setattr("pointpred.server.request_rates.REQUESTS_AT_ONCE", 3)
-    monkeypatch.setattr("pointpred.server.request_rates.REQUESTS_PER_S", 1e-6)
+    monkeypatch.setattr("pointpred_server.http_protocol.usual_address", lambda client: usual((address, 1)))
+    monkeypatch.setattr("pointpred_server.request_rates.REQUESTS_AT_ONCE", 3)
+    monkeypatch.setattr("pointpred_server.request_rates.REQUESTS_PER_S", 1e-6)
     request = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
     heard = []
     with running(**settings) as here:

@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.connection
+import pointpred_server.connection
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, PATIENCE_S, running
 
@@ -38,7 +38,7 @@ def test_a_burst_within_the_limits_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        pointpred.server.connection, "STUCK_S", PATIENCE_S
+        pointpred_server.connection, "STUCK_S", PATIENCE_S
     )  # it reads only when all is taken in
     with running(max_events_per_s=10**6) as here, here.greeted(PACKED, max_queue=1) as socket:
         for frame in range(60):

@@ -21,12 +21,12 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from pointpred.cli.serve import serve
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read, write
+from pointpred.records import EventColumns
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
-from pointpred.server.settings import Settings
-from pointpred.sources import read, write
+from pointpred_server.settings import Settings
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.soak.client import upgrade
 from benchmarks.soak.frames import CLOSE, PING, TEXT, frame, split
-from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 EVENT = b'{"type":"events","events":[[%d.0,1.0,2.0,null,null,0]]}'

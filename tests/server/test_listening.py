@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import pytest
 
 from pointpred.errors import SourceError
-from pointpred.server.listening import address, listen
+from pointpred_server.listening import address, listen
 from tests.server.running import PATIENCE_S
 
 

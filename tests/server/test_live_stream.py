@@ -16,11 +16,11 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred.server.connection
+import pointpred_server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.live_messages import Curve
-from pointpred.server.live_feed import MOST_WAITING
 from pointpred.transfer import TransferLearner
+from pointpred_server.live_feed import MOST_WAITING
 from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached
 from tests.server.running import PATIENCE_S, Running, running
@@ -140,7 +140,7 @@ def test_a_viewer_that_says_too_much_is_sent_away(
     frame: str, count: int, code: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # So few that however slowly the machine sends and reads them, it is faster.
-    monkeypatch.setattr("pointpred.server.sessions.quota.MESSAGES_PER_S", 5)
+    monkeypatch.setattr("pointpred_server.sessions.quota.MESSAGES_PER_S", 5)
     with attached() as (here, _), look(here) as socket:
         with suppress(ConnectionClosed):
             for _ in range(count):
@@ -166,7 +166,7 @@ def test_viewers_count_as_sessions() -> None:
 def test_a_viewer_that_does_not_read_gets_the_newest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred_server.connection, "STUCK_S", PATIENCE_S)
     moves = count()
     with attached() as (here, made), look(here, max_queue=1) as socket:
         hear(socket, "status")

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 from httpx2 import get
 
-from pointpred.server.logs import JsonLines, PlainLines, set_up
-from pointpred.server.metrics import BUCKETS
-from pointpred.server.recorder.writer import Recorder
+from pointpred.recorder.writer import Recorder
+from pointpred_server.logs import JsonLines, PlainLines, set_up
+from pointpred_server.metrics import BUCKETS
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -50,7 +50,7 @@ def test_what_the_recorder_lost_and_where_it_failed_is_counted(
         )
 
     kept = partial(Recorder, write=full)
-    monkeypatch.setattr("pointpred.server.service.Recorder", kept)
+    monkeypatch.setattr("pointpred_server.service.Recorder", kept)
     with running(record=tmp_path / "kept") as here, here.greeted() as socket:
         for t in range(3):
             socket.send(f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}')

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from pointpred.server.app import create_app
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred_server.app import create_app
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 HERE = "http://127.0.0.1:8765"
 COMMITTED = Path(__file__).parents[2] / "docs" / "reference" / "openapi.json"

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.server.page import WEB
+from pointpred_server.page import WEB
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 

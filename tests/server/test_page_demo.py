@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.server.demo import MOVEMENTS, write_demo
+from pointpred_server.demo import MOVEMENTS, write_demo
 from tests.hosts import file_host
 from tests.server import browser
 from tests.server.page_browser import Visitor

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.server.page import WEB
+from pointpred_server.page import WEB
 from tests.hosts import Silent, host
 from tests.server import browser, page_browser
 

@@ -11,7 +11,7 @@ import pytest
 
 from pointpred import EventColumns, build, client, run
 from pointpred.client import ServiceError
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S, running
 

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 import pointpred
-from pointpred.server import listening
-from pointpred.server.listening import listen
-from pointpred.sources.files.names import file_names
+from pointpred.recordings.conversion import file_names
+from pointpred_server import listening
+from pointpred_server.listening import listen
 from tests.server import elsewhere
 
 DEVICES = {"con", "prn", "aux", "nul"} | {f"{port}{n}" for port in ("com", "lpt") for n in range(10)}

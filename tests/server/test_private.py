@@ -25,7 +25,7 @@ SECRETS = ("7315.25", "8264.75", "made-up-name", TOKEN, "open%2Dsesame", "sesame
 """Where somebody pointed, and when; what they called things; and the token, as text and in addresses."""
 FAILING = """
 import sys
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 real = PointingSession.receive
 def receive(self, frame, now):
     if frame == '{"type":"reset"}':

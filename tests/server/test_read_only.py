@@ -15,9 +15,9 @@ from httpx2 import get, post
 
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
-from pointpred.server.service import Service
-from pointpred.server.uploads.recordings import score_body
-from pointpred.sources import write
+from pointpred.recordings import write
+from pointpred_server.service import Service
+from pointpred_server.uploads.recordings import score_body
 from tests.server.running import PATIENCE_S, running
 
 CSV = b"user,trial,t_s,x_px,y_px\n" + b"".join(

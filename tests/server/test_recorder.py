@@ -11,14 +11,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
+from pointpred.recorder.recordings import listing
+from pointpred.recorder.writer import Recorder
 from pointpred.recording import Recording
+from pointpred.recordings import read, read_any
+from pointpred.records import EventColumns
 from pointpred.scoring import score
-from pointpred.server.recorder.recordings import listing
-from pointpred.server.recorder.writer import Recorder
-from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 
 BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)

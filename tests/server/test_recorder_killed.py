@@ -22,8 +22,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
 from pointpred.protocol.packed import EVENT
-from pointpred.server.recorder.recordings import listing
-from pointpred.sources import read
+from pointpred.recorder.recordings import listing
+from pointpred.recordings import read
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S
 

@@ -15,7 +15,7 @@ from websockets.typing import Subprotocol
 from pointpred import EventColumns, Prediction, Region, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
-from pointpred.server.live_feed import frames_of
+from pointpred_server.live_feed import frames_of
 from tests.server import browser
 from tests.server.page_browser import Visitor
 from tests.server.running import PATIENCE_S

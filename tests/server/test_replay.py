@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred import recordings as own
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
@@ -21,8 +22,7 @@ from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.sources.own import recordings as own
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

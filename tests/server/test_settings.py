@@ -9,8 +9,8 @@ import sys
 import pytest
 from pydantic import ValidationError
 
-from pointpred.server.access import HostRule
-from pointpred.server.settings import Settings
+from pointpred_server.access import HostRule
+from pointpred_server.settings import Settings
 from tests.server.running import PATIENCE_S
 
 

@@ -17,7 +17,7 @@ import pytest
 
 from pointpred.cli.service_start import ServiceStart, changed_settings
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.settings import Settings
+from pointpred_server.settings import Settings
 from tests.server.compiler import FakeProcesses
 from tests.server.running import PATIENCE_S
 

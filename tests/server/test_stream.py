@@ -13,7 +13,7 @@ from httpx2 import get
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection
 
-from pointpred.server.sessions.quota import MESSAGES_PER_S
+from pointpred_server.sessions.quota import MESSAGES_PER_S
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
@@ -141,7 +141,7 @@ def test_a_flood_of_other_messages_ends_the_session_with_1008(
     service: Running, message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Fewer than the slowest machine takes in: it is the sixth message of a second that ends a session.
-    monkeypatch.setattr("pointpred.server.sessions.quota.MESSAGES_PER_S", 5)
+    monkeypatch.setattr("pointpred_server.sessions.quota.MESSAGES_PER_S", 5)
     with service.greeted() as other, service.greeted() as socket:
         with suppress(ConnectionClosed):  # it may hear the end before it has said everything
             for _ in range(5 * MESSAGES_PER_S):

@@ -16,16 +16,16 @@ from websockets.exceptions import ConnectionClosed
 from websockets.frames import Opcode
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.connection
-import pointpred.server.websocket_protocol
+import pointpred_server.connection
+import pointpred_server.websocket_protocol
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
-from pointpred.server import listening
-from pointpred.server.arrivals import Arrivals
-from pointpred.server.connection import Connection
-from pointpred.server.logs import JsonLines, PlainLines
-from pointpred.server.sessions.lifecycle import Close
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server import listening
+from pointpred_server.arrivals import Arrivals
+from pointpred_server.connection import Connection
+from pointpred_server.logs import JsonLines, PlainLines
+from pointpred_server.sessions.lifecycle import Close
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
@@ -91,9 +91,9 @@ def test_what_breaks_in_a_session_ends_that_session_only(
 
 def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its session ends as too slow, and its connection with it, although it stays open on its side."""
-    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 1.0)
-    monkeypatch.setattr(pointpred.server.connection, "GRACE_S", 1.0)
-    monkeypatch.setattr(pointpred.server.websocket_protocol, "LINGER_S", 0.5)
+    monkeypatch.setattr(pointpred_server.connection, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred_server.connection, "GRACE_S", 1.0)
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "LINGER_S", 0.5)
     with running(max_events_per_s=10**8) as here:
         with here.greeted(EACH, max_queue=1, close_timeout=0.1) as silent:
             with suppress(ConnectionClosed):  # it may be cut before it has said everything
@@ -110,9 +110,9 @@ def test_a_slow_reader_goes_on_and_a_stuck_one_is_ended(
     monkeypatch: pytest.MonkeyPatch, each_s: float, close: int | None
 ) -> None:
     """Something always waits to be sent, far longer than a client may be stuck."""
-    monkeypatch.setattr(pointpred.server.connection, "TICK_S", 0.1)
-    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 0.5)
-    monkeypatch.setattr(pointpred.server.connection, "GRACE_S", 0.3)
+    monkeypatch.setattr(pointpred_server.connection, "TICK_S", 0.1)
+    monkeypatch.setattr(pointpred_server.connection, "STUCK_S", 0.5)
+    monkeypatch.setattr(pointpred_server.connection, "GRACE_S", 0.3)
 
     async def talk() -> Close | None:
         loop = asyncio.get_running_loop()
@@ -242,7 +242,7 @@ def test_text_that_is_not_utf8_ends_that_connection_only() -> None:
 
 
 def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.sessions.lifecycle.HELLO_S", 0.5)
+    monkeypatch.setattr("pointpred_server.sessions.lifecycle.HELLO_S", 0.5)
     with running() as here, here.connect() as socket:
         answer = told(socket)
         assert (answer["code"], answer["recoverable"]) == ("idle", False)
@@ -270,7 +270,7 @@ def test_a_slow_client_that_still_sends_gets_the_bye(
     """Closing at once would reset the connection, and what was said last would be lost."""
     assert listening.CLOSE_S > 1.5  # the second that follows, and some
     monkeypatch.setattr(listening, "CLOSE_S", PATIENCE_S)  # that second may last longer on a busy machine
-    monkeypatch.setattr(pointpred.server.websocket_protocol, "LINGER_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "LINGER_S", PATIENCE_S)
     with running() as here, socket_module.create_connection(("127.0.0.1", here.port)) as plain:
         key = "AAAAAAAAAAAAAAAAAAAAAA=="
         plain.sendall(

@@ -10,10 +10,10 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.sessions.trials
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.compiling.parts import predict, score_trial
-from pointpred.server.service import Service
+import pointpred_server.sessions.trials
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.compiling.parts import predict, score_trial
+from pointpred_server.service import Service
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -41,7 +41,7 @@ class Held:
 
 @pytest.fixture
 def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
-    here, real = Held(), pointpred.server.sessions.trials.prepare
+    here, real = Held(), pointpred_server.sessions.trials.prepare
 
     def slow(*arguments: object, **options: object) -> object:
         here.begun.set()
@@ -52,8 +52,8 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 
     predict("switched")  # here, where nobody waits for the compiler
     score_trial()
-    monkeypatch.setattr("pointpred.server.listening.CLOSE_S", PATIENCE_S)
-    monkeypatch.setattr(pointpred.server.sessions.trials, "prepare", slow)
+    monkeypatch.setattr("pointpred_server.listening.CLOSE_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred_server.sessions.trials, "prepare", slow)
     yield here
     here.go.set()
 

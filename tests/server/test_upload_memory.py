@@ -15,8 +15,8 @@ import pytest
 LITTLE_MEMORY = """
 import resource, sys
 import pyarrow
-from pointpred.server.uploads import process
-from pointpred.server.uploads.answers import answer
+from pointpred_server.uploads import process
+from pointpred_server.uploads.answers import answer
 
 pyarrow.set_cpu_count(1)
 pyarrow.set_io_thread_count(1)

@@ -21,13 +21,13 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
-from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.uploads import limits, process, receiving, recordings
-from pointpred.server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
-from pointpred.server.uploads.process import UploadProcess
-from pointpred.server.uploads.receiving import UploadError
-from pointpred.server.uploads.recordings import score_body
-from pointpred.sources import Reading
+from pointpred.recordings import Reading
+from pointpred_server.compiling.compiler import Compiler
+from pointpred_server.uploads import limits, process, receiving, recordings
+from pointpred_server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
+from pointpred_server.uploads.process import UploadProcess
+from pointpred_server.uploads.receiving import UploadError
+from pointpred_server.uploads.recordings import score_body
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -272,10 +272,10 @@ def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
     with running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
         stop_process(here)
-        monkeypatch.setattr("pointpred.server.uploads.process.SCORE_S", 0.2)
+        monkeypatch.setattr("pointpred_server.uploads.process.SCORE_S", 0.2)
         message = refused(post(f"{here.url}/v1/recording", **options), 413, "too_large")
         assert "pointpred score" in message
-        monkeypatch.setattr("pointpred.server.uploads.process.SCORE_S", PATIENCE_S)
+        monkeypatch.setattr("pointpred_server.uploads.process.SCORE_S", PATIENCE_S)
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
 
 
@@ -292,7 +292,7 @@ def test_a_process_that_somebody_killed_is_not_the_fault_of_the_recording() -> N
 
 def test_what_takes_more_memory_than_allowed_is_refused() -> None:
     lines = (
-        "import sys; from pointpred.server.uploads import process\n"
+        "import sys; from pointpred_server.uploads import process\n"
         "process.MEMORY_BYTES = 2**26; process._bound_memory(); bytearray(2**27)"
     )
     done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=False)
@@ -300,7 +300,7 @@ def test_what_takes_more_memory_than_allowed_is_refused() -> None:
 
 
 OUT_OF_MEMORY = """
-from pointpred.server.uploads import answers, process
+from pointpred_server.uploads import answers, process
 
 def run_out(*arguments):
     raise MemoryError
@@ -317,7 +317,7 @@ def test_after_a_recording_for_which_memory_ran_out_another_process_takes_the_ne
         options = {"content": CSV, "timeout": PATIENCE_S}
         with monkeypatch.context() as patch:
             command = [sys.executable, "-c", OUT_OF_MEMORY]
-            patch.setattr("pointpred.server.uploads.process.command", lambda module: command)
+            patch.setattr("pointpred_server.uploads.process.command", lambda module: command)
             refused(post(f"{here.url}/v1/recording", **options), 413, "too_large")
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
 

@@ -12,9 +12,9 @@ import pytest
 
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.arrivals import Arrivals
-from pointpred.server.connection import Connection
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.arrivals import Arrivals
+from pointpred_server.connection import Connection
+from pointpred_server.sessions.pointing import PointingSession
 from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 
@@ -86,8 +86,8 @@ class Late(Arrivals):
 def test_only_frames_that_have_waited_are_used_as_one(
     together_s: float, answers: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pointpred.server.connection.TOGETHER_S", together_s)
-    monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
+    monkeypatch.setattr("pointpred_server.connection.TOGETHER_S", together_s)
+    monkeypatch.setattr("pointpred_server.connection.TURN_S", 60.0)
     session, socket, delays = asyncio.run(overloaded(Late(), rounds=1))
     predicted = [frame for frame in socket.written if '"prediction"' in str(frame)]
     assert len(predicted) == len(delays) == answers
@@ -98,8 +98,8 @@ def test_only_frames_that_have_waited_are_used_as_one(
 def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
-    monkeypatch.setattr("pointpred.server.connection.COSTLY_S", 60.0)
+    monkeypatch.setattr("pointpred_server.connection.TURN_S", 60.0)
+    monkeypatch.setattr("pointpred_server.connection.COSTLY_S", 60.0)
     _, socket, delays = asyncio.run(overloaded(Late(), rounds=50))
     errors = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
     assert len(delays) == 50
@@ -133,7 +133,7 @@ def test_others_have_their_turn_between_frames_that_take_long(
     together: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ticks = itertools.count()
-    monkeypatch.setattr("pointpred.server.connection.perf_counter", lambda: 1e-3 * next(ticks))
+    monkeypatch.setattr("pointpred_server.connection.perf_counter", lambda: 1e-3 * next(ticks))
     used = asyncio.run(taken_in_turns(60, together=together))
     assert used[-1] == 60
     assert len(set(used)) >= 20

@@ -14,12 +14,12 @@ import pytest
 from benchmarks.longest_messages import packed, targets
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.arrivals import Arrivals
-from pointpred.server.connection import Connection
-from pointpred.server.sessions.costs import SLICE_S
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.sessions.work import Completion, Work
-from pointpred.server.work_threads import WorkThreads
+from pointpred_server.arrivals import Arrivals
+from pointpred_server.connection import Connection
+from pointpred_server.sessions.costs import SLICE_S
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.sessions.work import Completion, Work
+from pointpred_server.work_threads import WorkThreads
 from tests.server.fake_socket import FakeSocket
 from tests.server.running import PATIENCE_S
 from tests.unit.talking import Talk, hello
@@ -102,10 +102,10 @@ def test_work_that_fails_says_so_and_the_next_goes_on() -> None:
     ],
 )
 def test_slices_change_no_answer(many: int, more: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.sessions.pointing.AT_ONCE_S", 0.0)
+    monkeypatch.setattr("pointpred_server.sessions.pointing.AT_ONCE_S", 0.0)
     heard = []
     for slice_s in (1e-4, 1e3):
-        monkeypatch.setattr("pointpred.server.sessions.costs.SLICE_S", slice_s)
+        monkeypatch.setattr("pointpred_server.sessions.costs.SLICE_S", slice_s)
         talk = Talk(greet=hello(**{"predictor": "kinematic", **more}))
         talk.say(targets(many, width=30, height=30))
         answers, slices = [], 0

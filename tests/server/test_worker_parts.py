@@ -19,18 +19,18 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from pointpred.cli import live
 from pointpred.cli.serve import serve
 from pointpred.errors import ParameterError, SourceError
-from pointpred.server.compiling.alone import compiling_alone
-from pointpred.server.compiling.parts import Part
-from pointpred.server.listening import listen
-from pointpred.server.settings import Settings
-from pointpred.server.workers import restarts
-from pointpred.server.workers import supervisor as supervisor_module
-from pointpred.server.workers.counts import WorkerCounts
-from pointpred.server.workers.dispatcher import Dispatcher
-from pointpred.server.workers.families import Family, ServiceFamilies, families_of, text_of
-from pointpred.server.workers.process import WorkerProcess
-from pointpred.server.workers.supervisor import Supervisor
-from pointpred.server.workers.worker import OtherWorkers
+from pointpred_server.compiling.alone import compiling_alone
+from pointpred_server.compiling.parts import Part
+from pointpred_server.listening import listen
+from pointpred_server.settings import Settings
+from pointpred_server.workers import restarts
+from pointpred_server.workers import supervisor as supervisor_module
+from pointpred_server.workers.counts import WorkerCounts
+from pointpred_server.workers.dispatcher import Dispatcher
+from pointpred_server.workers.families import Family, ServiceFamilies, families_of, text_of
+from pointpred_server.workers.process import WorkerProcess
+from pointpred_server.workers.supervisor import Supervisor
+from pointpred_server.workers.worker import OtherWorkers
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -244,8 +244,8 @@ def test_a_device_is_served_by_one_process(monkeypatch: pytest.MonkeyPatch) -> N
 HOLDER = """
 import sys, numba, pathlib
 from types import SimpleNamespace
-from pointpred.server.compiling.alone import compiling_alone
-from pointpred.server.compiling.parts import Part
+from pointpred_server.compiling.alone import compiling_alone
+from pointpred_server.compiling.parts import Part
 law = SimpleNamespace(stats=SimpleNamespace(cache_path=sys.argv[1]))
 with compiling_alone(Part("any", lambda: None, (law,))):
     print("held", flush=True)
@@ -304,7 +304,7 @@ def test_workers_that_somebody_stops_are_no_failures() -> None:
 def test_metrics_of_workers_that_do_not_come_are_refused_and_not_waited_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("pointpred.server.workers.worker.METRICS_S", 0.1)
+    monkeypatch.setattr("pointpred_server.workers.worker.METRICS_S", 0.1)
     peers = OtherWorkers(0, WorkerCounts(1, 1))
     near, far = socket.socketpair()
     with near, far, running(lambda service: setattr(service, "peers", peers)) as here:
@@ -321,7 +321,7 @@ def test_metrics_of_workers_that_do_not_come_are_refused_and_not_waited_for(
         peers.ask = cast(asyncio.StreamWriter, Slow())
         answer = get(f"{here.url}/metrics", timeout=PATIENCE_S)
         assert (answer.status_code, answer.json()["code"]) == (503, "slow")
-        monkeypatch.setattr("pointpred.server.workers.worker.METRICS_S", PATIENCE_S)
+        monkeypatch.setattr("pointpred_server.workers.worker.METRICS_S", PATIENCE_S)
         with ThreadPoolExecutor(1) as other:
             asked = other.submit(get, f"{here.url}/metrics", timeout=PATIENCE_S)
             far.settimeout(PATIENCE_S)

@@ -22,10 +22,10 @@ from pointpred.client import Connection, ServiceError, connect
 from pointpred.datasets import sample
 from pointpred.errors import SourceError
 from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.recorder.recordings import listing
 from pointpred.registry import RECOMMENDED
-from pointpred.server.recorder.recordings import listing
-from pointpred.server.workers.dispatcher import NO_FILES_S
-from pointpred.server.workers.supervisor import SILENT_S
+from pointpred_server.workers.dispatcher import NO_FILES_S
+from pointpred_server.workers.supervisor import SILENT_S
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S
 from tests.server.serving_workers import Served, served

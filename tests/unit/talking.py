@@ -8,7 +8,7 @@ from struct import Struct
 from typing import Any
 
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 EVENT = Struct("<dddhhH")
 PREDICTION = Struct("<dddddddBd")

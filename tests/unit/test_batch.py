@@ -21,14 +21,14 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
+from pointpred.recordings import StoredRecording, read, write, write_in_parts
+from pointpred.recordings.stored import stored
 from pointpred.scoring import chunks as batch
 from pointpred.scoring import score, summarise
 from pointpred.scoring.checkpoints import FolderStore
 from pointpred.scoring.chunks import ScoredSet, score_in_chunks
 from pointpred.scoring.executors import Executor, open_executor
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources import StoredRecording, read, write, write_in_parts
-from pointpred.sources.own.stored import stored
 
 NAMES = ["switched", "minimum-jerk"]
 

@@ -13,9 +13,9 @@ from pages.regions import tables as regions_page
 from pages.regions.played import served
 from pages.regions.tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
-from pointpred.columns import RegionColumns
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
+from pointpred.records import RegionColumns
 from pointpred.scoring import prepare
 
 EACH = 12

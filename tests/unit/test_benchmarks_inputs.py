@@ -12,7 +12,7 @@ from pages.data import Tables, read
 from pages.inputs import measure as inputs
 from pages.inputs.account import account
 from pages.inputs.independent import delimited
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 from tests.fuzz import inputs as inputs_fuzz
 
 ROWS = ["ms,px,py,who,n"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pointpred.server.demo import MOVEMENTS
+from pointpred_server.demo import MOVEMENTS
 
 
 def test_the_page_is_written_with_relative_addresses_only(command, tmp_path: Path) -> None:

@@ -12,13 +12,13 @@ import pytest
 from pointpred import console
 from pointpred.cli import tables
 from pointpred.cli.doctor import Finding
-from pointpred.columns import EventColumns
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import write
+from pointpred.records import EventColumns
 from pointpred.registry import REGISTRY
 from pointpred.scoring import HEADINGS, rows, score, summarise
-from pointpred.sources import write
 
 COLUMNS = 80
 

@@ -10,10 +10,10 @@ import pytest
 
 from pointpred import build, run
 from pointpred.cli import recordings as module
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Goal, Hello
-from pointpred.server.recorder.writer import Recorder
+from pointpred.recorder.writer import Recorder
+from pointpred.records import EventColumns
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import pytest
 
 from pointpred.cli.reading_options import reading, recordings_in
 from pointpred.datasets import sample
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
 from tests.unit.test_training import reaches
 
 

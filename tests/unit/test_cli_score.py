@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.columns import EventColumns
+from pointpred import recordings as own
 from pointpred.recording import Recording, Trial
-from pointpred.sources import read_any
-from pointpred.sources.own import recordings as own
+from pointpred.recordings import read_any
+from pointpred.records import EventColumns
 
 T = [0.0, 0.1, 0.2, 0.3]
 X = [0.0, 1.0, 60.0, 101.0]
@@ -139,7 +139,7 @@ def test_a_report_reads_each_recording_once(
         read.append(file)
         return read_any(file, *rest)
 
-    monkeypatch.setattr("pointpred.sources.open_any", counted)
+    monkeypatch.setattr("pointpred.recordings.open_any", counted)
     report = tmp_path / "out.html"
     left = command("score", good, bad, "--predictors", "linear", "--report", report)
     assert left.code == 0

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.sources import read
+from pointpred.recordings import read
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 SHORT = ("--people", "1", "--trials", "1")

@@ -23,10 +23,10 @@ kept = compiled()
 assert len(kept) > 20, kept
 
 from pointpred.registry import REGISTRY
-from pointpred.server.uploads.recordings import score_body
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.uploads.recordings import score_body
+from pointpred_server.sessions.pointing import PointingSession
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.compiling.compiler import compile_all
+from pointpred_server.compiling.compiler import compile_all
 from tests.unit.talking import events, packed
 
 compile_all()

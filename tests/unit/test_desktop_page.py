@@ -10,8 +10,8 @@ from pages.desktop import measure, recovery, tables
 from pages.desktop.repeats import SCREEN, WINDOW, repeated
 from pages.desktop.tables import FLOOR, Measured
 from pointpred import build
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import people, simulate_desktop
 

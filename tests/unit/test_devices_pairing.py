@@ -7,12 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import EventColumns
 from pointpred.devices.cursor.delay import estimate_delay
 from pointpred.devices.cursor.pairing import Pairing
 from pointpred.devices.source import Report
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import PointerEvent
+from pointpred.records import EventColumns, PointerEvent
 from pointpred.reproduction.transfer_trials import CPI, DPI, gain_error, simulate_trials
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction, TransferLearner
 

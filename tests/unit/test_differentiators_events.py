@@ -11,7 +11,7 @@ import pytest
 from pointpred import EventColumns, Motion, PointerEvent
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LARGEST, LATEST_S
+from pointpred.records import LARGEST, LATEST_S
 
 
 @pytest.fixture(params=list(DIFFERENTIATORS))

@@ -13,7 +13,7 @@ import pytest
 
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources.own.recordings import write
+from pointpred.recordings.writing import write
 from pointpred.training import train
 from tests.unit.test_training import reaches
 

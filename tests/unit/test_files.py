@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.files import write_whole
-from pointpred.observers import Persidskii, save
+from pointpred_observers import Persidskii, save
 
 
 def test_a_link_stays_and_its_file_is_replaced(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.server.http_reading import HeldReading
+from pointpred_server.http_reading import HeldReading
 
 
 class FakeTransport:

@@ -12,7 +12,7 @@ from pages.intent.movements import Movement
 from pages.intent.page import beside
 from pages.intent.scores import by_policy, by_rule, score
 from pages.intent.speculation import by_hover
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
 

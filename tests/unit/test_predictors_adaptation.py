@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, Motion, Pipeline, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.predictors.adaptation import correction
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
+from pointpred.records import FloatArray
 from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay

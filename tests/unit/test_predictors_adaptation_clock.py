@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import durations as clock
+from pointpred.records import FloatArray
 
 LEFT = 6
 SHARES, KEEP, LEAST, KEPT = (0.0, 0.25, 0.5, 0.75, 1.0), 0.97, 0.05, 12

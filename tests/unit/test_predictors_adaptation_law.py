@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import correction, distances, stages, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.predictors.adaptation import predictor as adaptation
@@ -15,6 +14,7 @@ from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.recording import Recording, Trial
+from pointpred.records import FloatArray
 from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 

@@ -7,9 +7,9 @@ from math import log
 import numpy as np
 import pytest
 
-from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import stages
 from pointpred.predictors.adaptation.stages import Moment
+from pointpred.records import FloatArray
 
 
 def taught(memory: FloatArray, random: np.random.Generator, count: int, gain: float, slow: float) -> None:

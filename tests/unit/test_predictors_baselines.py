@@ -10,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred import Motion
-from pointpred.columns import FloatArray, MotionColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.predictors import (
     KalmanPredictor,
@@ -19,6 +18,7 @@ from pointpred.predictors import (
     MinimumJerkPredictor,
     Predictor,
 )
+from pointpred.records import FloatArray, MotionColumns
 
 MAKERS: dict[str, Callable[[], Predictor]] = {
     "linear": LinearPredictor,

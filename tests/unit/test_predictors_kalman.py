@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm
 
 from pointpred import Motion, build
-from pointpred.columns import FloatArray
 from pointpred.predictors import KalmanPredictor, kalman
+from pointpred.records import FloatArray
 
 
 def at(t: float, x: float, y: float = 0.0, *, start: bool = False) -> Motion:

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
-from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file, features
+from pointpred.records import FloatArray
 from pointpred.scoring import prepare
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)

@@ -11,12 +11,10 @@ from hypothesis import strategies as st
 from scipy import optimize, stats
 
 from pointpred import EventColumns, Pipeline, build, run
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.events import Prediction
 from pointpred.predictors.adaptation import destination, distances, habits, places
 from pointpred.predictors.adaptation.destination import Heading
-from pointpred.rows import prediction_of
+from pointpred.records import FloatArray, Prediction, prediction_of
 from pointpred.scene import scene
 
 NAME = "kinematic-adaptive"

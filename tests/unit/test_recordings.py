@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
+from pointpred.records import EventColumns
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 NONE = float("nan")

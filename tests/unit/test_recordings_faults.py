@@ -7,10 +7,10 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
+from pointpred.records import EventColumns
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 GOOD = "u,good,0,0,0\nu,good,1,3,4\n"

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read
+from pointpred.records import EventColumns
 from pointpred.scoring import prepare
 from pointpred.scoring.trials import clean_trials
-from pointpred.sources import read
 
 
 def verdict(t: list[float], x: list[float], y: list[float]) -> bool:

@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.pipeline import Pipeline
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording, Trial
-from pointpred.rows import Row, TenFloats, endpoint
+from pointpred.records import Row, TenFloats, endpoint
 from pointpred.scoring import prepare, replay, spans
 from pointpred.scoring.replay import answers_to
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, build, run
-from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import prepare, replay, score, scorer, spans
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors

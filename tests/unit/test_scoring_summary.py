@@ -9,12 +9,12 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip, Trial
+from pointpred.records import EventColumns
 from pointpred.scoring import (
     HEADINGS,
     Document,

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from pointpred import build
-from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.scoring import target_choice as replaying
 from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summarise_targets
 from pointpred.scoring.target_layouts import circle, grids, layouts

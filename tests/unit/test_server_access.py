@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from pointpred.server import access
-from pointpred.server.access import HostRule, has_token, network_of
-from pointpred.server.service import Service
-from pointpred.server.settings import Settings
+from pointpred_server import access
+from pointpred_server.access import HostRule, has_token, network_of
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 TOKEN = "a-token-of-24-characters"
 

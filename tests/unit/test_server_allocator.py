@@ -13,7 +13,7 @@ pytestmark = pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="the C
 AFTER_A_LARGER_BLOCK = """
 import ctypes, re
 from pathlib import Path
-from pointpred.server.allocator import bound_free_memory
+from pointpred_server.allocator import bound_free_memory
 
 BOUND
 library = ctypes.CDLL(None)
@@ -50,7 +50,7 @@ def test_a_large_block_changes_nothing_for_those_after_it() -> None:
 IN_HUGE_PAGES = """
 import mmap, re
 from pathlib import Path
-from pointpred.server.allocator import bound_free_memory
+from pointpred_server.allocator import bound_free_memory
 
 BOUND
 block = mmap.mmap(-1, 32 * 2**20, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pointpred.server.arrivals import Arrivals
+from pointpred_server.arrivals import Arrivals
 
 
 def test_a_loop_that_waited_reads_at_once() -> None:

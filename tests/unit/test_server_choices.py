@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from pointpred.server.sessions import pointing
-from pointpred.server.sessions.target_tracker import LIKELIEST
+from pointpred_server.sessions import pointing
+from pointpred_server.sessions.target_tracker import LIKELIEST
 from tests.unit.talking import Talk, events, hello, packed
 
 PLACES = {"left": (-520.0, -20.0), "right": (380.0, -20.0), "up": (-20.0, -520.0)}

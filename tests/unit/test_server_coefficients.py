@@ -15,8 +15,8 @@ from pointpred.cli.serve import settings_of
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.settings import Settings, named_files
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.settings import Settings, named_files
 from tests.unit.talking import Talk, events, hello
 
 ROWS = [[0.01 * i, 1.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(30)]

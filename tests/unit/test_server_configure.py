@@ -12,8 +12,8 @@ from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.errors import ProtocolError
 from pointpred.registry import parameters
-from pointpred.server.sessions import pipelines
-from pointpred.server.sessions.pipelines import pipeline_of
+from pointpred_server.sessions import pipelines
+from pointpred_server.sessions.pipelines import pipeline_of
 from tests.unit.talking import Talk, events, hello
 
 ROWS = [[0.01 * i, 1.0 * i * i, 0.5 * i * i, 4 * i, 2 * i, 0] for i in range(100)]

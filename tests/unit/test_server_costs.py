@@ -12,9 +12,9 @@ from benchmarks.longest_messages import longest_messages, packed, session_before
 from pages.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.costs import TEXT_BYTE_S
-from pointpred.server.sessions.quota import SHARE
-from pointpred.server.sessions.viewing import ViewingSession
+from pointpred_server.sessions.costs import TEXT_BYTE_S
+from pointpred_server.sessions.quota import SHARE
+from pointpred_server.sessions.viewing import ViewingSession
 from tests.unit.talking import Talk, events, hello
 
 MESSAGES = longest_messages()

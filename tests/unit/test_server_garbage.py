@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import gc
 
-from pointpred.server.garbage import YOUNGEST, tune_collector
+from pointpred.garbage import YOUNGEST, tune_collector
 
 
 def test_what_is_loaded_is_not_looked_at_again() -> None:

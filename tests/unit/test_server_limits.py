@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from pointpred.protocol.token_bucket import TokenBucket
-from pointpred.server.sessions.quota import MESSAGES_PER_S
+from pointpred_server.sessions.quota import MESSAGES_PER_S
 from tests.unit.talking import Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from pointpred.server.log_repeats import AT_ONCE, KINDS_MOST, PER_S, RepeatLimit
+from pointpred_server.log_repeats import AT_ONCE, KINDS_MOST, PER_S, RepeatLimit
 
 
 def entry(at_s: float, sentence: str = "a request was refused: %s", filled: str = "x") -> logging.LogRecord:

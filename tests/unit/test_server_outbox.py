@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Choice
-from pointpred.server.sessions.outbox import MOST_CHOICES, Outbox
+from pointpred_server.sessions.outbox import MOST_CHOICES, Outbox
 
 
 def test_what_is_said_comes_out_in_order_and_once() -> None:

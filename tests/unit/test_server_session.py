@@ -8,8 +8,8 @@ import pytest
 from pointpred import REGISTRY
 from pointpred.protocol.client_messages import CLIENT_MESSAGES
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.lifecycle import HELLO_S, TRANSITIONS, State, Trigger
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.lifecycle import HELLO_S, TRANSITIONS, State, Trigger
+from pointpred_server.sessions.pointing import PointingSession
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]

@@ -11,7 +11,7 @@ import pytest
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.pointing import PointingSession
+from pointpred_server.sessions.pointing import PointingSession
 
 HELLO = '{"type":"hello","version":1,"predictor":"%s","encoding":"%s","reply":"%s"}'
 LATE = '{"type":"events","events":[[0.5,1,2,null,null,0]]}'
@@ -131,7 +131,7 @@ def test_frames_that_cannot_be_joined_are_not_tried_again_and_again(monkeypatch:
     session.receive(text(0), 1.0)
     frames: list[Frame] = [text(10 + k) for k in range(63)]
     frames.append(json.dumps({"type": "events", "events": [*movement(0, 1), *movement(90, 1)]}))
-    monkeypatch.setattr("pointpred.server.sessions.pointing.decode_client_message", decode)
+    monkeypatch.setattr("pointpred_server.sessions.pointing.decode_client_message", decode)
     together(session, frames)
     assert session.refusals == {"out_of_order": 1}
     assert session.events == 65

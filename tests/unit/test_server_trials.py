@@ -15,8 +15,8 @@ from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.protocol.server_messages import Limits
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, replay
-from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.sessions.trials import MOST_EVENTS, TrialBuffer
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.sessions.trials import MOST_EVENTS, TrialBuffer
 from tests.unit.talking import Talk, events, hello, packed
 
 START = {"type": "trial", "action": "start"}

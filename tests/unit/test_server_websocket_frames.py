@@ -7,7 +7,7 @@ from hypothesis import strategies as some
 from websockets.frames import Frame, Opcode
 from websockets.protocol import Protocol, Side
 
-from pointpred.server.websocket_frames import frame_end, framed, whole_message
+from pointpred_server.websocket_frames import frame_end, framed, whole_message
 
 SIZES = some.one_of(
     some.integers(0, 130), some.sampled_from([125, 126, 127, 1023, 1024, 65535, 65536, 70_000])

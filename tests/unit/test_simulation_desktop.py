@@ -12,15 +12,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, ParameterError
+from pointpred.recordings import read, write
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring import score
 from pointpred.simulation import DesktopSession, people, simulate_desktop
 from pointpred.simulation.desktop import SCENARIOS
 from pointpred.simulation.desktop.habits import draw_habits
 from pointpred.simulation.desktop.windows import Control
 from pointpred.simulation.desktop.worker import Worker, aim_at
-from pointpred.sources import read, write
 
 PEOPLE = people(3, 4)
 MOVEMENTS = 80

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import build
-from pointpred.columns import EventColumns
+from pointpred.records import EventColumns
 from pointpred.simulation import Aim, Condition, Person, Setup, people, simulate_circle
 from pointpred.simulation.circle import positions
 from pointpred.simulation.movement import Movement, move, move_assisted

@@ -15,9 +15,9 @@ from scipy.io import loadmat, savemat
 
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources import Reading, read_any
-from pointpred.sources.table_files import matlab, matlab_values, xdf
-from pointpred.sources.table_files import xlsx as workbook
+from pointpred.recordings import Reading, read_any
+from pointpred.recordings.formats import matlab, xdf
+from pointpred.recordings.formats import xlsx as workbook
 from tests.unit.writing_containers import (
     ROWS,
     TRIALS,

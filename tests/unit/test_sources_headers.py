@@ -9,7 +9,7 @@ import pytest
 
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Skip
-from pointpred.sources import Reading, read, read_any
+from pointpred.recordings import Reading, read, read_any
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 ROWS = "u,1,0,0,0\nu,1,1,3,4\nu,2,0,0,0\nu,2,1,5,12\n"

@@ -8,7 +8,7 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.recording import Recording
-from pointpred.sources import read, read_any, write
+from pointpred.recordings import read, read_any, write
 
 
 def table(folder: Path, header: str, *runs: tuple[str, int]) -> Path:

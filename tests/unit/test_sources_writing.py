@@ -7,13 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from pointpred import recordings
 from pointpred.errors import RecordingError
 from pointpred.files import beside
-from pointpred.sources import convert, read_any
-from pointpred.sources.files import write_together as module
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own import recordings
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import arrow_tables, convert, read_any
+from pointpred.recordings import writing as module
+from pointpred.recordings.writing import write_together
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 FITTS = SOURCES / "gofitts.sd3"

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
-from pointpred.columns import FloatArray
-from pointpred.rows import prediction_row
+from pointpred.records import FloatArray, prediction_row
 from pointpred.scoring import target_choice as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
 from pointpred.targets.posterior import FITTED

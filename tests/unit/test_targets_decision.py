@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.targets import Ledger, around, cursor
 from pointpred.targets.decision import NOBODY, decide, rank
 from pointpred.targets.rectangles import table

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.errors import ParameterError
-from pointpred.rows import prediction_row
+from pointpred.records import prediction_row
 from pointpred.targets import Chooser, Target, around
 from pointpred.targets.posterior import COEFFICIENTS
 

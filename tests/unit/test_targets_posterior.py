@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns, PointerEvent, Prediction, build
 from pointpred import run as run_columns
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.records import FloatArray
 from pointpred.targets import Chooser, Target, around
 from pointpred.targets.evidence import FEATURES, MASS
 from pointpred.targets.posterior import COEFFICIENTS, SET

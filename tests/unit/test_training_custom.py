@@ -20,8 +20,8 @@ from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording
+from pointpred.recordings.writing import write
 from pointpred.scoring import score
-from pointpred.sources.own.recordings import write
 from pointpred.training import data, fitting, train
 from pointpred.training.data import FOLDS
 from pointpred.training.fitting import Settings

@@ -5,10 +5,9 @@ import pickle
 import numpy as np
 import pytest
 
-from pointpred.columns import EventColumns
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import PointerEvent
+from pointpred.records import EventColumns, PointerEvent
 from pointpred.transfer import PolynomialFunction, PolynomialIdentifier, differentiated_speeds, euler_speeds
 
 TRUTH = PolynomialFunction([0.0, 1.0, 20.0, -40.0, 100.0, -150.0])

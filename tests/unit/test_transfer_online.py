@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import PointerEvent
+from pointpred.records import PointerEvent
 from pointpred.reproduction.transfer_trials import CPI, DPI, simulate_trials
 from pointpred.transfer import (
     ConstantGain,

@@ -10,7 +10,7 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import EventError
-from pointpred.events import LARGEST, LATEST_S
+from pointpred.records import LARGEST, LATEST_S
 from pointpred.transfer import AssistedTransfer, ConstantGain, PixelTransfer, PolynomialIdentifier
 
 NOW_S = 1.7e9

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import EventError, ParameterError
+from pointpred.records import EventColumns, FloatArray
 
 STEP_S, SPAN_S, GAP_S = 0.001, 0.01, 0.1
 LEAST = 200

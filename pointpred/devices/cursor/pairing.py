@@ -11,7 +11,7 @@ from typing import Literal
 from pointpred.devices.cursor.source import Cursor
 from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent
+from pointpred.records import PointerEvent
 
 WORDS = "the screen's cursor, paired with the counts by time"
 DELAY_MOST_S = 1.0

@@ -11,7 +11,7 @@ from pointpred.devices.cursor_paths import PositionReport
 from pointpred.devices.reader import ReaderSource
 from pointpred.devices.source import MOST_WAITING, DeviceInfo
 from pointpred.errors import ParameterError, SourceError
-from pointpred.events import PointerEvent
+from pointpred.records import PointerEvent
 
 RATE_HZ, FASTEST_HZ = 250.0, 1000.0
 NAME = "cursor"

@@ -7,9 +7,9 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.documents.entries import (
+from pointpred.records import FloatArray
+from pointpred_observers.documents.entries import (
     Document,
     Functions,
     Rows,
@@ -17,35 +17,35 @@ from pointpred.observers.documents.entries import (
     finite,
     gap_of,
 )
-from pointpred.observers.documents.plants import (
+from pointpred_observers.documents.plants import (
     GeneratorDocument,
     ParameterVaryingDocument,
     PlantDocument,
 )
-from pointpred.observers.documents.symbolic_plants import SteadyStateDocument
-from pointpred.observers.equalities import TOLERANCE, share_of_terms
-from pointpred.observers.error_systems.decay import certified_decay
-from pointpred.observers.interconnected.design import ObserverDesign, certified_design, require_map
-from pointpred.observers.interconnected.generator import Fitted, require_same_nonlinearity
-from pointpred.observers.interconnected.regulator import RegulatorDesign
-from pointpred.observers.interconnected.regulator_equations import (
+from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
+from pointpred_observers.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.error_systems.decay import certified_decay
+from pointpred_observers.interconnected.design import ObserverDesign, certified_design, require_map
+from pointpred_observers.interconnected.generator import Fitted, require_same_nonlinearity
+from pointpred_observers.interconnected.regulator import RegulatorDesign
+from pointpred_observers.interconnected.regulator_equations import (
     RegulatorEquations,
     checked_equations,
 )
-from pointpred.observers.interconnected.state_feedback import StateFeedback, closed_system
-from pointpred.observers.matrices import matrix
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.reversed_certificate import certified_convergence
-from pointpred.observers.reduced_order.reversed_connection import (
+from pointpred_observers.interconnected.state_feedback import StateFeedback, closed_system
+from pointpred_observers.matrices import matrix
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.design import ReducedOrderDesign
+from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
+from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
 )
-from pointpred.observers.triangular.interlaced_certificate import certificate as interlaced_certificate
-from pointpred.observers.triangular.interlaced_certificate import theorem_4_4_1
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred.observers.unknown_input.corners import CornerSystem
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.triangular.interlaced_certificate import certificate as interlaced_certificate
+from pointpred_observers.triangular.interlaced_certificate import theorem_4_4_1
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 Values = dict[str, Rows | float]
 """Matrices of a certificate by their names in the theorem."""

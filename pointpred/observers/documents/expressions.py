@@ -7,8 +7,8 @@ from math import isfinite
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.program import FUNCTIONS
+from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.program import FUNCTIONS
 
 LONGEST = 20_000
 """Most characters of an expression."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError, PointpredError
 from pointpred.files import write_whole
-from pointpred.observers.documents.designs import (
+from pointpred_observers.documents.designs import (
     InterlacedDocument,
     ObserverDocument,
     ReducedOrderDocument,
@@ -19,32 +19,32 @@ from pointpred.observers.documents.designs import (
     UnknownInputDocument,
     margins_of,
 )
-from pointpred.observers.documents.entries import Document, Functions
-from pointpred.observers.documents.plants import (
+from pointpred_observers.documents.entries import Document, Functions
+from pointpred_observers.documents.plants import (
     GeneratorDocument,
     ParameterVaryingDocument,
     PlantDocument,
     functions_of,
 )
-from pointpred.observers.documents.symbolic_plants import (
+from pointpred_observers.documents.symbolic_plants import (
     SteadyStateDocument,
     SymbolicGeneratorDocument,
     SymbolicPlantDocument,
 )
-from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.interconnected.regulator import RegulatorDesign
-from pointpred.observers.linear_systems import as_plant
-from pointpred.observers.matrices import instance
-from pointpred.observers.paths import path_of, writable
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred.observers.unknown_input.corners import CornerSystem
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.interconnected.regulator import RegulatorDesign
+from pointpred_observers.linear_systems import as_plant
+from pointpred_observers.matrices import instance
+from pointpred_observers.paths import path_of, writable
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.design import ReducedOrderDesign
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 FORMAT = "pointpred observers"
 VERSION = 1
@@ -90,7 +90,7 @@ def save(thing: Any, file: Path | str) -> Path:
 def encoded(thing: Any) -> bytes:
     """The JSON text of a plant or a design, as ``save`` writes it.
 
-    >>> from pointpred.observers.persidskii import Persidskii
+    >>> from pointpred_observers.persidskii import Persidskii
     >>> encoded(Persidskii([[-1.0]], None, None, "sin", C0=[1.0])).split()[:4]
     [b'{', b'"format":', b'"pointpred', b'observers",']
     """
@@ -109,7 +109,7 @@ def load(file: Path | str, *, functions: Functions | None = None) -> Any:
     inequality that fails; InfeasibleError for an equality that does not hold; OSError.
 
     >>> from tempfile import TemporaryDirectory
-    >>> from pointpred.observers import Persidskii, design_full_order
+    >>> from pointpred_observers import Persidskii, design_full_order
     >>> design = design_full_order(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]))
     >>> with TemporaryDirectory() as folder:
     ...     again = load(save(design, f"{folder}/cart.json"))
@@ -149,7 +149,7 @@ def audit(design: Any) -> dict[str, float]:
     its ``gap`` is not checked. Raises CertificateError naming the inequality that fails, InfeasibleError for
     an equality, ParameterError for what is no design.
 
-    >>> from pointpred.observers import Persidskii, design_full_order
+    >>> from pointpred_observers import Persidskii, design_full_order
     >>> design = design_full_order(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]))
     >>> audit(design) == design.margins
     True

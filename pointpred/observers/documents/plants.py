@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.documents.entries import (
+from pointpred_observers.documents.entries import (
     Document,
     Entries,
     Functions,
@@ -19,13 +19,13 @@ from pointpred.observers.documents.entries import (
     restored,
     unbounded,
 )
-from pointpred.observers.interconnected.generator import Fitted, Generator
-from pointpred.observers.linear_systems import as_plant
-from pointpred.observers.matrices import matrix
-from pointpred.observers.nonlinearity import KNOWN, NAMED, Nonlinearity
-from pointpred.observers.persidskii import NAMES, Persidskii
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.corners import CornerSystem
+from pointpred_observers.interconnected.generator import Fitted, Generator
+from pointpred_observers.linear_systems import as_plant
+from pointpred_observers.matrices import matrix
+from pointpred_observers.nonlinearity import KNOWN, NAMED, Nonlinearity
+from pointpred_observers.persidskii import NAMES, Persidskii
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.corners import CornerSystem
 
 Time = Literal["continuous", "discrete"]
 Pairs = list[tuple[float | None, float | None]]

@@ -6,11 +6,11 @@ from typing import Any, Self
 
 import msgspec
 
-from pointpred.observers.documents.entries import Document, Functions
-from pointpred.observers.documents.expressions import names_of, parsed, symbols_of, text_of
-from pointpred.observers.triangular.power_series import Free
-from pointpred.observers.triangular.printed import check_steady_state
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.documents.entries import Document, Functions
+from pointpred_observers.documents.expressions import names_of, parsed, symbols_of, text_of
+from pointpred_observers.triangular.power_series import Free
+from pointpred_observers.triangular.printed import check_steady_state
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 
 class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):

@@ -9,15 +9,15 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.bounds import ErrorBound, eigenvalues
-from pointpred.observers.error_systems.system import ErrorSystem
-from pointpred.observers.inequalities.audit import answer_of_a_search
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.matrices import instance, positive
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.bounds import ErrorBound, eigenvalues
+from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.matrices import instance, positive
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
 """Fractions of the slowest corner's decay that are tried where none is required."""
@@ -88,7 +88,7 @@ def certify_decay(
     before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
     >>> import numpy as np
-    >>> from pointpred.observers.error_systems.system import sloped_system
+    >>> from pointpred_observers.error_systems.system import sloped_system
     >>> system = sloped_system(
     ...     -2 * np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.0),), time="continuous"
     ... )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 TOLERANCE = 1e-10
 """Relative error of the norm."""

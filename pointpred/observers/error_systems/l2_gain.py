@@ -9,13 +9,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.error_systems.h_infinity import h_infinity
-from pointpred.observers.error_systems.system import ErrorSystem
-from pointpred.observers.inequalities.audit import answer_of_a_search
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.matrices import instance
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.error_systems.h_infinity import h_infinity
+from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.matrices import instance
 
 ROOM = 1e-6
 """Relative room that is added to the least gain, with which the inequality would hold with equality."""
@@ -81,7 +81,7 @@ def l2_gain(system: ErrorSystem, *, solver: str = "CLARABEL", **bounds: float) -
 
     Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, section 6.3.2.
 
-    >>> from pointpred.observers.error_systems.system import sloped_system
+    >>> from pointpred_observers.error_systems.system import sloped_system
     >>> system = sloped_system(
     ...     -2 * np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.0),), time="continuous"
     ... )

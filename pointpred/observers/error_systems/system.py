@@ -10,12 +10,12 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.detectability import vertices
-from pointpred.observers.eigenvalues import require_decay
-from pointpred.observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.detectability import vertices
+from pointpred_observers.eigenvalues import require_decay
+from pointpred_observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive
 
 
 class ErrorSystem(msgspec.Struct, frozen=True):

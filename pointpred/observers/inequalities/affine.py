@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 Block = tuple[FloatArray, FloatArray]
 """The constant part, shape (n, n), and the slopes, shape (numbers, n, n)."""

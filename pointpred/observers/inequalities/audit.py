@@ -11,12 +11,12 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError, UndecidedError
-from pointpred.observers.equalities import allowed
-from pointpred.observers.inequalities.definite import ROUNDING, least
-from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import allowed
+from pointpred_observers.inequalities.definite import ROUNDING, least
+from pointpred_observers.inequalities.unknowns import Block, Unknown, Unknowns
 
 KAPPA = 1e12
 """Largest condition number of a matrix that is declared positive."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError
+from pointpred.records import FloatArray
 
 ROUNDING = 1e-13
 """Rounding of an entry, relative to its terms: a least eigenvalue must exceed it to count as positive."""

@@ -15,7 +15,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
@@ -23,12 +22,13 @@ from pointpred.errors import (
     PointpredError,
     UndecidedError,
 )
-from pointpred.observers.inequalities.affine import Affine, capped, relaxing, released, scaled
-from pointpred.observers.inequalities.audit import Inequalities
-from pointpred.observers.inequalities.proof import ENTIRE, largest_margin, least_objective, reach
-from pointpred.observers.inequalities.rescaling import rescaled
-from pointpred.observers.inequalities.solver import CAP, Answer, run
-from pointpred.observers.inequalities.unknowns import Block
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.affine import Affine, capped, relaxing, released, scaled
+from pointpred_observers.inequalities.audit import Inequalities
+from pointpred_observers.inequalities.proof import ENTIRE, largest_margin, least_objective, reach
+from pointpred_observers.inequalities.rescaling import rescaled
+from pointpred_observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.inequalities.unknowns import Block
 
 EASY = 1e8
 """Up to this kappa a solution is sought first, and this is how far the bound of an objective is proved."""

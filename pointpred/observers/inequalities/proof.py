@@ -13,8 +13,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.inequalities.affine import Affine
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.affine import Affine
 
 ENTIRE = 1e12
 """A proof up to this condition number of P, in balanced units, counts as one for every choice."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.inequalities.affine import Affine, Block
-from pointpred.observers.inequalities.proof import Multipliers
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.affine import Affine, Block
+from pointpred_observers.inequalities.proof import Multipliers
 
 SMALLEST = 1e-8
 """Eigenvalues of P and of a slack below this share of the largest do not scale further."""

@@ -7,11 +7,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.observers.inequalities.affine import Affine, Block
-from pointpred.observers.inequalities.proof import Multipliers, multipliers
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.affine import Affine, Block
+from pointpred_observers.inequalities.proof import Multipliers, multipliers
 
 CAP = 1e-2
 """Largest margin that is sought."""

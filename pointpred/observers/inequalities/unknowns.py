@@ -14,9 +14,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers import matrices
+from pointpred.records import FloatArray
+from pointpred_observers import matrices
 
 Block = Callable[[Any], Any]
 """A function of the matrices (attributes of its argument) that returns a symmetric matrix or a number."""

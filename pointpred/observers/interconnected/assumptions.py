@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.interconnected.sector import SectorBounds
-from pointpred.observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
-from pointpred.observers.linear_systems import Plant
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.interconnected.sector import SectorBounds
+from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
+from pointpred_observers.linear_systems import Plant
 
 CONDITIONS_3_2_3 = ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H")
 """The conditions of Theorem 3.2.3 beside its assumption."""
@@ -22,7 +22,7 @@ def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any, **bounds: floa
     Assumes r = k, as the thesis does, and strict inequalities in ``solve``: with J S~ = 0 the block of f(Jw)
     is zero and none can hold.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
     >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
     >>> printed = {"P": 2.0, "Gamma": 99.0, "Xi": 1.0, "Omega": 4.0, "Lambda": 1.0}

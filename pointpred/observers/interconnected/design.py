@@ -7,22 +7,22 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError
-from pointpred.observers.balance import form, inward, outward
-from pointpred.observers.bounds import ErrorBound, interconnection_bound, region
-from pointpred.observers.detectability import require_detectable
-from pointpred.observers.equalities import TOLERANCE
-from pointpred.observers.inequalities.audit import answer_of_a_search
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Fitted, Generator
-from pointpred.observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred.observers.interconnected.steady_state import relative_residuals
-from pointpred.observers.linear_systems import Plant
-from pointpred.observers.matrices import matrix, positive, vector
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.stationary import cover, filter_start, middle
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.balance import form, inward, outward
+from pointpred_observers.bounds import ErrorBound, interconnection_bound, region
+from pointpred_observers.detectability import require_detectable
+from pointpred_observers.equalities import TOLERANCE
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.generator import Fitted, Generator
+from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
+from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.linear_systems import Plant
+from pointpred_observers.matrices import matrix, positive, vector
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.stationary import cover, filter_start, middle
 
 
 class ObserverDesign(msgspec.Struct, frozen=True):

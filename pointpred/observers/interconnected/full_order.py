@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.observers.interconnected.design import ObserverDesign, design_observer
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import positive
-from pointpred.observers.persidskii import Persidskii
+from pointpred_observers.interconnected.design import ObserverDesign, design_observer
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import positive
+from pointpred_observers.persidskii import Persidskii
 
 
 def design_full_order(

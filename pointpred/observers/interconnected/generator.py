@@ -7,13 +7,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.equalities import TOLERANCE, column_units, share_of_terms
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import TIMES, instance, matrix, one_of
-from pointpred.observers.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
-from pointpred.observers.persidskii import Persidskii, column
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE, column_units, share_of_terms
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import TIMES, instance, matrix, one_of
+from pointpred_observers.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
+from pointpred_observers.persidskii import Persidskii, column
 
 
 class Fitted(msgspec.Struct, frozen=True):
@@ -133,7 +133,7 @@ def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
 
     Raises ParameterError for what is no generator, and naming the matrix that does not fit.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> fitted(None, Persidskii([[-1.0]], None, None, "sin"), "regulator")
     Traceback (most recent call last):
     pointpred.errors.ParameterError: regulator must be a Generator, received None
@@ -149,7 +149,7 @@ def require_same_nonlinearity(
     The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
     where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], [1.0], [1.0], "sin")
     >>> require_same_nonlinearity(plant, Generator([[0.0]], [1.0], f="cube"))
     Traceback (most recent call last):

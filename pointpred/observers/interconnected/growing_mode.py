@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
-from pointpred.observers.eigenvalues import number_text
+from pointpred.records import FloatArray
+from pointpred_observers.eigenvalues import number_text
 
 ComplexArray = NDArray[np.complex128]
 

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred.observers.interconnected.generator import Generator, fitted
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix
-from pointpred.observers.rounding import without_rounding
+from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
+from pointpred_observers.interconnected.generator import Generator, fitted
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix
+from pointpred_observers.rounding import without_rounding
 
 
 def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any = None) -> ErrorSystem:
@@ -66,7 +66,7 @@ def assumption_3_2_2(
 
     Reference: Khalin 2022, Assumption 3.2.2, Proposition 3.2.2; Angeli 2002.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0])
     >>> found = assumption_3_2_2(plant, decay=0.8)
     >>> round(found.bound.rate, 6), min(found.margins.values()) > 0.0

@@ -10,14 +10,14 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.balance import Coordinates, balanced, inward
-from pointpred.observers.detectability import vertices
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix
+from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates, balanced, inward
+from pointpred_observers.detectability import vertices
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix
 
 
 class Interconnection:
@@ -158,7 +158,7 @@ def theorem_3_2_1(
     corner D of the slopes. In discrete time, for which the thesis has no such theorem, V(e+) - V(e) replaces
     V' at each corner.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
     >>> theorem = theorem_3_2_1(plant, Generator([[0.0]], L0=[1.0]), [[1.0]])
     >>> theorem.check({"P": 1.0, "Theta": 1.0, "Gamma": 9.0, "Xi": 4.0, "U": 2.0})["the LMI"] > 0.0

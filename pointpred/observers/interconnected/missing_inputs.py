@@ -7,9 +7,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import matrix
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""

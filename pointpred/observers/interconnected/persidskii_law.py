@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import ceil
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.observers import nonlinearity
+from pointpred.records import FloatArray
 from pointpred.stage import loop_into
+from pointpred_observers import nonlinearity
 
 # Parameters: states q, components k, inputs, outputs, discrete?, step, gap after which the law starts again,
 # longest interval that it bridges; then codes (k), N (q, q), L (q,

@@ -7,19 +7,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
-from pointpred.observers.interconnected import persidskii_law as law
-from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import Generator, fitted
-from pointpred.observers.interconnected.missing_inputs import MissingInputs
-from pointpred.observers.interconnected.plain_law import PlainLaw
-from pointpred.observers.interconnected.realisation import Realisation
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import TIMES, instance, matrix, one_of
-from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.parameter import option, parameter
+from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
+from pointpred_observers.interconnected import persidskii_law as law
+from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.interconnected.generator import Generator, fitted
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.plain_law import PlainLaw
+from pointpred_observers.interconnected.realisation import Realisation
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import TIMES, instance, matrix, one_of
+from pointpred_observers.nonlinearity import nonlinearity
 
 LONGEST_S = 1e-2
 """The longest step by default, s."""

@@ -6,9 +6,9 @@ from math import ceil
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
-from pointpred.observers.interconnected.missing_inputs import MissingInputs
-from pointpred.observers.interconnected.persidskii_law import (
+from pointpred.records import BoolArray, FloatArray
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_law import (
     ACCEPTED,
     BACKWARDS,
     REPEATED,
@@ -16,8 +16,8 @@ from pointpred.observers.interconnected.persidskii_law import (
     STEPS_MOST,
     TOO_LONG,
 )
-from pointpred.observers.interconnected.realisation import Realisation
-from pointpred.observers.nonlinearity import Nonlinearity
+from pointpred_observers.interconnected.realisation import Realisation
+from pointpred_observers.nonlinearity import Nonlinearity
 
 # The state: whether there was a sample, t, w minus its start (q), the last inputs, whether each was missing.
 STARTED, T, W = 0, 1, 2

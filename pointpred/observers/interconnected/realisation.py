@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.eigenvalues import perron_root
-from pointpred.observers.matrices import dimensions, matrix
+from pointpred.records import FloatArray
+from pointpred_observers.eigenvalues import perron_root
+from pointpred_observers.matrices import dimensions, matrix
 
 NAMES = ("N", "L", "J", "K", "R0", "R1", "R", "R2")
 

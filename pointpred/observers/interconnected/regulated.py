@@ -7,11 +7,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.balance import Coordinates, balanced, form, inward
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.interconnected.generator import Fitted
-from pointpred.observers.interconnected.growing_mode import (
+from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates, balanced, form, inward
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.generator import Fitted
+from pointpred_observers.interconnected.growing_mode import (
     ComplexArray,
     GrowingMode,
     disc,
@@ -19,8 +19,8 @@ from pointpred.observers.interconnected.growing_mode import (
     quadrant,
     rounding,
 )
-from pointpred.observers.interconnected.sector import SectorBounds
-from pointpred.observers.persidskii import Persidskii
+from pointpred_observers.interconnected.sector import SectorBounds
+from pointpred_observers.persidskii import Persidskii
 
 
 class Regulated(msgspec.Struct, frozen=True):

@@ -7,16 +7,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.equalities import TOLERANCE, share_of_terms
-from pointpred.observers.interconnected.design import ObserverDesign, design_observer
-from pointpred.observers.interconnected.generator import Generator, fitted
-from pointpred.observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
-from pointpred.observers.interconnected.state_feedback import StateFeedback, design_state_feedback
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import positive
-from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.interconnected.design import ObserverDesign, design_observer
+from pointpred_observers.interconnected.generator import Generator, fitted
+from pointpred_observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
+from pointpred_observers.interconnected.state_feedback import StateFeedback, design_state_feedback
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import positive
+from pointpred_observers.persidskii import Persidskii
 
 
 class RegulatorDesign(msgspec.Struct, frozen=True):

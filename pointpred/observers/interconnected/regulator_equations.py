@@ -7,14 +7,14 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.eigenvalues import number_text
-from pointpred.observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
-from pointpred.observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, share
-from pointpred.observers.persidskii import Persidskii
+from pointpred.records import FloatArray
+from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
+from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix, share
+from pointpred_observers.persidskii import Persidskii
 
 
 class RegulatorEquations(msgspec.Struct, frozen=True):

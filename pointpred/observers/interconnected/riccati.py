@@ -7,7 +7,7 @@ from itertools import combinations, islice
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 SUBSPACES_MOST = 5000
 """At most so many invariant subspaces are tried, those of the first eigenvalues."""

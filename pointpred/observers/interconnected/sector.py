@@ -7,10 +7,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix
+from pointpred.records import FloatArray
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix
 
 
 class SectorBounds(msgspec.Struct, frozen=True):
@@ -32,7 +32,7 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
     is sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
     reached.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")
     >>> sector_bounds(plant).Sigma1.tolist()
     [[0.0, 0.0], [0.0, 4.0]]

@@ -8,18 +8,18 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.balance import balanced, inward, outward
-from pointpred.observers.detectability import undetectable, vertices
-from pointpred.observers.eigenvalues import number_text
-from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, positive
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.rounding import without_rounding
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, inward, outward
+from pointpred_observers.detectability import undetectable, vertices
+from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix, positive
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.rounding import without_rounding
 
 ROOM = 1.01
 """The feedback is designed for a decay larger by this factor than the certified one."""

@@ -8,19 +8,19 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.equalities import (
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import (
     TOLERANCE,
     column_units,
     nearest_solutions,
     row_rounding,
     share_of_terms,
 )
-from pointpred.observers.interconnected.generator import Generator, fitted
-from pointpred.observers.interconnected.riccati import invariant_graphs, refined
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import instance, matrix, moments, share
+from pointpred_observers.interconnected.generator import Generator, fitted
+from pointpred_observers.interconnected.riccati import invariant_graphs, refined
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import instance, matrix, moments, share
 
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""
@@ -51,7 +51,7 @@ def residuals(
 ) -> dict[str, FloatArray]:
     """Residual of each equality for a Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     >>> generator = Generator([[0.0]], L0=[2.0])
     >>> {name: one.tolist() for name, one in residuals(plant, generator, [[2.0]]).items()}
@@ -144,7 +144,7 @@ def steady_state_map(
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     >>> steady_state_map(plant, Generator([[0.0]], L0=[2.0])).Pi.tolist()
     [[2.0]]

@@ -7,22 +7,22 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.equalities import TOLERANCE
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.interconnected.generator import (
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
+from pointpred_observers.interconnected.generator import (
     Fitted,
     Generator,
     fitted,
     require_same_nonlinearity,
 )
-from pointpred.observers.interconnected.regulated import Followed, Regulated
-from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred.observers.interconnected.steady_state import relative_residuals
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import instance, matrix, share, vector
-from pointpred.observers.persidskii import Persidskii
+from pointpred_observers.interconnected.regulated import Followed, Regulated
+from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import instance, matrix, share, vector
+from pointpred_observers.persidskii import Persidskii
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -97,7 +97,7 @@ def certify_tracking(
 
     Reference: Khalin 2022, section 3.2.3.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
     >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
     >>> certificate = certify_tracking(plant, regulator, [[1.0]])

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix, moments
-from pointpred.observers.nonlinearity import intervals, nonlinearity
-from pointpred.observers.persidskii import Persidskii, column, row
-from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred.observers.slopes import require_slopes
+from pointpred_observers.matrices import matrix, moments
+from pointpred_observers.nonlinearity import intervals, nonlinearity
+from pointpred_observers.persidskii import Persidskii, column, row
+from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred_observers.slopes import require_slopes
 
 Slopes = tuple[tuple[float, float], ...] | None
 

@@ -7,11 +7,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound, region
-from pointpred.observers.matrices import positive
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.reversed_connection import Connection
+from pointpred.records import FloatArray
+from pointpred_observers.bounds import ErrorBound, continuous_bound, discrete_bound, region
+from pointpred_observers.matrices import positive
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.reversed_connection import Connection
 
 
 class Convergence(msgspec.Struct, frozen=True):

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
@@ -15,16 +14,17 @@ from pointpred.errors import (
     PointpredError,
     UndecidedError,
 )
-from pointpred.observers.balance import Coordinates, balanced, form, inward, outward
-from pointpred.observers.detectability import require_detectable, vertices
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import matrix, positive, without_rounding
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.convergence import Convergence
-from pointpred.observers.reduced_order.reversed_certificate import certify_convergence
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
-from pointpred.observers.reduced_order.upsilon import Choice, Split, allowed, split
-from pointpred.observers.stationary import filter_start
+from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates, balanced, form, inward, outward
+from pointpred_observers.detectability import require_detectable, vertices
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import matrix, positive, without_rounding
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.convergence import Convergence
+from pointpred_observers.reduced_order.reversed_certificate import certify_convergence
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred_observers.reduced_order.upsilon import Choice, Split, allowed, split
+from pointpred_observers.stationary import filter_start
 
 GAMMAS = (1.0, 1e-2)
 """The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
-from pointpred.observers.interconnected.missing_inputs import MissingInputs
-from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
-from pointpred.observers.matrices import instance, matrix
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred.records import FloatArray
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_observer import PersidskiiObserver
+from pointpred_observers.matrices import instance, matrix
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 
 
 def invariant_stage(
@@ -33,7 +33,7 @@ def invariant_stage(
 
     Reference: Khalin 2022, (3.17), (3.19), (3.29).
 
-    >>> from pointpred.observers import Persidskii, invariant_observer
+    >>> from pointpred_observers import Persidskii, invariant_observer
     >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])  # position, velocity
     >>> stage = invariant_stage(invariant_observer(plant, [[0.0, 1.0]], [[-20.0]]), step_s=0.01)
     >>> for i in range(100):

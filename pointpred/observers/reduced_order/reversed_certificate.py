@@ -9,22 +9,22 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.balance import balanced, form, inward
-from pointpred.observers.bounds import least_ratio
-from pointpred.observers.detectability import vertices
-from pointpred.observers.eigenvalues import require_decay
-from pointpred.observers.inequalities.audit import answer_of_a_search
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.unknowns import Block
-from pointpred.observers.matrices import instance, matrix, moments, positive
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.connections import Slopes, connections_of
-from pointpred.observers.reduced_order.convergence import Convergence, convergence
-from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred.observers.slopes import ROUNDING
-from pointpred.observers.stationary import cover, decay_start, middle, normal
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.bounds import least_ratio
+from pointpred_observers.detectability import vertices
+from pointpred_observers.eigenvalues import require_decay
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.unknowns import Block
+from pointpred_observers.matrices import instance, matrix, moments, positive
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.connections import Slopes, connections_of
+from pointpred_observers.reduced_order.convergence import Convergence, convergence
+from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
+from pointpred_observers.slopes import ROUNDING
+from pointpred_observers.stationary import cover, decay_start, middle, normal
 
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
 """Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
@@ -133,7 +133,7 @@ def certify_convergence(
 
     Reference: Khalin 2022, Theorems 3.3.1 and 3.3.2, the bounds corrected.
 
-    >>> from pointpred.observers import Persidskii, invariant_observer
+    >>> from pointpred_observers import Persidskii, invariant_observer
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
     >>> certificate = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
     >>> min(certificate.margins.values()) > 0.0, certificate.bound(1.0, 1.0) < 0.14

@@ -8,11 +8,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
-from pointpred.observers.linear_systems import Plant, as_plant
-from pointpred.observers.matrices import (
+from pointpred.records import FloatArray
+from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
+from pointpred_observers.linear_systems import Plant, as_plant
+from pointpred_observers.matrices import (
     ROUNDING,
     dimensions,
     instance,
@@ -284,7 +284,7 @@ def invariant_observer(
 
     Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
 
-    >>> from pointpred.observers import Persidskii
+    >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
     >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
     >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()

@@ -8,14 +8,14 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.inequalities.unknowns import Block
-from pointpred.observers.matrices import matrix, without_rounding
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.reversed_certificate import lipschitz, symmetric
-from pointpred.observers.stationary import cover, filter_start, middle
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.inequalities.unknowns import Block
+from pointpred_observers.matrices import matrix, without_rounding
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz, symmetric
+from pointpred_observers.stationary import cover, filter_start, middle
 
 SLACK = 1e3
 """Offset of the slack, since unknown numbers must not be negative."""

@@ -6,8 +6,8 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 
 
 class Excitation(msgspec.Struct, frozen=True):

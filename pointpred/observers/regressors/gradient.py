@@ -11,14 +11,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers.matrices import TIMES, one_of
 from pointpred.parameter import option, parameter
+from pointpred.records import FloatArray
 from pointpred.regression import gradient
 from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
+from pointpred_observers.matrices import TIMES, one_of
 
 CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
 """Kinds of law, as stored in the memory."""

@@ -9,17 +9,17 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
-from pointpred.observers import nonlinearity
-from pointpred.observers.matrices import positive, vector
-from pointpred.observers.nonlinearity import KNOWN
-from pointpred.observers.regressors.excitation import increasing, samples
-from pointpred.observers.regressors.gradient import finite, joined
 from pointpred.parameter import option, parameter
+from pointpred.records import FloatArray
 from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
+from pointpred_observers import nonlinearity
+from pointpred_observers.matrices import positive, vector
+from pointpred_observers.nonlinearity import KNOWN
+from pointpred_observers.regressors.excitation import increasing, samples
+from pointpred_observers.regressors.gradient import finite, joined
 
 MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.isfinite(one.high))
 """Nondecreasing nonlinearities with a bounded slope."""

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.observers.matrices import instance
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, run, sampled
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import instance
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
 
 
 def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting) -> Simulation:

@@ -6,31 +6,31 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import (
+from pointpred.records import FloatArray
+from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.interconnected.generator import (
     Fitted,
     Generator,
     fitted,
     require_same_nonlinearity,
 )
-from pointpred.observers.interconnected.persidskii_observer import (
+from pointpred_observers.interconnected.persidskii_observer import (
     PersidskiiObserver,
     observer_stage,
     regulator_with_estimate,
 )
-from pointpred.observers.interconnected.regulator import RegulatorDesign
-from pointpred.observers.interconnected.steady_state import steady_state_map
-from pointpred.observers.interconnected.tracking import closed_loop
-from pointpred.observers.linear_systems import as_plant
-from pointpred.observers.matrices import dimensions
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.invariant_stage import invariant_stage
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.interconnected.regulator import RegulatorDesign
+from pointpred_observers.interconnected.steady_state import steady_state_map
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.linear_systems import as_plant
+from pointpred_observers.matrices import dimensions
+from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.reduced_order.design import ReducedOrderDesign
+from pointpred_observers.reduced_order.invariant_stage import invariant_stage
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, run, sampled
 
 UNUSED = ("unknown_input", "schedule")
 

@@ -8,15 +8,15 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance, matrix
-from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
-from pointpred.observers.regressors.gradient import GradientRegressor
-from pointpred.observers.regressors.nonlinear_regression import NonlinearRegressor
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting
+from pointpred.records import FloatArray
 from pointpred.regression import RecursiveLeastSquares
+from pointpred_observers.matrices import instance, matrix
+from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
+from pointpred_observers.regressors.gradient import GradientRegressor
+from pointpred_observers.regressors.nonlinear_regression import NonlinearRegressor
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting
 
 
 class Regression(msgspec.Struct, frozen=True):

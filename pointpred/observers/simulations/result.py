@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Panel, beside, drawn, written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
-from pointpred.observers.paths import writable
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.paths import writable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

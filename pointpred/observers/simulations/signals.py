@@ -8,10 +8,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, PointpredError
-from pointpred.observers.matrices import matrix, vector
-from pointpred.observers.trajectories import Field, trajectory
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import matrix, vector
+from pointpred_observers.trajectories import Field, trajectory
 
 Signal = Callable[[float], FloatArray]
 SAMPLES, STEP_S = 1001, 1e-2

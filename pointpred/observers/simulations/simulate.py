@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.observers.interconnected.design import ObserverDesign
-from pointpred.observers.interconnected.generator import Generator
-from pointpred.observers.interconnected.regulator import RegulatorDesign
-from pointpred.observers.reduced_order.design import ReducedOrderDesign
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred.observers.regressors.gradient import GradientRegressor
-from pointpred.observers.regressors.nonlinear_regression import NonlinearRegressor
-from pointpred.observers.simulations import parameter_varying, persidskii, regressions, symbolic
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.regression import RecursiveLeastSquares
+from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.interconnected.regulator import RegulatorDesign
+from pointpred_observers.reduced_order.design import ReducedOrderDesign
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred_observers.regressors.gradient import GradientRegressor
+from pointpred_observers.regressors.nonlinear_regression import NonlinearRegressor
+from pointpred_observers.simulations import parameter_varying, persidskii, regressions, symbolic
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def simulate(
@@ -70,7 +70,7 @@ def simulate(
     observer does not keep the equalities of its certificate.
 
     >>> import numpy as np
-    >>> from pointpred.observers import Persidskii, design_reduced_order
+    >>> from pointpred_observers import Persidskii, design_reduced_order
     >>> cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
     >>> design = design_reduced_order(cart, decay=3.0)
     >>> result = simulate(cart, design, times=np.arange(0.0, 4.0, 0.01), input=np.sin)

@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance
-from pointpred.observers.simulations.result import Simulation
-from pointpred.observers.simulations.signals import Setting, Signal, run
-from pointpred.observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.system import SymbolicSteadyState, SymbolicSystem
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import instance
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, Signal, run
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.system import SymbolicSteadyState, SymbolicSystem
 
 
 def interlaced(observer: InterlacedObserver, plant: Any, setting: Setting) -> Simulation:

@@ -8,16 +8,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.detectability import require_detectable
-from pointpred.observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred.observers.error_systems.system import ErrorSystem
-from pointpred.observers.triangular.interlaced_observer import output_matrix
-from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.ranges import enclosure
-from pointpred.observers.triangular.regions import Region, intervals_of
-from pointpred.observers.triangular.system import SymbolicSteadyState
+from pointpred.records import FloatArray
+from pointpred_observers.detectability import require_detectable
+from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
+from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.triangular.interlaced_observer import output_matrix
+from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.ranges import enclosure
+from pointpred_observers.triangular.regions import Region, intervals_of
+from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8
 """Most different terms of the Jacobian: each doubles the number of corners."""
@@ -61,7 +61,7 @@ def assumption_4_4_2(
     Reference: Khalin 2022, Assumption 4.4.2; Lohmiller and Slotine 1998.
 
     >>> import sympy as sp
-    >>> from pointpred.observers import SymbolicGenerator, SymbolicSystem, interlaced
+    >>> from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
     >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)

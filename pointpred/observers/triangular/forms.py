@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance
-from pointpred.observers.triangular.order import Solving
-from pointpred.observers.triangular.regions import Region
-from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.matrices import instance
+from pointpred_observers.triangular.order import Solving
+from pointpred_observers.triangular.regions import Region
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 
 def feedback(

@@ -9,17 +9,17 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.balance import balanced, form, inward, outward
-from pointpred.observers.bounds import eigenvalues
-from pointpred.observers.detectability import require_detectable
-from pointpred.observers.inequalities.audit import answer_of_a_search
-from pointpred.observers.inequalities.definite import solved
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.matrices import matrix
-from pointpred.observers.stationary import filter_start
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, form, inward, outward
+from pointpred_observers.bounds import eigenvalues
+from pointpred_observers.detectability import require_detectable
+from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.definite import solved
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.matrices import matrix
+from pointpred_observers.stationary import filter_start
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""

@@ -13,17 +13,17 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers.matrices import instance, matrix
-from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, certify
-from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.program import ROW, computable, execute, program
-from pointpred.observers.triangular.system import SymbolicSteadyState
 from pointpred.parameter import parameter
+from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.recursive_least_squares import moment
 from pointpred.stage import CompiledStage, loop_into
+from pointpred_observers.matrices import instance, matrix
+from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, certify
+from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.program import ROW, computable, execute, program
+from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TAKEN, BACKWARDS = 0, 1
 """Results of a step."""
@@ -156,8 +156,8 @@ class InterlacedObserver(CompiledStage):
     EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> import sympy as sp
-    >>> from pointpred.observers.triangular.forms import interlaced
-    >>> from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSystem
+    >>> from pointpred_observers.triangular.forms import interlaced
+    >>> from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSystem
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
     >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.ranges import interval_function
-from pointpred.observers.triangular.regions import Region, intervals_of
-from pointpred.observers.triangular.system import vanishes
+from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.ranges import interval_function
+from pointpred_observers.triangular.regions import Region, intervals_of
+from pointpred_observers.triangular.system import vanishes
 
 BOXES_MOST = 4000
 """Most boxes examined before the answer is undecided."""

@@ -10,12 +10,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import instance, listed
-from pointpred.observers.triangular.nonzero import prove_nonzero
-from pointpred.observers.triangular.polynomials import exact, symbolic
-from pointpred.observers.triangular.power_series import Free, power_series
-from pointpred.observers.triangular.regions import Region
-from pointpred.observers.triangular.system import (
+from pointpred_observers.matrices import instance, listed
+from pointpred_observers.triangular.nonzero import prove_nonzero
+from pointpred_observers.triangular.polynomials import exact, symbolic
+from pointpred_observers.triangular.power_series import Free, power_series
+from pointpred_observers.triangular.regions import Region
+from pointpred_observers.triangular.system import (
     HIGHEST_DEGREE,
     SymbolicGenerator,
     SymbolicSteadyState,

@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.triangular.polynomials import composed, part, powers_of_degree, symbolic
+from pointpred_observers.triangular.polynomials import composed, part, powers_of_degree, symbolic
 
 COINCIDENCE = 1e-9
 """Distance below which an eigenvalue and a sum of eigenvalues count as a resonance."""

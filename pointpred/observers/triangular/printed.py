@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.matrices import instance, listed
-from pointpred.observers.triangular.polynomials import composed, cut, exact, symbolic
-from pointpred.observers.triangular.system import (
+from pointpred_observers.matrices import instance, listed
+from pointpred_observers.triangular.polynomials import composed, cut, exact, symbolic
+from pointpred_observers.triangular.system import (
     HIGHEST_DEGREE,
     SymbolicGenerator,
     SymbolicSteadyState,

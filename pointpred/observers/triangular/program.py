@@ -12,10 +12,10 @@ from typing import Any
 
 import msgspec
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.polynomials import symbolic
+from pointpred.records import FloatArray
+from pointpred_observers.triangular.polynomials import symbolic
 
 ROW = 4
 COPY, ADD, MULTIPLY, DIVIDE, POWER = 0, 1, 2, 3, 4

@@ -8,7 +8,7 @@ from math import inf, isfinite
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular.polynomials import symbolic
+from pointpred_observers.triangular.polynomials import symbolic
 
 PARTS_MOST = 4096
 """Parts of the box, all axes together: more parts give a tighter enclosure."""

@@ -8,11 +8,11 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import listed
-from pointpred.observers.triangular.polynomials import exact, symbolic
-from pointpred.observers.triangular.power_series import Free
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import listed
+from pointpred_observers.triangular.polynomials import exact, symbolic
+from pointpred_observers.triangular.power_series import Free
 
 HIGHEST_DEGREE = 15
 """Highest degree of a series; the number of terms sets this limit."""

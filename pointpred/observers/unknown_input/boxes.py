@@ -8,9 +8,9 @@ from math import isfinite
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
+from pointpred.records import FloatArray
 
 AXES_MOST = 12
 """Most axes of nonzero width: each doubles the number of vertices."""

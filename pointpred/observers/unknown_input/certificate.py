@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
-from pointpred.observers.inequalities.definite import ROUNDING, least
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.definite import ROUNDING, least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):

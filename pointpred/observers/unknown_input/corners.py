@@ -7,12 +7,12 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import dimensions, instance, matrix
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
-from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred.records import FloatArray
+from pointpred_observers.matrices import dimensions, instance, matrix
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 
 class CornerMatrix:

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred.observers.unknown_input.gains import (
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.unknown_input.gains import (
     NEGLIGIBLE,
     ROOMS,
     Room,
@@ -18,7 +18,7 @@ from pointpred.observers.unknown_input.gains import (
     mean_start,
     solved,
 )
-from pointpred.observers.unknown_input.invariant_zeros import kernel
+from pointpred_observers.unknown_input.invariant_zeros import kernel
 
 
 def lyapunov(

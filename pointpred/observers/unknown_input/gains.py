@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, UndecidedError
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.stationary import decay_start, filter_start
-from pointpred.observers.unknown_input.invariant_zeros import kernel
+from pointpred.records import FloatArray
+from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
+from pointpred_observers.stationary import decay_start, filter_start
+from pointpred_observers.unknown_input.invariant_zeros import kernel
 
 
 class Room(NamedTuple):

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.balance import balanced, inward
-from pointpred.observers.matrices import matrix
-from pointpred.observers.rounding import without_rounding
+from pointpred.records import FloatArray
+from pointpred_observers.balance import balanced, inward
+from pointpred_observers.matrices import matrix
+from pointpred_observers.rounding import without_rounding
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""

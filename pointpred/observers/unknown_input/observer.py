@@ -9,29 +9,29 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.balance import form, inward, outward
-from pointpred.observers.eigenvalues import number_text, perron_root
-from pointpred.observers.matrices import instance
-from pointpred.observers.unknown_input import discrete_gains
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.certificate import (
+from pointpred.parameter import is_number
+from pointpred.records import FloatArray
+from pointpred_observers.balance import form, inward, outward
+from pointpred_observers.eigenvalues import number_text, perron_root
+from pointpred_observers.matrices import instance
+from pointpred_observers.unknown_input import discrete_gains
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.certificate import (
     UnknownInputCertificate,
     audit,
     largest_sigma,
 )
-from pointpred.observers.unknown_input.gains import ROOMS, Room, gain, lyapunov
-from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, independent, kernel
-from pointpred.observers.unknown_input.reconstruction import InputReconstruction
-from pointpred.observers.unknown_input.run import (
+from pointpred_observers.unknown_input.gains import ROOMS, Room, gain, lyapunov
+from pointpred_observers.unknown_input.invariant_zeros import fixed_modes, independent, kernel
+from pointpred_observers.unknown_input.reconstruction import InputReconstruction
+from pointpred_observers.unknown_input.run import (
     RunningUnknownInputObserver,
     UnknownInputEstimate,
     UnknownInputSample,
 )
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
-from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
-from pointpred.parameter import is_number
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 OUTPUT_RATE = 5.0
 """Decay rate of errors of the outputs in continuous time, in the balanced unit of time of the design."""

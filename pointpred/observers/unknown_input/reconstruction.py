@@ -6,9 +6,9 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.records import BoolArray, FloatArray
+from pointpred_observers.matrices import matrix
 
 SINGULAR = 1e-9
 """Singular values below this share of the largest count as zero."""

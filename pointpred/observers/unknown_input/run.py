@@ -9,12 +9,12 @@ from typing import Protocol, Self
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers.eigenvalues import perron_root
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
-from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred.records import FloatArray
+from pointpred_observers.eigenvalues import perron_root
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
@@ -115,9 +115,9 @@ class RunningUnknownInputObserver:
     replaces; ``reconstruction`` of the unknown input. Memory: the estimate, one sample, and a covariance.
     Raises ParameterError; EventError and EventOrderError from ``update``, which leaves it unchanged.
 
-    >>> from pointpred.observers.unknown_input.boxes import Box
-    >>> from pointpred.observers.unknown_input.observer import UnknownInputObserver
-    >>> from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+    >>> from pointpred_observers.unknown_input.boxes import Box
+    >>> from pointpred_observers.unknown_input.observer import UnknownInputObserver
+    >>> from pointpred_observers.unknown_input.system import ParameterVaryingSystem
     >>> system = ParameterVaryingSystem(
     ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     ... )

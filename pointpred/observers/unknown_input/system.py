@@ -8,14 +8,14 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers.balance import Coordinates, balanced
-from pointpred.observers.matrices import TIMES, dimensions, instance, matrix, one_of
-from pointpred.observers.rounding import without_rounding
-from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.invariant_zeros import decoupling
-from pointpred.observers.unknown_input.takagi_sugeno import (
+from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates, balanced
+from pointpred_observers.matrices import TIMES, dimensions, instance, matrix, one_of
+from pointpred_observers.rounding import without_rounding
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.invariant_zeros import decoupling
+from pointpred_observers.unknown_input.takagi_sugeno import (
     TakagiSugeno,
     corners,
     difference,

@@ -7,11 +7,11 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.observers import rounding
-from pointpred.observers.matrices import matrix
-from pointpred.observers.unknown_input.boxes import Box
+from pointpred.records import FloatArray
+from pointpred_observers import rounding
+from pointpred_observers.matrices import matrix
+from pointpred_observers.unknown_input.boxes import Box
 
 Scheduled = Callable[[Mapping[str, float]], FloatArray]
 """A matrix as a function of the scheduling variables."""

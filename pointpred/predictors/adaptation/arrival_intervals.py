@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from math import exp, log
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation.stages import interpolation_among
+from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
 LEVELS = (0.5, 0.8)

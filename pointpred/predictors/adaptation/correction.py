@@ -9,7 +9,6 @@ from __future__ import annotations
 from math import floor, hypot, sqrt
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.predictors.adaptation import (
     arrival_intervals,
@@ -28,7 +27,7 @@ from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
-from pointpred.rows import SixFloats, TenFloats
+from pointpred.records import FloatArray, SixFloats, TenFloats
 from pointpred.scene import Scene
 from pointpred.stage import offsets
 

@@ -12,10 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, habits, places
-from pointpred.rows import SixFloats
+from pointpred.records import FloatArray, SixFloats
 from pointpred.stage import offsets
 
 NEARNESS = 1.25

@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.events import LARGEST
+from pointpred.records import LARGEST, FloatArray
 from pointpred.stage import Slot, offsets
 
 CAPACITY = 12

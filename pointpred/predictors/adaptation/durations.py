@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.events import LATEST_S
+from pointpred.records import LATEST_S, FloatArray
 from pointpred.stage import Slot, offsets
 
 CAPACITY = 12

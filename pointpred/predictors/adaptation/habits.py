@@ -13,9 +13,9 @@ from math import exp, hypot, log
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, places
+from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
 OFTEN, LATELY, AFTER_SO_MANY, FROM_HERE, RULES = range(5)

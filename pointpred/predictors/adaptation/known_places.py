@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import correction, destination, places
 from pointpred.predictors.adaptation.correction import Parts
+from pointpred.records import FloatArray
 from pointpred.scene import Scene
 
 # A row: position in px, shares now and before the movement, visits, the number of the place, the standard

@@ -7,10 +7,10 @@ Reference: Gibbs, Candes 2021, "Adaptive conformal inference under distribution 
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.mixtures.levels import LEVELS
 from pointpred.predictors.adaptation.stages import STAGES, interpolation
+from pointpred.records import FloatArray
 from pointpred.stage import Slot
 
 STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2

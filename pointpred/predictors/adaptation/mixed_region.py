@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.mixtures import density
 from pointpred.mixtures.levels import LEVELS, probability
 from pointpred.predictors.adaptation import destination, levels, places
-from pointpred.rows import SixFloats
+from pointpred.records import FloatArray, SixFloats
 from pointpred.stage import Slot, offsets
 
 MOST_PLACES = 4

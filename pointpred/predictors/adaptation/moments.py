@@ -5,9 +5,8 @@ When all places are taken, every second moment is dropped and their distance in 
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import ROUNDING_S
+from pointpred.records import ROUNDING_S, FloatArray
 from pointpred.stage import offsets
 
 # The movement, relative to its place: how many moments there are, their distance in time, the cursor at the

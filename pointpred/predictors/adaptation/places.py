@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from math import hypot
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.events import LARGEST
+from pointpred.records import LARGEST, FloatArray
 from pointpred.stage import Slot, offsets
 
 CAPACITY = 64

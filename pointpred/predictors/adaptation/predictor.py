@@ -7,9 +7,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.events import Place
 from pointpred.mixtures import density
 from pointpred.mixtures.mixture import Mixture, Part
 from pointpred.parameter import parameter
@@ -20,7 +18,7 @@ from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.rows import MotionRow, Row, TenFloats
+from pointpred.records import FloatArray, MotionRow, Place, Row, TenFloats
 from pointpred.scene import SCREEN, Scene
 from pointpred.stage import offsets
 

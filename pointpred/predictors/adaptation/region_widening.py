@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from math import exp, log
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.mixtures.levels import LEVELS, corrected_radius, heaviness, squared_radius
 from pointpred.predictors.adaptation import levels, mixed_region, moments
+from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
 JUDGED = 9

@@ -8,8 +8,8 @@ from __future__ import annotations
 from math import exp, floor, log, sqrt
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
 STAGES = 5

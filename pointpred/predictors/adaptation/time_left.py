@@ -15,10 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.predictors.adaptation import arrival_intervals, moments
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
+from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
 TERMS = 7

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from math import hypot, nan
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.kep import quartic
 from pointpred.predictors.kep.quartic import Quartic
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.regression import least_squares
 from pointpred.stage import offsets
 

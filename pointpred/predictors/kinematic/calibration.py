@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import exp, floor
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 
 KNOTS = 10
 """Of the share of the time that has passed, as predicted: 0.05, 0.15 ... 0.95."""

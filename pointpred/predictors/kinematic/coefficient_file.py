@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.predictors.kinematic import calibration, features, network
+from pointpred.records import FloatArray
 
 VERSION = 2
 """Of what the file holds and of what its numbers mean; a file of another version is refused."""

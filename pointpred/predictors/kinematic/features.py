@@ -9,12 +9,11 @@ from __future__ import annotations
 from math import hypot, log
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import minimum_jerk
 from pointpred.predictors.kinematic import history, submovements, track
 from pointpred.predictors.kinematic.history import Point
-from pointpred.rows import MotionRow
+from pointpred.records import FloatArray, MotionRow
 from pointpred.stage import offsets
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)

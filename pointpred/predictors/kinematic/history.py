@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import floor, hypot
 from typing import NamedTuple
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.stage import offsets
 
 TICK_S = 0.008

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic import features
+from pointpred.records import FloatArray
 from pointpred.stage import offsets
 
 # Outputs: the endpoint from the cursor in reaches, along and across the direction; shares of the basis;

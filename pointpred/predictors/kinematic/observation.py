@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import features, history, track
 from pointpred.predictors.kinematic.features import Frame
 from pointpred.predictors.kinematic.history import Point
-from pointpred.records import FINE, MotionRow, row_at
+from pointpred.records import FINE, BoolArray, FloatArray, MotionRow, row_at
 from pointpred.stage import offsets
 
 # State, relative to `at`: the movement; the track and the head of the history, and both as they were before

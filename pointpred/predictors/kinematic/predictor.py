@@ -9,13 +9,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import option
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import calibration, coefficient_file, features, network, observation
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 

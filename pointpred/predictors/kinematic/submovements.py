@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic.history import Point
+from pointpred.records import FloatArray
 
 FALLEN, RISEN = 0.7, 1.4
 """A sub-movement ends where the speed has fallen below this share of its peak and rises by this factor."""

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from math import hypot
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic import submovements
 from pointpred.predictors.kinematic.history import Point
-from pointpred.rows import MotionRow
+from pointpred.records import FloatArray, MotionRow
 from pointpred.stage import offsets
 
 SLOW, SLOWER = 0.2, 0.05

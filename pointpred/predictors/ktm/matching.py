@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from math import exp
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.predictors import movement
+from pointpred.records import FloatArray
 from pointpred.stage import offsets
 
 RATE_HZ = 20.0

@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import option, parameter
 from pointpred.predictors import movement
 from pointpred.predictors.ktm import matching
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 
 TEMPLATES_MOST = 1000
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors.ktm import matching
 from pointpred.predictors.ktm.predictor import TEMPLATES_MOST, TemplatePredictor
 from pointpred.recording import Recording
+from pointpred.records import EventColumns, FloatArray
 
 
 def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
@@ -17,7 +17,7 @@ def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
     Raises ParameterError for more than 1000 trials, and where a trial has fewer than 4 points of different
     time, takes less than 50 ms, or takes longer than ``longest_s``.
 
-    >>> from pointpred.columns import EventColumns
+    >>> from pointpred.records import EventColumns
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.04, 0.08, 0.12], x=[0, 4, 8, 12], y=[0, 0, 0, 0])
     >>> templates_of(Recording.of("one", [path], [Trial("ann", "1")]), longest_s=0.2).tolist()

@@ -12,8 +12,8 @@ from math import hypot, inf
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, ScoredTrial
 
 WEIGHT_S = 0.05

@@ -7,8 +7,8 @@ from math import erf, exp, inf, lgamma, log, pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.regions import reach as plain_reach
 from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 

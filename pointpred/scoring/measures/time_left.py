@@ -8,8 +8,8 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 from pointpred.scoring.measures.regions import LEVELS
 

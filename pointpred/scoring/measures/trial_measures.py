@@ -6,8 +6,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint, regions, time_left
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors

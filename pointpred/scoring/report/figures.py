@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import (
     FAINT,
     GREY,
@@ -21,6 +20,7 @@ from pointpred.drawing import (
     legend_outside,
     picture,
 )
+from pointpred.records import FloatArray
 from pointpred.scoring.measures.regions import LEVELS
 from pointpred.scoring.results import AXIS_FRACTIONS, SetScore, WorstTrial
 from pointpred.scoring.statistics import AxisProfile, Box

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
 from pointpred.recording import Skip
+from pointpred.records import FloatArray
 from pointpred.scoring.report.figures import (
     MOST_LINES,
     boxes,

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 
 DRAWS = 2000
 LEVEL = 0.95

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
 from pointpred.scoring.measures import regions
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (

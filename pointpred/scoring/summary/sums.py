@@ -12,8 +12,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.records import FloatArray
 from pointpred.simulation.desktop.windows import ENTRIES, ICONS, ITEMS, MENUS, TOOLS
 
 SINGLE_BUTTONS, MENU_SEQUENCES = 5, 3

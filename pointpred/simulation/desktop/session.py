@@ -8,10 +8,10 @@ from math import nan
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import DivergenceError
 from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns, FloatArray
 from pointpred.simulation import movement, plan
 from pointpred.simulation.desktop.scenario import named
 from pointpred.simulation.desktop.windows import SCREEN_PX

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.sources.columns.names import VAGUE, words_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.assembly import MOST_BUTTONS
-from pointpred.sources.trials.keys import codes_of
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.columns.names import VAGUE, words_of
+from pointpred.recordings.trials import MOST_BUTTONS, codes_of
+from pointpred.records import FloatArray
 
 RELEASED = frozenset(("false", "no", "none", "up", "released", "release", "mouseup", "move", "mousemove"))
 DOWN = ("true", "yes", "down", "pressed", "press", "mousedown", "click", "left", "drag", "primary")

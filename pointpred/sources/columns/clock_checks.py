@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.sources.columns.clock_units import LONGEST_S, SHORTEST_S, forwards, units_by_rate
-from pointpred.sources.trials.keys import codes_of
+from pointpred.recordings.columns.clocks import LONGEST_S, SHORTEST_S, forwards, units_by_rate
+from pointpred.recordings.trials import codes_of
+from pointpred.records import FloatArray
 
 FEW = 3
 """Fewest steps that are checked."""

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
-from pointpred.sources.columns.list_rows import holds_lists, steps_of
-from pointpred.sources.columns.names import has_other_unit, unit_in
-from pointpred.sources.columns.time_units import PER_SECOND, clock, is_stamps
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.columns.clocks import PER_SECOND, clock, is_stamps
+from pointpred.recordings.columns.list_rows import holds_lists, steps_of
+from pointpred.recordings.columns.names import has_other_unit, unit_in
+from pointpred.records import FloatArray
 
 SHORTEST_S, LONGEST_S = 1e-4, 1.5
 """Bounds on the median interval between samples: a fast mouse, and a slow protocol."""

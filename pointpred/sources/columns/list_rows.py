@@ -11,10 +11,9 @@ import numpy as np
 import pyarrow as pa
 
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.conditions import TARGET, condition_name
-from pointpred.sources.trials.lists import CLOSING, Lists, is_list, split
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.trials import CLOSING, TARGET, Lists, condition_name, is_list, split
 
 LONGEST_CONDITION = 200
 """Longer cells of other columns are not conditions."""

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ColumnsError
-from pointpred.sources.columns.clock_units import counts_frames, is_clock, is_numbers, units_of
-from pointpred.sources.columns.names import Guess, guess, similar_names, words_of
-from pointpred.sources.reading import FIELDS, NEEDED, Reading
+from pointpred.recordings.columns.clocks import counts_frames, is_clock, is_numbers, units_of
+from pointpred.recordings.columns.names import Guess, guess, similar_names, words_of
+from pointpred.recordings.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
 JOIN = "+"

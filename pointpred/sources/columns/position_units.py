@@ -8,10 +8,9 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.events import METRES_PER_INCH
-from pointpred.sources.reading import Reading
+from pointpred.recordings.reading import Reading
+from pointpred.records import METRES_PER_INCH, FloatArray
 
 Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 LEAST_PX = 2.0

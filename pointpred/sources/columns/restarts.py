@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
-from pointpred.sources.columns.names import parts_of_study
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.keys import Codes, codes_of
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.columns.names import parts_of_study
+from pointpred.recordings.trials import Codes, codes_of
+from pointpred.records import FloatArray
 
 JOINTS = "+|/;"
 """Separators of joined columns: the first that occurs in no cell is used."""

@@ -11,24 +11,28 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.sources.columns import time_units
-from pointpred.sources.columns.buttons import buttons_of
-from pointpred.sources.columns.clock_checks import clock_notes, only_whole_seconds
-from pointpred.sources.columns.clock_units import HEAD, counts_frames, is_numbers, units_of
-from pointpred.sources.columns.list_rows import holds_lists, recording_of_lists, steps_of
-from pointpred.sources.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
-from pointpred.sources.columns.names import similar_names
-from pointpred.sources.columns.restarts import join_columns
-from pointpred.sources.columns.trials import Rows, recording_of_rows
-from pointpred.sources.reading import NEEDED, Reading
-from pointpred.sources.records.json_cells import open_cells
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import ColumnTable
-from pointpred.sources.trials.conditions import TARGET
-from pointpred.sources.trials.keys import codes_of
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.columns import time_units
+from pointpred.recordings.columns.clocks import (
+    HEAD,
+    clock_notes,
+    counts_frames,
+    is_numbers,
+    only_whole_seconds,
+    units_of,
+)
+from pointpred.recordings.columns.list_rows import holds_lists, recording_of_lists, steps_of
+from pointpred.recordings.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
+from pointpred.recordings.columns.names import similar_names
+from pointpred.recordings.columns.sample_rows import Rows, join_columns, recording_of_rows
+from pointpred.recordings.columns.table_recording import buttons_of
+from pointpred.recordings.nested_records import open_cells
+from pointpred.recordings.reading import NEEDED, Reading
+from pointpred.recordings.trials import TARGET, codes_of
+from pointpred.records import EventColumns, FloatArray
 
 MOSTLY = 0.5
 """Largest share of cells that are not numbers in a column of numbers."""

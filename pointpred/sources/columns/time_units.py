@@ -8,8 +8,8 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import arrow_tables
+from pointpred.records import FloatArray
 
 PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "iso": 1e9}
 """Units of the clock in a second; dates and times are read as ns."""

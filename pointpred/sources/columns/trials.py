@@ -10,16 +10,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.columns.restarts import without_restarts
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.reading import Cut, Reading
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.assembly import assemble
-from pointpred.sources.trials.conditions import TARGET, conditions_of, one_value
-from pointpred.sources.trials.keys import codes_of, keys_of
-from pointpred.sources.trials.segmentation import PAUSE_S, cut
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.columns.sample_rows import without_restarts
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.reading import Cut, Reading
+from pointpred.recordings.segmentation import PAUSE_S, cut
+from pointpred.recordings.trials import TARGET, assemble, codes_of, conditions_of, keys_of, one_value
+from pointpred.records import EventColumns, FloatArray
 
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
 LONG_S, GAP_S = 10.0, 1.0

@@ -9,14 +9,14 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
-from pointpred.sources.files.encodings import read_text, stem_of
-from pointpred.sources.reading import Reading
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.segmentation import trials_of_stream
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recordings.formats.evdev_frames import UnreadableLines
+from pointpred.recordings.reading import Reading
+from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.records import EventColumns
 
 EV_SYN, EV_KEY, EV_REL, EV_ABS = range(4)
 SYN_REPORT, SYN_DROPPED = 0, 3

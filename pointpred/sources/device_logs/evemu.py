@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import RawEvent, text_recording
-from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.recordings.formats.evdev_frames import RawEvent, UnreadableLines, text_recording
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evemu 1.x"
 EVENT = re.compile(

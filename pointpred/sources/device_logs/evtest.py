@@ -7,16 +7,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import (
+from pointpred.recordings.formats.evdev_frames import (
     EV_REL,
     EV_SYN,
     SYN_DROPPED,
     SYN_REPORT,
     RawEvent,
+    UnreadableLines,
     text_recording,
 )
-from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evtest text"
 STAMP = r"Event: time (\d{1,10})\.(\d{6}), "

@@ -11,11 +11,10 @@ from pointpred.errors import RecordingError
 from pointpred.hid.report_decoder import ReportDecoder
 from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import Frames, frames_of_counts, recording
-from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
-from pointpred.sources.files.encodings import read_text, stem_of
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.trials.merge import join
+from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recordings.formats.evdev_frames import Frames, UnreadableLines, frames_of_counts, recording
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import join
 
 TITLE = "hid-recorder"
 REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")

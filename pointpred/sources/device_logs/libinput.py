@@ -13,11 +13,10 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import Frames, RawEvent, frames, recording
-from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
-from pointpred.sources.files.encodings import open_text, stem_of
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.trials.merge import join
+from pointpred.recordings.encodings import open_text, stem_of
+from pointpred.recordings.formats.evdev_frames import Frames, RawEvent, UnreadableLines, frames, recording
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import join
 
 TITLE = "libinput record YAML"
 LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)

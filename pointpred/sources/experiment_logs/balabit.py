@@ -9,13 +9,13 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.reading import AS_IS, Reading, user_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.segmentation import trials_of_stream
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.reading import AS_IS, Reading, user_of
+from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.records import EventColumns, FloatArray
 
 TITLE = "Balabit or SapiMouse CSV"
 SAPIMOUSE = ("client timestamp", "button", "state", "x", "y")

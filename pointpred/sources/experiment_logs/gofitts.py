@@ -6,9 +6,9 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.files.encodings import read_text, stem_of
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.trials.lists import Lists
+from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import Lists
 
 TITLE = "GoFitts .sd3"
 FIRST = "TRACE DATA"

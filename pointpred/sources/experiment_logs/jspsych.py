@@ -12,11 +12,11 @@ import numpy as np
 
 from pointpred.errors import RecordingError
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
-from pointpred.sources.experiment_logs.row_conditions import row_conditions
-from pointpred.sources.files.encodings import holds, read_text, stem_of
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.lists import Lists
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import holds, read_text, stem_of
+from pointpred.recordings.formats.trial_rows import row_conditions
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import Lists
 
 TITLE = "jsPsych mouse-tracking (JSON or CSV)"
 DATA, TARGETS = "mouse_tracking_data", "mouse_tracking_targets"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.experiment_logs.row_conditions import people_of, row_conditions
-from pointpred.sources.files.encodings import head_of, stem_of
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.lists import Lists, split
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import head_of, stem_of
+from pointpred.recordings.formats.trial_rows import people_of, row_conditions
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import Lists, split
 
 TITLE = "OpenSesame mousetrap CSV"
 TIMES, XS, YS = "timestamps_", "xpos_", "ypos_"

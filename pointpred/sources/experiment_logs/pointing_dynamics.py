@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.events import METRES_PER_INCH
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.reading import AS_IS, Reading, user_of
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.trials.assembly import assemble
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.reading import AS_IS, Reading, user_of
+from pointpred.recordings.trials import assemble
+from pointpred.records import METRES_PER_INCH
 
 TITLE = "Pointing Dynamics Dataset CSV"
 NEEDED = ("time", "y", "target", "widthm")

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.sources.columns.names import guess
-from pointpred.sources.files.encodings import stem_of
-from pointpred.sources.trials.conditions import MOST, TRIAL_COLUMNS
+from pointpred.recordings.columns.names import guess
+from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.trials import MOST, TRIAL_COLUMNS
 
 SHOWN = 5
 LONGEST = 100

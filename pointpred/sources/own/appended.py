@@ -14,17 +14,15 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.files.encodings import read_unpacked, stem_of
-from pointpred.sources.reading import AS_IS, Reading, row_name
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.tables.header import Header, parse_header, says_appended
-from pointpred.sources.trials.assembly import assemble
-from pointpred.sources.trials.conditions import TARGET
-from pointpred.sources.trials.segmentation import trials_of_stream
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import Header, IntArray, parse_header, says_appended
+from pointpred.recordings.encodings import read_unpacked, stem_of
+from pointpred.recordings.reading import AS_IS, Reading, row_name
+from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.trials import TARGET, assemble
+from pointpred.records import EventColumns
 
 FORMAT = "pointpred recorder"
 LIVE = "pointpred live"

@@ -13,11 +13,10 @@ import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.files.arrow_files import open_file
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own.recordings import VALUES, files_of
-from pointpred.sources.own.trials_table import trial_table
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import open_file
+from pointpred.recordings.own import VALUES, files_of, trial_table
+from pointpred.recordings.writing import write_together
 
 
 def write_in_parts(parts: Iterable[Recording], path: str | Path) -> tuple[Path, Path]:

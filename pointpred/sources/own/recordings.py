@@ -11,19 +11,17 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.sources.columns import time_units
-from pointpred.sources.files.encodings import head_of, stem_of
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own import appended
-from pointpred.sources.own.trials_table import read_trials_table, trial_table
-from pointpred.sources.reading import AS_IS, Reading, row_name
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.assembly import assemble
-from pointpred.sources.trials.keys import codes_of, keys_of
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.columns import time_units
+from pointpred.recordings.encodings import head_of, stem_of
+from pointpred.recordings.own import appended, read_trials_table, trial_table
+from pointpred.recordings.reading import AS_IS, Reading, row_name
+from pointpred.recordings.trials import assemble, codes_of, keys_of
+from pointpred.recordings.writing import write_together
+from pointpred.records import FloatArray
 
 REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
 VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")

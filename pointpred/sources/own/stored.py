@@ -16,13 +16,11 @@ import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.sources.files.addresses import address_of, local_copy
-from pointpred.sources.files.arrow_files import open_file
-from pointpred.sources.own.trials_table import described
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.tables.header import Header, parse_header
-from pointpred.sources.trials.assembly import assemble
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.addresses import address_of, local_copy
+from pointpred.recordings.arrow_tables import Header, IntArray, open_file, parse_header
+from pointpred.recordings.own import described
+from pointpred.recordings.trials import assemble
 
 ROWS_LEAST = 1 << 22
 """A file with fewer rows is read as a whole: some 200 MB."""

@@ -13,11 +13,10 @@ import pyarrow as pa
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
-from pointpred.sources.reading import row_name
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.tables.header import Header
-from pointpred.sources.trials.conditions import TARGET, TRIAL_COLUMNS
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import Header, IntArray
+from pointpred.recordings.reading import row_name
+from pointpred.recordings.trials import TARGET, TRIAL_COLUMNS
 
 KEYS = ("dataset", "user", "trial")
 YES, NO = "true", "false"

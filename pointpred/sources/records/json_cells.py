@@ -6,7 +6,7 @@ import json
 import re
 from typing import Any
 
-from pointpred.sources.records.record_tables import records
+from pointpred.recordings.nested_records import records
 
 TRACK = re.compile(r'\s*(\[\s*[\[{]|\{\s*"[^"]*"\s*:\s*\[)')
 PROBE = 200

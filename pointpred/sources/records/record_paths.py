@@ -9,7 +9,8 @@ from typing import Any
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.sources.records.record_tables import (
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.nested_records import (
     MOST_DEPTH,
     RecordTable,
     check_depth,
@@ -17,7 +18,6 @@ from pointpred.sources.records.record_tables import (
     scalars,
     table_of,
 )
-from pointpred.sources.tables.column_table import ColumnTable
 
 EACH = "*"
 LEAST_COLUMNS = 3

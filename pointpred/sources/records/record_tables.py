@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.sources.tables.column_table import distinct_names
+from pointpred.recordings.arrow_tables import distinct_names
 
 MOST_DEPTH = 32
 MOST_CELLS = 40_000_000

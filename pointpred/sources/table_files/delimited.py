@@ -13,12 +13,11 @@ import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Skip
-from pointpred.sources.files.encodings import UTF_8, open_utf8
-from pointpred.sources.reading import AS_IS, Reading, row_name
-from pointpred.sources.table_files.delimited_layout import MOST_COLUMNS, Layout, is_row, layout_of
-from pointpred.sources.table_files.number_marks import plain_numbers
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.encodings import UTF_8, open_utf8
+from pointpred.recordings.formats.delimited import MOST_COLUMNS, Layout, is_row, layout_of, plain_numbers
+from pointpred.recordings.reading import AS_IS, Reading, row_name
 
 TITLE = "a table of samples (delimited text)"
 HEAD = 1 << 16

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from pointpred.sources.tables.column_table import distinct_names
+from pointpred.recordings.arrow_tables import distinct_names
 
 LINES = 60
 """Most lines examined."""

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.sources.files.encodings import read_text
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.records.record_paths import table_at
-from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.encodings import read_text
+from pointpred.recordings.nested_records import table_at
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "JSON or JSON lines"
 BEGINNING = re.compile(rb"""\s*(\{\s*["}]|\[\s*["\[{\]\-0-9tfnN])""")

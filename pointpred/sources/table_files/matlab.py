@@ -7,11 +7,11 @@ from pathlib import Path
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.sources.files.encodings import read_unpacked
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.records.record_paths import table_at
-from pointpred.sources.table_files.matlab_values import HEADER_BYTES, UNREAD, variables_of
-from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.encodings import read_unpacked
+from pointpred.recordings.formats.matlab import HEADER_BYTES, UNREAD, variables_of
+from pointpred.recordings.nested_records import table_at
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "MATLAB .mat"
 MAGIC, HDF5 = b"MATLAB ", b"MATLAB 7.3"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import RecordingError
-from pointpred.sources.records.record_tables import check_depth
+from pointpred.recordings.nested_records import check_depth
 
 HEADER_BYTES, TAG_BYTES = 128, 8
 MATRIX, COMPRESSED = 14, 15

@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 import pyarrow.compute as pc
 
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import arrow_tables
 
 BLANK = r"[ \x{A0}\x{202F}\x{2009}]"
 SIGN = r"^\s*[+-]?"

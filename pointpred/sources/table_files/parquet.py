@@ -9,9 +9,9 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "a table of samples (Parquet)"
 LISTS = (pa.types.is_list, pa.types.is_large_list, pa.types.is_fixed_size_list)

@@ -16,10 +16,9 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
-from pointpred.sources.files.encodings import open_unpacked
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.tables.arrow_tables import unreadable
-from pointpred.sources.tables.column_table import ColumnTable, distinct_names
+from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
+from pointpred.recordings.encodings import open_unpacked
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "XDF"
 MAGIC = b"XDF:"

@@ -13,11 +13,9 @@ from zipfile import ZipFile
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
-from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.records.record_paths import CLEAR, EACH, LEAST_COLUMNS
-from pointpred.sources.records.record_tables import RecordTable
-from pointpred.sources.tables.arrow_tables import unreadable
-from pointpred.sources.tables.column_table import ColumnTable, distinct_names
+from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
+from pointpred.recordings.nested_records import CLEAR, EACH, LEAST_COLUMNS, RecordTable
+from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "workbook .xlsx"
 ZIP, PART = b"PK\x03\x04", b"xl/"

@@ -16,12 +16,11 @@ import pyarrow.csv as pacsv
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
-from pointpred.sources.files.arrow_files import in_memory, open_file
-from pointpred.sources.files.encodings import UTF_8, head_of, is_ended, open_utf8
-from pointpred.sources.reading import row_name
-from pointpred.sources.tables.header import NO_HEADER, Header, parse_header
+from pointpred.recordings.arrow_tables import NO_HEADER, Header, in_memory, open_file, parse_header
+from pointpred.recordings.encodings import UTF_8, head_of, is_ended, open_utf8
+from pointpred.recordings.reading import row_name
+from pointpred.records import FloatArray
 
 MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"

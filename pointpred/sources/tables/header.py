@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.events import CPI, DPI
 from pointpred.recording import Provenance
+from pointpred.records import CPI, DPI
 
 
 class Header(msgspec.Struct, frozen=True):

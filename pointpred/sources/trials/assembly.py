@@ -7,10 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns, FloatArray
-from pointpred.events import LARGEST, LATEST_S
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
-from pointpred.sources.tables.column_table import IntArray
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.records import LARGEST, LATEST_S, EventColumns, FloatArray
 
 T, X, Y, DX, DY, BUTTONS = range(6)
 FIELDS = ("t", "x", "y", "dx", "dy", "buttons")

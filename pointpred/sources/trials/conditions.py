@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pointpred.columns import FloatArray
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.keys import codes_of
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.trials import codes_of
+from pointpred.records import FloatArray
 
 TARGET = ("target_x", "target_y", "target_w")
 TRIAL_COLUMNS = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")

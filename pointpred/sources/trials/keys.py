@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.sources.tables import arrow_tables
-from pointpred.sources.tables.column_table import IntArray
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
 
 Codes = tuple[IntArray, list[str]]
 """For each row the index of its value among the distinct values, and these."""

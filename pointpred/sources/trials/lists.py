@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.trials.assembly import assemble
+from pointpred.recordings.trials import assemble
+from pointpred.records import FloatArray
 
 WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
 OPENING, CLOSING = "[({", "])}"

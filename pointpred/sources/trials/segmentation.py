@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.sources.reading import Cut, Reading
-from pointpred.sources.tables.column_table import IntArray
-from pointpred.sources.trials.assembly import BUTTONS, DX, DY, T, X, Y, assemble
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.recordings.reading import Cut, Reading
+from pointpred.recordings.trials import BUTTONS, DX, DY, T, X, Y, assemble
+from pointpred.records import EventColumns
 
 PAUSE_S = 0.3
 """A longer standstill separates two movements."""

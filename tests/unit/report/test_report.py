@@ -9,10 +9,10 @@ import pytest
 
 from pointpred import build
 from pointpred import run as pipeline_run
-from pointpred.columns import EventColumns
 from pointpred.drawing import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.records import EventColumns
 from pointpred.scoring import score as run
 from pointpred.scoring.report import write_report
 from pointpred.scoring.report.report import compared, highlighted
