@@ -14,6 +14,7 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, score
+from pointpred.scoring.measures.regions import LEVELS
 from pointpred.training import calibration, data, train
 from pointpred.training.fitting import Settings
 
@@ -107,7 +108,7 @@ def test_regions_are_as_sure_as_they_say_on_other_people() -> None:
     )
     table = calibration.fit_table(known)
     after = calibration.coverage(calibration.apply_table(tested, table))
-    wanted = np.array([*calibration.LEVELS, *calibration.LEVELS])
+    wanted = np.array([*LEVELS, *LEVELS])
     off = np.abs(after - wanted)[:, :5]  # the table knows the intervals of 50 and 80 % only
     before = np.abs(calibration.coverage(tested) - wanted)[:, :5]
     assert off.mean() < 0.5 * before.mean()

@@ -68,7 +68,7 @@ def test_a_report_is_told_of_last_and_not_advertised(
     command: Any, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     order: list[str] = []
-    monkeypatch.setattr("pointpred.report.write_report", lambda *_, **__: order.append("drawn"))
+    monkeypatch.setattr("pointpred.scoring.report.write_report", lambda *_, **__: order.append("drawn"))
     left = command("score", "sample", "--predictors", "hold", "--report", "out.html")
     assert left.code == 0
     assert order == ["drawn"]

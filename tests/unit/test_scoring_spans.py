@@ -7,6 +7,8 @@ import threading
 import numpy as np
 import pytest
 
+from pointpred.scoring import spans
+
 OFFSETS = np.array([0, 30_000, 60_000, 61_000, 90_000])
 
 
@@ -15,16 +17,16 @@ def place(first: int, stop: int) -> tuple[int, int, int]:
 
 
 def test_one_thread_is_the_callers(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chunks, "ThreadPoolExecutor", lambda most: pytest.fail("a pool of one"))
-    found = list(chunks.in_threads(place, OFFSETS, 1))
-    assert [one[:2] for one in found] == chunks.spans(OFFSETS)
+    monkeypatch.setattr(spans, "ThreadPoolExecutor", lambda most: pytest.fail("a pool of one"))
+    found = list(spans.in_threads(place, OFFSETS, 1))
+    assert [one[:2] for one in found] == spans.spans(OFFSETS)
     assert {one[2] for one in found} == {threading.get_ident()}
 
 
 @pytest.mark.parametrize("threads", [2, None])
 def test_several_threads_answer_in_the_same_order(threads: int | None) -> None:
-    found = list(chunks.in_threads(place, OFFSETS, threads))
-    assert [one[:2] for one in found] == chunks.spans(OFFSETS)
+    found = list(spans.in_threads(place, OFFSETS, threads))
+    assert [one[:2] for one in found] == spans.spans(OFFSETS)
     assert threading.get_ident() not in {one[2] for one in found}
 
 
@@ -34,4 +36,4 @@ def test_what_breaks_comes_out(threads: int) -> None:
         raise ValueError("here")
 
     with pytest.raises(ValueError, match="here"):
-        list(chunks.in_threads(broken, OFFSETS, threads))
+        list(spans.in_threads(broken, OFFSETS, threads))

@@ -1,6 +1,6 @@
-// Written by `make page` from cutting.py: change that and run it again.
-import { hypot, larger } from "../../arithmetic.js";
-import * as $records from "../../records.js";
+// Written by `make page` from trials.py: change that and run it again.
+import { hypot, larger } from "../arithmetic.js";
+import * as $records from "../records.js";
 export const ONSET_PX = 3;
 export const ARRIVAL_PX = 8;
 export const ARRIVAL_SHARE = 0.03;

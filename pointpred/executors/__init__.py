@@ -1,5 +1,0 @@
-"""One function over many items: on threads, on processes, or on a Dask cluster."""
-
-from pointpred.scoring.executors import Executor, open_executor
-
-__all__ = ["Executor", "open_executor"]
