@@ -10,7 +10,6 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
-from pointpred.scoring.target_choice.layouts import layouts
 
 from evidence.held_out import HeldOut, trained_predictors
 from evidence.intent.layouts import LAYOUTS, placed
@@ -19,6 +18,7 @@ from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
+from pointpred.scoring.target_layouts import layouts
 from pointpred.scoring.trials import Prepared, prepare
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH, table
 

@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from pointpred.scoring.target_choice.layouts import Layout, layouts
 from scipy.optimize import minimize
 
 from evidence import ROOT
@@ -25,6 +24,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.recordings import read
 from pointpred.records import FloatArray, PredictionColumns
+from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, MASS, NEAR, Law, features, unclaimed

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from pointpred.drawing.style import canvas, picture
 
 from evidence import FIGURES
 from evidence.arguments import parse
@@ -21,6 +20,7 @@ from evidence.scored import find, named
 from evidence.thinning import save
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
+from pointpred.drawing import canvas, picture
 from pointpred.recording import Recording
 from pointpred.recordings import read
 from pointpred.scoring import SetScore, resolution, score

@@ -8,13 +8,13 @@ from functools import cache
 from typing import Any
 
 import msgspec
-from pointpred.drawing.style import Picture
 
 from evidence import FIGURES
 from evidence.held_out import PEOPLE_OUT, SET_OUT
 from evidence.results.records import SetResults, stored
 from evidence.thinning import save
 from pointpred.datasets import listing
+from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.registry import RECOMMENDED, parameters
