@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.parameter import Parameter, check
 from pointpred.predictors import SwitchedPredictor
 from pointpred.records import FloatArray, MotionColumns

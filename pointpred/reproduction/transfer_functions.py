@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.drawing.panels import Look, Panel, beside, drawing
+from pointpred.drawing import Look, Panel, beside, drawing
 from pointpred.records import EventColumns, FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.transfer import (

@@ -10,21 +10,21 @@ import msgspec
 import numpy as np
 
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.drawing.panels import Line, Look, Panel, beside, drawing
+from pointpred.drawing import Line, Look, Panel, beside, drawing
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
+from pointpred.recordings import read_any
 from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 from pointpred.registry import build
-from pointpred.report.figures.boxes import boxes
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.scoring import Prepared, SetScore, prepare, resolution, score
+from pointpred.scoring.report.figures import boxes
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
-from pointpred.scoring.trials.submovements import PEAK_RATIO
+from pointpred.scoring.trials import PEAK_RATIO
 from pointpred.simulation import Aim, Condition, Person, Setup, people, simulate_circle, thesis_setup
 from pointpred.simulation.movement import move
-from pointpred.sources import read_any
 from pointpred.transfer import ConstantGain
 
 SEED = 1
