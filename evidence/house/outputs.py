@@ -60,7 +60,7 @@ def predictions(recordings: Path) -> Iterator[Digest]:
     from pointpred.recordings import read_any
 
     sets = [("sample", sample())]
-    sets += [(path.stem, read_any(path)) for path in sorted(recordings.glob("*_samples.parquet"))]
+    sets += [(path.stem, read_any(path)[0]) for path in sorted(recordings.glob("*_samples.parquet"))]
     for name, recording in sets:
         count = len(recording.trials)
         chosen = list(range(0, count, max(1, count // 12)))[:12]
@@ -125,10 +125,10 @@ def documents(folder: Path, recordings: Path, inputs: list[Path]) -> Iterator[Di
             digest(done.returncode, done.stderr.replace(str(source.parent), ""), written),
         )
     for name in ("sample", "gofitts_demo_samples.parquet", "pvplib23714_samples.parquet"):
-        source = name if name == "sample" else recordings / name
+        scored = name if name == "sample" else recordings / name
         for more in (("--predictors", PREDICTORS), ("--predictors", "kinematic,switched", "--targets")):
             if name == "sample" or "--targets" not in more:
-                done = command("score", source, *more, "--threads", 1, "--json", "-")
+                done = command("score", scored, *more, "--threads", 1, "--json", "-")
                 yield f"score/{name}/{len(more)}", digest(untimed(json.loads(done.stdout)))
     command("simulate", "--out", "people_samples.csv", "--seed", 3)
     yield "simulate", digest([(one.name, one.read_bytes()) for one in sorted(folder.glob("people*"))])
