@@ -21,6 +21,7 @@ from evidence.results.records import stored
 from pointpred import errors
 from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, app
 from pointpred.cli.help_text import VALUES
+from pointpred.cli.reading_options import PANEL, TABLES
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.logs import FIELDS
@@ -55,6 +56,8 @@ class Command(msgspec.Struct, frozen=True):
     name: str
     summary: str
     settings: tuple[Setting, ...]
+    reading: tuple[Setting, ...]
+    """Those that say how recordings are read, which several commands share."""
 
 
 def commands(group: Any, name: str) -> Iterator[Command]:
@@ -65,12 +68,14 @@ def commands(group: Any, name: str) -> Iterator[Command]:
             yield from commands(one, whole)
         else:
             summary = (one.help or "").split("\n\n")[0].replace("\n", " ")
-            yield Command(whole, summary, tuple(_settings(one)))
+            yield Command(whole, summary, tuple(_settings(one, False)), tuple(_settings(one, True)))
 
 
-def _settings(command: Any) -> Iterator[Setting]:
+def _settings(command: Any, of_reading: bool) -> Iterator[Setting]:
     for one in command.params:
         if getattr(one, "hidden", False) or one.name == "help":
+            continue
+        if (getattr(one, "rich_help_panel", None) in (PANEL, TABLES)) != of_reading:
             continue
         if one.param_type_name == "argument":
             name = (one.metavar or one.name).upper()
@@ -87,8 +92,10 @@ def _settings(command: Any) -> Iterator[Setting]:
 
 def command_page() -> dict[str, Any]:
     """Every command with its arguments and options."""
+    every = list(commands(typer.main.get_command(app), "pointpred"))
     return {
-        "commands": list(commands(typer.main.get_command(app), "pointpred")),
+        "commands": every,
+        "reading": max((one.reading for one in every), key=len),
         "exits": {"done": DONE, "nothing": NOTHING, "wrong_use": WRONG_USE, "interrupted": INTERRUPTED},
     }
 
