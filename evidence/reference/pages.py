@@ -205,7 +205,7 @@ class DifferentiatorEntry(msgspec.Struct, frozen=True):
     own: tuple[Parameter, ...]
 
 
-def common() -> list[Parameter]:
+def shared_parameters() -> list[Parameter]:
     """The parameters that every differentiator has."""
     first, *others = (stage.parameters for stage in DIFFERENTIATORS.values())
     return [one for one in first if all(one in parameters for parameters in others)]
@@ -215,7 +215,9 @@ def differentiator(name: str) -> DifferentiatorEntry:
     """The entry of one name."""
     stage = DIFFERENTIATORS[name]
     title = (stage.__doc__ or "").strip().splitlines()[0]
-    return DifferentiatorEntry(name, title, tuple(one for one in stage.parameters if one not in common()))
+    return DifferentiatorEntry(
+        name, title, tuple(one for one in stage.parameters if one not in shared_parameters())
+    )
 
 
 def streaming_us() -> dict[str, float]:
@@ -237,7 +239,7 @@ def predictor_page() -> dict[str, Any]:
         "costs": streaming_us(),
         "predictors": [predictor(name) for name in REGISTRY],
         "differentiators": [differentiator(name) for name in DIFFERENTIATORS],
-        "common": common(),
+        "common": shared_parameters(),
     }
 
 
