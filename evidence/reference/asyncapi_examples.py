@@ -19,9 +19,9 @@ from pointpred.protocol.client_messages import (
     Goal,
     Hello,
     Person,
+    Rectangle,
     Reset,
     Screen,
-    Target,
     Targets,
     TrialMark,
 )
@@ -120,7 +120,7 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
         Hello(1, RECOMMENDED, person=PERSON, places=True),
     ),
     "events": (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
-    "targets": (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
+    "targets": (Targets([Rectangle("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
     "trial": (TrialMark("start", Goal(940.0, 32.0, 24.0)), TrialMark("end")),
     "configure": (
         Configure(predictor="kalman"),
