@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from evidence.costs.written_in_parts import write_in_parts
+from evidence.costs.scale import write_in_parts
 from pointpred.batch import ScoredSet, plan, score_in_chunks
 from pointpred.batch import scoring as scoring_module
 from pointpred.batch.part_store import FolderStore
