@@ -10,6 +10,6 @@ from pointpred.extras import missing_extra
 
 def __getattr__(name: str) -> Any:
     if find_spec("pointpred_observers") is None:
-        raise missing_extra("", "pointpred.observers has moved", of="pointpred-observers")
-    warn("pointpred.observers is pointpred_observers now", DeprecationWarning, stacklevel=2)
+        raise missing_extra("", "pointpred_observers has moved", of="pointpred-observers")
+    warn("pointpred_observers is pointpred_observers now", DeprecationWarning, stacklevel=2)
     return getattr(import_module("pointpred_observers"), name)

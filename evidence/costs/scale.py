@@ -29,19 +29,17 @@ import pyarrow.parquet as pq
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.machine import machine
-from pointpred.batch import score_in_chunks
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
-from pointpred.executors import open_executor
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.recordings.arrow_tables import KEY, open_file
+from pointpred.recordings.own import trials_beside
+from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.recordings.writing import files_of, samples_table, trial_table, write_together
 from pointpred.records import EventColumns
+from pointpred.scoring.chunks import score_in_chunks
+from pointpred.scoring.executors import open_executor
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources.files.arrow_files import open_file
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own.recordings import VALUES, files_of, trials_beside
-from pointpred.sources.own.stored import StoredRecording, stored
-from pointpred.sources.own.trials_table import trial_table
-from pointpred.sources.tables import arrow_tables
 
 
 def write_in_parts(parts: Iterable[Recording], path: str | Path) -> tuple[Path, Path]:
@@ -67,9 +65,9 @@ def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) 
     notes: list[str] = []
     try:
         for recording in parts:
-            rows, text = trial_table(recording, np.diff(recording.offsets))
+            rows, text = trial_table(recording)
             described = text | {"provenance": msgspec.to_builtins(recording.provenance)}
-            tables = [_samples(recording, rows), rows]
+            tables = [samples_table(recording, rows, every=True), rows]
             if not writers:
                 about = described
                 writers = [
@@ -94,25 +92,12 @@ def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) 
         for writer, count, header in zip(writers, counts, (more, {}), strict=True):
             header = {"name": about["name"], "text": about["text"], **header, "version": 1, "rows": count}
             encoded = msgspec.json.encode(header, order="sorted")
-            writer.add_key_value_metadata({arrow_tables.KEY: encoded})
+            writer.add_key_value_metadata({KEY: encoded})
     except (OSError, pa.ArrowException) as error:
         raise RecordingError(f"{path}: cannot be written: {error}") from error
     finally:
         for writer in writers:
             writer.close()
-
-
-def _samples(recording: Recording, trials: Any) -> Any:
-    """The rows of a part as a table with every column of values."""
-    sizes = np.diff(recording.offsets)
-    index = pa.array(np.repeat(np.arange(len(sizes), dtype=np.int32), sizes))
-    columns: dict[str, Any] = {
-        key: pa.DictionaryArray.from_arrays(index, trials[key].combine_chunks()).cast(pa.string())
-        for key in ("dataset", "user", "trial")
-    }
-    for column, values in zip(VALUES, recording.events.table.T, strict=True):
-        columns[column] = pa.array(values, mask=np.isnan(values))
-    return pa.table(columns)
 
 
 PEOPLE_TRIALS = 1000

@@ -28,8 +28,8 @@ from evidence.data import Table, file_of, keep
 from evidence.inputs.independent import LAYOUTS
 from pointpred.errors import PointpredError
 from pointpred.recording import Recording
-from pointpred.sources import read_any
-from pointpred.sources.reading import Reading
+from pointpred.recordings import read_any
+from pointpred.recordings.reading import Reading
 
 ROWS = re.compile(r"rows (\d+) to (\d+)")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")

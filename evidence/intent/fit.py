@@ -25,8 +25,8 @@ from evidence.intent import targets_fit
 from evidence.intent.firing import FRAME_S, Score, by_policy, by_rule, score, shares_of
 from evidence.intent.movements import PAGES, Movement, movements
 from evidence.intent.targets_fit import Cases
+from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.sources import read
 from pointpred.targets import cursor, posterior, prefetch
 from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
 from pointpred.training.data import folder

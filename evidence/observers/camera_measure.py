@@ -14,7 +14,7 @@ from evidence.data import Table, keep
 from evidence.observers import printed
 from evidence.thinning import save, thin
 from pointpred.cli.progress import following
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred_observers.camera import (

@@ -21,7 +21,7 @@ from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out, stored
 from evidence.thinning import save
 from pointpred import Pipeline, build
-from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
 from pointpred.records import FloatArray

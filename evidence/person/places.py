@@ -20,9 +20,9 @@ from evidence.held_out import HeldOut, held_out
 from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
-from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.chooser import rectangle_of
 from pointpred.training.data import folder
@@ -85,7 +85,7 @@ def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[M
         moments = []
         for row in map(tuple, rows.tolist()):
             answer = pipeline.advance(row)
-            left = nan if answer is None else answer[6]
+            left = answer[6]
             moments.append(Moment(PointerEvent(row[0], row[1], row[2]), pipeline.places, left))
         pipeline.reset()
         x, y = rows[-1, 1:3].tolist()

@@ -23,7 +23,7 @@ from pointpred import Pipeline, PredictionColumns, run
 from pointpred.recording import Recording
 from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring import Prepared, prepare
-from pointpred.scoring.measures.moments import moments
+from pointpred.scoring.measures.endpoint import moments
 from pointpred.training import data
 
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)

@@ -14,13 +14,13 @@ from evidence.rendering import number, percents, share, table
 from evidence.results.records import SetResults, stored
 from evidence.thinning import save
 from pointpred.datasets import listing
-from pointpred.drawing.style import Picture
+from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.registry import RECOMMENDED, parameters
-from pointpred.report.choice import highlighted
-from pointpred.report.figures.errors import curves
 from pointpred.scoring import FLOOR, SetSummary
+from pointpred.scoring.report.figures import curves
+from pointpred.scoring.report.report import highlighted
 from pointpred.scoring.summary import PredictorSummary
 
 EARLY = 0.2

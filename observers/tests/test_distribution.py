@@ -26,9 +26,9 @@ def test_it_has_the_version_of_the_library() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "name"),
     [
-        ("pointpred.observers", "pointpred_observers", "Persidskii"),
-        ("pointpred.observers.examples", "pointpred_observers.examples", "two_masses"),
-        ("pointpred.camera", "pointpred_observers.camera", "DepthObserver"),
+        ("pointpred_observers", "pointpred_observers", "Persidskii"),
+        ("pointpred_observers.examples", "pointpred_observers.examples", "two_masses"),
+        ("pointpred_observers.camera", "pointpred_observers.camera", "DepthObserver"),
     ],
 )
 def test_the_names_of_version_0_1_load_with_a_warning(old: str, new: str, name: str) -> None:

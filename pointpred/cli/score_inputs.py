@@ -14,7 +14,7 @@ from pointpred.errors import PointpredError
 from pointpred.recording import Recording
 
 if TYPE_CHECKING:
-    from pointpred.sources import Reading, StoredRecording
+    from pointpred.recordings import Reading, StoredRecording
 
 Reasons = dict[str, str]
 """Files that could not be read and recordings that could not be scored, and why."""

@@ -23,7 +23,7 @@ from pointpred.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.recorder.recordings import name_of, prepare
 from pointpred.recorder.session_recorder import Item, SessionRecorder, rows_of
 from pointpred.recording import Provenance
-from pointpred.sources.own.appended import FORMAT
+from pointpred.recordings.appended import FORMAT
 
 WRITE_S = 0.1
 SYNC_S = 0.3

@@ -16,7 +16,7 @@ from pointpred.devices.evdev.clock import EVIOCSCLOCKID, Clock
 from pointpred.devices.evdev.frame_decoder import EVENT, Frame, FrameDecoder, pressed
 from pointpred.devices.evdev.source import EvdevSource
 from pointpred.errors import SourceError
-from pointpred.sources.device_logs.evdev_frames import Frames, frames
+from pointpred.recordings.formats.evdev_frames import Frames, frames
 
 SYN, KEY, REL, MSC = 0, 1, 2, 4
 LEFT, RIGHT = 0x110, 0x111

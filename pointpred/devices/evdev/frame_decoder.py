@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from pointpred.sources.device_logs.evdev_frames import (
+from pointpred.recordings.formats.evdev_frames import (
     BUTTONS,
     EV_KEY,
     EV_REL,

@@ -17,7 +17,7 @@ import msgspec
 from pointpred.devices.source import DeviceInfo
 from pointpred.devices.udev import permission_advice
 from pointpred.errors import SourceError
-from pointpred.sources.device_logs.evdev_frames import REL_X, REL_Y
+from pointpred.recordings.formats.evdev_frames import REL_X, REL_Y
 
 NODES, CLASS = Path("/dev/input"), Path("/sys/class/input")
 BOTH = 1 << REL_X | 1 << REL_Y
