@@ -15,7 +15,7 @@ import typer
 from prometheus_client import CollectorRegistry, Metric
 
 from evidence import data
-from evidence.reference.asyncapi_examples import CLOSES, CODES
+from evidence.reference.asyncapi import CLOSES, CODES
 from evidence.results.page import overall
 from evidence.results.records import stored
 from pointpred import errors
