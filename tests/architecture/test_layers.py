@@ -55,12 +55,12 @@ MAY_IMPORT = {
     "scoring": PIPELINE | {"targets"},
     "report": PIPELINE | {"drawing", "scoring"},
     "reproduction": PIPELINE | {"drawing", "simulation", "scoring", "report", "sources"},
-    "hid": {"errors"},
+    "devices.hid": {"errors"},
     "sources": {
         *("errors", "extras", "files", "records", "recording"),
-        "hid",
+        "devices.hid",
     },
-    "devices": MATHS | {"hid", "sources"},
+    "devices": MATHS | {"devices.hid", "sources"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "sources"},
     "batch": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
@@ -108,6 +108,8 @@ MAY_IMPORT = {
 }
 """What each layer may import beside itself; ``pointpred`` is the library's own ``__init__``.
 
+``devices.hid`` stands apart from ``devices``: recordings of reports are read by it, too.
+
 ``observers`` and ``camera`` are the names of version 0.1, which load ``pointpred_observers`` when asked.
 """
 
@@ -117,7 +119,8 @@ FILES = package_files()
 def layer_of(module: str) -> str:
     package, *rooms = module.split(".")
     if package == "pointpred":
-        return rooms[0] if rooms else package
+        room = ".".join(rooms[:2])
+        return room if room in MAY_IMPORT else rooms[0] if rooms else package
     room = ".".join([package, *rooms[:1]])
     return room if room in MAY_IMPORT else package
 

@@ -2,9 +2,9 @@
 
 import pytest
 
+from pointpred.devices.hid.report_decoder import Field
+from pointpred.devices.hid.report_descriptor import parse_descriptor
 from pointpred.errors import RecordingError
-from pointpred.hid.report_decoder import Field
-from pointpred.hid.report_descriptor import parse_descriptor
 
 BOOT = (
     "05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 01"

@@ -12,11 +12,11 @@ from typing import Any
 
 import msgspec
 
+from pointpred.devices.hid.report_descriptor import parse_descriptor
 from pointpred.devices.source import DeviceInfo
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
 from pointpred.extras import install_command
-from pointpred.hid.report_descriptor import parse_descriptor
 
 EXCLUSIVE = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
 """Systems that let no program read the reports of a mouse."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import time
 from typing import Any, Self
 
+from pointpred.devices.hid.report_decoder import ReportDecoder
+from pointpred.devices.hid.report_descriptor import parse_descriptor
 from pointpred.devices.hidraw.nodes import HidDevice, choose, device_info, hid_devices, hidraw
 from pointpred.devices.reader import ReaderSource
 from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import RecordingError, SourceError
-from pointpred.hid.report_decoder import ReportDecoder
-from pointpred.hid.report_descriptor import parse_descriptor
 
 WAIT_MS = 100
 """How long a read waits before it looks whether the source was closed."""

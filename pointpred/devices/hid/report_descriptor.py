@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from pointpred.devices.hid.descriptor_items import GLOBAL, LOCAL, MAIN, Item, bad_descriptor, short_items
+from pointpred.devices.hid.report_decoder import Field, ReportDecoder, ReportLayout
 from pointpred.errors import RecordingError
-from pointpred.hid.descriptor_items import GLOBAL, LOCAL, MAIN, Item, bad_descriptor, short_items
-from pointpred.hid.report_decoder import Field, ReportDecoder, ReportLayout
 
 GENERIC_DESKTOP, BUTTON, CONSUMER = 0x01, 0x09, 0x0C
 AXES = {
