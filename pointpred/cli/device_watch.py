@@ -7,7 +7,7 @@ import time
 from rich.table import Table
 
 from pointpred.console import counted
-from pointpred.devices.cursor.source import CursorSource
+from pointpred.devices.cursor import CursorSource
 from pointpred.devices.source import DeviceSource, Report
 from pointpred.live.statistics import Pace
 

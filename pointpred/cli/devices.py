@@ -53,7 +53,7 @@ def list_devices(
         write_json({"version": 1, "devices": msgspec.to_builtins(listed)}, Path("-"))
         return
     if not listed:
-        from pointpred.devices.hidraw.nodes import BROWSER
+        from pointpred.devices.hidraw import BROWSER
 
         raise SourceError(
             "no mouse found; plug one in and list again. Virtual machines and containers have none of their "
@@ -83,7 +83,7 @@ def udev() -> None:
 
       sudo udevadm control --reload && sudo udevadm trigger
     """
-    from pointpred.devices.hidraw.nodes import hid_devices, is_mouse_interface, not_a_mouse, udev_rule
+    from pointpred.devices.hidraw import hid_devices, is_mouse_interface, not_a_mouse, udev_rule
     from pointpred.devices.udev import RELOAD, RULES_FILE, shipped_rules
 
     typer.echo(shipped_rules(), nl=False)
@@ -153,7 +153,7 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
 
 def _devices(everything: bool) -> list[DeviceInfo]:
     """Mice by hidraw, then by evdev; the cursor on systems that let no program read mice."""
-    from pointpred.devices.cursor.source import cursor_info
+    from pointpred.devices.cursor import cursor_info
     from pointpred.devices.selection import list_mice
 
     if sys.platform != "linux":

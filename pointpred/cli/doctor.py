@@ -131,8 +131,8 @@ def extras() -> list[Finding]:
 
 def devices() -> list[Finding]:
     """Mice by both ways of reading them."""
-    from pointpred.devices.evdev.nodes import list_evdev
-    from pointpred.devices.hidraw.nodes import list_hid
+    from pointpred.devices.evdev import list_evdev
+    from pointpred.devices.hidraw import list_hid
 
     findings = []
     if sys.platform != "linux":
@@ -159,7 +159,7 @@ def devices() -> list[Finding]:
 
 def cursor() -> list[Finding]:
     """The screen's cursor."""
-    from pointpred.devices.cursor.source import RATE_HZ, UNTRIED, system_cursor
+    from pointpred.devices.cursor import RATE_HZ, UNTRIED, system_cursor
 
     try:
         with closing(system_cursor()) as screen:

@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from pointpred.devices.cursor.source import NAME, CursorSource, system_cursor
-from pointpred.devices.evdev.nodes import list_evdev
+from pointpred.devices.cursor import NAME, CursorSource, system_cursor
+from pointpred.devices.evdev import list_evdev
 from pointpred.devices.first_moving import Candidate, FirstMoving
-from pointpred.devices.hidraw.nodes import BROWSER, list_hid
+from pointpred.devices.hidraw import BROWSER, list_hid
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.source import DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
@@ -126,8 +126,8 @@ def _candidate(one: DeviceInfo) -> Candidate:
 
 
 def _source(path: str) -> DeviceSource:
-    from pointpred.devices.evdev.source import EvdevSource
-    from pointpred.devices.hidraw.source import HidSource
+    from pointpred.devices.evdev import EvdevSource
+    from pointpred.devices.hidraw import HidSource
 
     return EvdevSource(path) if "/input/" in path else HidSource(path)
 

@@ -11,10 +11,8 @@ import msgspec
 from msgspec.structs import replace
 
 from pointpred.console import remark, remarks, results
-from pointpred.devices.cursor.pairing import Pairing
-from pointpred.devices.cursor.source import CursorSource
-from pointpred.devices.cursor.x11 import ScreenCursor
-from pointpred.devices.cursor_paths import CursorPath, MotorPath, PositionPath, TransferPath
+from pointpred.devices.cursor import CursorSource, ScreenCursor
+from pointpred.devices.cursor_paths import CursorPath, MotorPath, Pairing, PositionPath, TransferPath
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.selection import choose
 from pointpred.devices.source import DeviceSource

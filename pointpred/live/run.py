@@ -9,10 +9,10 @@ from typing import Any
 import msgspec
 
 from pointpred.console import counted, remarks, results
-from pointpred.devices.cursor.source import CursorSource
+from pointpred.devices.cursor import CursorSource
+from pointpred.devices.lsl import OUTLET, LslOutlet
 from pointpred.errors import ParameterError, SourceError
 from pointpred.live.curve_learner import CurveLearner, curve_learner
-from pointpred.live.lsl_outlet import NAME, LslOutlet
 from pointpred.live.page import OpenPage
 from pointpred.live.playback import PlayedSource
 from pointpred.live.recording import LiveRecording
@@ -162,7 +162,7 @@ class LiveRun:
             ("clock", source.clock),
             ("positions", self.session.words),
             ("predictor", self.options.predictor),
-            *([("sent", f"as the stream {NAME!r} of Lab Streaming Layer")] if self.options.lsl else []),
+            *([("sent", f"as the stream {OUTLET!r} of Lab Streaming Layer")] if self.options.lsl else []),
         ]
 
     def _output_rows(self) -> list[tuple[str, str]]:

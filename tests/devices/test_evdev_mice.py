@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.devices.evdev.frame_decoder import FrameDecoder
+from pointpred.devices.evdev import FrameDecoder
 from pointpred.records import EventColumns
 from pointpred.sources.device_logs.evdev_frames import Frames, frames
 from tests.devices import evdev_mice

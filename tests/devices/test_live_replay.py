@@ -150,7 +150,7 @@ def file(tmp_path: Path) -> Path:
 def test_the_command_plays_all_of_it_and_ends_with_0(
     command: Callable[..., Any], file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in ("hid", "evdev", "pointpred.devices.hidraw.nodes", "pointpred.devices.evdev.nodes"):
+    for module in ("hid", "evdev", "pointpred.devices.hidraw", "pointpred.devices.evdev"):
         monkeypatch.setitem(sys.modules, module, None)  # an import of these fails
     back = file.with_name("back_samples.csv")
     left = command("live", "--replay", file, "--speed", "max", "--record", back)

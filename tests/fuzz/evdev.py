@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from pointpred.devices.evdev.clock import Clock
-from pointpred.devices.evdev.frame_decoder import EVENT, FrameDecoder
+from pointpred.devices.evdev import EVENT, Clock, FrameDecoder
 from pointpred.sources.device_logs.evdev_frames import EV_KEY, EV_REL, EV_SYN, SYN_DROPPED, SYN_REPORT
 
 

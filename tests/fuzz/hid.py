@@ -5,7 +5,7 @@ An input is two bytes with the length of the descriptor, the descriptor, and a r
 
 from __future__ import annotations
 
-from pointpred.devices.hid.report_descriptor import parse_descriptor
+from pointpred.devices.hid import parse_descriptor
 from pointpred.errors import RecordingError
 from tests.devices.mice import ENCODERS
 from tests.fuzz import naive

@@ -2,8 +2,7 @@
 
 import pytest
 
-from pointpred.devices.hid.report_decoder import Field
-from pointpred.devices.hid.report_descriptor import parse_descriptor
+from pointpred.devices.hid import ReportField, parse_descriptor
 from pointpred.errors import RecordingError
 
 BOOT = (
@@ -19,11 +18,11 @@ A4TECH = (
 
 
 def test_a_field_is_sign_extended_over_byte_borders() -> None:
-    field = Field(12, 12, signed=True)
+    field = ReportField(12, 12, signed=True)
     for value in (-2048, -1, 0, 1, 2047):
         report = (value & 0xFFF) << 12 | 0xABC
         assert field.value(report) == value
-    assert Field(4, 4, signed=False).value(0xF0) == 15
+    assert ReportField(4, 4, signed=False).value(0xF0) == 15
 
 
 @pytest.mark.parametrize(

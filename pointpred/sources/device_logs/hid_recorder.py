@@ -7,8 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.devices.hid.report_decoder import ReportDecoder
-from pointpred.devices.hid.report_descriptor import parse_descriptor
+from pointpred.devices.hid import ReportDecoder, parse_descriptor
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources.device_logs.evdev_frames import Frames, frames_of_counts, recording
