@@ -8,11 +8,8 @@ from rich.table import Table
 
 from pointpred.console import counted
 from pointpred.devices.cursor import CursorSource
-from pointpred.devices.source import DeviceSource, Report
-from pointpred.live.statistics import Pace
-
-BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
-"""Bits of W3C pointer events."""
+from pointpred.devices.source import BUTTON_NAMES, DeviceSource, Report
+from pointpred.live.session import ReportRate
 
 
 class DeviceWatch:
@@ -24,7 +21,7 @@ class DeviceWatch:
         self._source = source
         self._unit = "px" if isinstance(source, CursorSource) else "counts"
         self._buttons = 0
-        self._pace = Pace()
+        self._pace = ReportRate()
 
     def add(self, reports: list[Report]) -> None:
         """Count some reports."""
@@ -40,7 +37,7 @@ class DeviceWatch:
     def rows(self) -> list[tuple[str, str]]:
         """Name and value of everything known now."""
         source = self._source
-        pressed = [name for bit, name in BUTTONS.items() if self._buttons & bit]
+        pressed = [name for bit, name in BUTTON_NAMES.items() if self._buttons & bit]
         return [
             ("device", f"{source.path} ({source.name})" + ("" if source.plugged else ": unplugged, waiting")),
             ("reports", f"{self.reports}"),

@@ -136,7 +136,7 @@ def live(
     parameters = with_coefficients([predictor], coefficients).get(predictor, {})
     page = None
     if serve:
-        from pointpred.live.page import page_opener
+        from pointpred.live.run import page_opener
 
         page = page_opener(host, port)
 
@@ -153,7 +153,7 @@ def live(
             if value is not None and name not in ("cpi", "dpi"):
                 raise ParameterError(f"--{name.replace('_', '-')} needs --replay", field=name)
         from pointpred.cli.counts_per_inch import counts_per_inch
-        from pointpred.live.device import DeviceOptions, follow_device
+        from pointpred.live.follow import DeviceOptions, follow_device
 
         follow_device(
             DeviceOptions(device, lsl, cursor, transfer, display, measure_cpi, person),
@@ -174,8 +174,8 @@ def live(
             raise ParameterError(
                 f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
-    from pointpred.live.replay import follow_replay
-    from pointpred.live.replay_trials import playable_trials
+    from pointpred.live.follow import follow_replay
+    from pointpred.live.playback import playable_trials
 
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)

@@ -137,9 +137,8 @@ def _drive(
     devtools: str, url: str | None, recording: Recording, names: list[str], **options: Any
 ) -> dict[str, Any]:
     """Play as the mouse of a page, with the options of ``drive_mouse``; prints and returns what was done."""
-    from pointpred.live.devtools import open_page
-    from pointpred.live.mouse import drive_mouse
-    from pointpred.live.replay_trials import playable_trials
+    from pointpred.live.devtools import drive_mouse, open_page
+    from pointpred.live.playback import playable_trials
 
     played, skipped = playable_trials(recording, names)
     print_skipped(skipped)

@@ -11,14 +11,12 @@ from typing import Any, Protocol, Self
 
 from pointpred.devices.cursor_paths import PositionReport, ReadableCursor
 from pointpred.devices.hidraw import BROWSER
-from pointpred.devices.source import MOST_WAITING, ClosedOnExit, DeviceInfo, ReaderSource
+from pointpred.devices.source import BUTTON_NAMES, MOST_WAITING, ClosedOnExit, DeviceInfo, ReaderSource
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import install_command
 from pointpred.records import PointerEvent
 
 RATE_HZ, FASTEST_HZ = 250.0, 1000.0
-BUTTONS = (1, 2, 4, 8, 16)
-"""Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
 NAME = "cursor"
 """The name of the cursor where a device is named."""
 UNTRIED = {"win32", "cygwin", "darwin"}
@@ -355,4 +353,4 @@ def mask_of(pressed: Sequence[bool]) -> int:
     >>> mask_of([True, False, True])
     5
     """
-    return sum(bit for bit, down in zip(BUTTONS, pressed, strict=False) if down)
+    return sum(bit for bit, down in zip(BUTTON_NAMES, pressed, strict=False) if down)

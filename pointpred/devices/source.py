@@ -17,6 +17,8 @@ from pointpred.errors import ParameterError, SourceError
 
 MOST_WAITING = 65536
 """Reports that a queue holds by default: eight seconds of the fastest mice."""
+BUTTON_NAMES = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
+"""Bits of ``PointerEvent.buttons``, and their names, which are those of the DevTools protocol."""
 
 
 class Report(msgspec.Struct, frozen=True, gc=False):

@@ -21,7 +21,7 @@ from pointpred.devices.cursor import (
 )
 from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.curve_learner import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
+from pointpred.live.outputs import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
 from pointpred.live.run import compile_for
 from pointpred.registry import RECOMMENDED
 from tests.devices.screens import Screen

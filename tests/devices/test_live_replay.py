@@ -18,8 +18,7 @@ from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
 from pointpred.errors import ParameterError
-from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource
-from pointpred.live.replay_trials import PlayedTrial
+from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial

@@ -17,7 +17,7 @@ from pointpred.cli.app import app
 from pointpred.devices.cursor_paths import PositionPath
 from pointpred.devices.lsl import CHANNELS, Channels, LslInlet, LslOutlet, ahead_s, channels_of
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.notes import silence
+from pointpred.live.follow import silence
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent
-from pointpred.live.notes import silence
+from pointpred.live.follow import silence
 from pointpred.protocol.live_messages import Curve
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
 from tests.devices.live_fakes import reach

@@ -10,7 +10,7 @@ import typer
 from msgspec.structs import replace
 
 from pointpred.errors import ParameterError
-from pointpred.live.page import OpenPage
+from pointpred.live.run import OpenPage
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.records import Pair
