@@ -12,9 +12,8 @@ import pointpred
 from evidence.reference import asyncapi_examples as examples
 from evidence.reference.asyncapi_live import live_channel, live_messages, live_operations
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
-from pointpred.protocol.live_messages import LIVE_MESSAGES
-from pointpred.protocol.packed import EVENT, NO_COUNTS, PREDICTION, pack_predictions
-from pointpred.protocol.server_messages import SERVER_MESSAGES
+from pointpred.protocol.frames import EVENT, NO_COUNTS, PREDICTION, pack_predictions
+from pointpred.protocol.server_messages import LIVE_MESSAGES, SERVER_MESSAGES
 from pointpred.records import PHASES
 from pointpred_server.sessions.pointing import PointingSession
 

@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.live_messages import Attached, Curve, Status
+from pointpred.protocol.server_messages import Attached, Curve, Status
 from pointpred.registry import RECOMMENDED
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison

@@ -30,7 +30,7 @@ from pointpred.live.session import LiveSession
 from pointpred.live.terminal import DASH, TerminalLog, show, summary
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
-from pointpred.protocol.live_messages import Curve
+from pointpred.protocol.server_messages import Curve
 from pointpred.records import PointerEvent
 from pointpred.registry import build
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner

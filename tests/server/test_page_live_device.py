@@ -11,7 +11,7 @@ import pytest
 
 from pointpred import PointerEvent
 from pointpred.live.follow import silence
-from pointpred.protocol.live_messages import Curve
+from pointpred.protocol.server_messages import Curve
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
 from tests.devices.live_fakes import reach
 from tests.server import browser, page_browser

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from evidence.sets import folder
 from pointpred.datasets import sample
-from pointpred.protocol.packed import NO_COUNTS
+from pointpred.protocol.frames import NO_COUNTS
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.sources import read

@@ -19,7 +19,7 @@ import numpy as np
 
 from evidence.costs.soak.offline import CPI, DPI, OfflineRun
 from pointpred.datasets import sample
-from pointpred.protocol.packed import pack_events
+from pointpred.protocol.frames import pack_events
 from pointpred.records import FloatArray
 
 TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10

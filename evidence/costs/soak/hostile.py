@@ -18,7 +18,7 @@ import uvloop
 from evidence.arguments import parse
 from evidence.costs.soak.client import BINARY, PING, TEXT, events, frame, upgrade
 from evidence.costs.soak.reports import Plan, Reporter
-from pointpred.protocol.packed import pack_events
+from pointpred.protocol.frames import pack_events
 
 HELLO = frame(TEXT, b'{"type":"hello","version":1,"predictor":"switched","encoding":"binary"}')
 ATTACKERS = 4

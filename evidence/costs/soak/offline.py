@@ -12,8 +12,7 @@ import pyarrow.compute as pc
 import pyarrow.csv as pacsv
 
 from pointpred import EventColumns, build, run
-from pointpred.protocol.frames import row_of_prediction
-from pointpred.protocol.packed import pack_predictions, unpack_predictions
+from pointpred.protocol.frames import pack_predictions, row_of_prediction, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
 from pointpred.recorder.files import PREDICTED
 from pointpred.records import PHASES, FloatArray
