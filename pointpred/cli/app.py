@@ -17,9 +17,8 @@ from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
-from pointpred.cli.help_text import add_help
+from pointpred.cli.help_text import add_help, bad_value
 from pointpred.cli.live import live
-from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay

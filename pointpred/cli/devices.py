@@ -6,20 +6,18 @@ import sys
 import time
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import msgspec
 import typer
 from rich.live import Live
-from rich.table import Table
 
 from pointpred.cli.output_files import write_json
-from pointpred.console import plain, remark, remarks, results
+from pointpred.console import counted, plain, remark, remarks, results, table
+from pointpred.devices.cursor import CursorSource
+from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
-
-if TYPE_CHECKING:
-    from pointpred.cli.device_watch import DeviceWatch
-    from pointpred.devices.source import DeviceInfo, DeviceSource
+from pointpred.live.session import ReportRate
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -59,12 +57,9 @@ def list_devices(
             "no mouse found; plug one in and list again. Virtual machines and containers have none of their "
             f"own: {BROWSER}"
         )
-    table = Table(box=None, pad_edge=False)
-    for column in ("device", "by", "name", "can be opened"):
-        table.add_column(column, no_wrap=column == "device")
-    for one in listed:
-        table.add_row(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}")
-    results().print(table, markup=False)
+    rows = [(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}") for one in listed]
+    headings = ("device", "by", "name", "can be opened")
+    results().print(table(headings, rows, whole=("device",)), markup=False)
     for one in listed:
         if one.advice:
             remarks().print(f"{one.path} ({one.name}): {one.advice}", markup=False)
@@ -123,7 +118,6 @@ def watch(
 
       pointpred devices watch /dev/hidraw2 --for 10
     """
-    from pointpred.cli.device_watch import DeviceWatch
     from pointpred.devices.selection import choose
 
     with choose(device, warn=remark) as source:
@@ -144,7 +138,7 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
             watched.add(source.take(AGAIN_S))
             now = time.monotonic()
             if pictured and now - shown >= AGAIN_S:
-                screen.update(watched.table(), refresh=True)
+                screen.update(table((), watched.rows()), refresh=True)
                 shown = now
             elif not pictured and now - shown >= 1:
                 screen.console.print(watched.line(), markup=False)
@@ -160,3 +154,57 @@ def _devices(everything: bool) -> list[DeviceInfo]:
         return [cursor_info()]
     mice = list_mice(everything, remark)
     return sorted(mice, key=lambda one: one.kind != "hid")
+
+
+class DeviceWatch:
+    """Totals over the reports of a source, and its counters. Memory is bounded."""
+
+    def __init__(self, source: DeviceSource) -> None:
+        self.reports = 0
+        self.x = self.y = self.wheel = self.pan = 0.0
+        self._source = source
+        self._unit = "px" if isinstance(source, CursorSource) else "counts"
+        self._buttons = 0
+        self._pace = ReportRate()
+
+    def add(self, reports: list[Report]) -> None:
+        """Count some reports."""
+        self.reports += len(reports)
+        self._pace.add(time.monotonic(), len(reports))
+        for report in reports:
+            self.x += report.dx
+            self.y += report.dy
+            self.wheel += report.wheel
+            self.pan += report.pan
+            self._buttons = report.buttons
+
+    def rows(self) -> list[tuple[str, str]]:
+        """Name and value of everything known now."""
+        source = self._source
+        pressed = [name for bit, name in BUTTON_NAMES.items() if self._buttons & bit]
+        return [
+            ("device", f"{source.path} ({source.name})" + ("" if source.plugged else ": unplugged, waiting")),
+            ("reports", f"{self.reports}"),
+            ("a second", f"{self._pace.rate(time.monotonic()):.0f}"),
+            ("x, y", f"{self.x:+.0f}, {self.y:+.0f} {self._unit}"),
+            ("wheel, pan", f"{self.wheel:+.0f}, {self.pan:+.0f} steps"),
+            ("pressed", ", ".join(pressed) or "none"),
+            ("lost", f"{source.lost} in the queue, {source.resynchronised} times in the kernel"),
+            ("unreadable", f"{source.unreadable}"),
+        ]
+
+    def line(self) -> str:
+        """Everything, in one line for a pipe or a file."""
+        return "; ".join(f"{name} {value}" for name, value in self.rows()[1:])
+
+    def summary(self) -> str:
+        """The totals in a sentence."""
+        source = self._source
+        if not self.reports:
+            return (
+                f"{source.path} sent nothing: move the mouse, or look at another of 'pointpred devices list'"
+            )
+        return (
+            f"{source.path}: {counted(self.reports, 'report')}, {source.lost} lost, "
+            f"{source.unreadable} unreadable, {self.x:+.0f} and {self.y:+.0f} {self._unit}"
+        )

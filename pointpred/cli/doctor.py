@@ -13,11 +13,10 @@ from typing import Annotated, Literal
 
 import msgspec
 import typer
-from rich.table import Table
 
 from pointpred import compiled
 from pointpred.cli.output_files import write_json
-from pointpred.console import counted, results
+from pointpred.console import counted, results, table
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
 
@@ -57,13 +56,13 @@ def doctor(
 
 def show(findings: list[Finding]) -> None:
     """Print a table; advice with lines to copy stands below it, where nothing wraps them."""
-    table = Table(box=None, pad_edge=False, show_header=False)
     below = [one for one in findings if one.advice and "\n" in one.advice]
+    rows = []
     for one in findings:
-        table.add_row(one.state, one.name, one.found)
+        rows.append((one.state, one.name, one.found))
         if one.advice:
-            table.add_row("", "", "-> see below" if one in below else f"-> {one.advice}")
-    results().print(table, markup=False)
+            rows.append(("", "", "-> see below" if one in below else f"-> {one.advice}"))
+    results().print(table((), rows), markup=False)
     for one in below:
         results().print(f"\n{one.name}: {one.advice}", markup=False, soft_wrap=True)
 

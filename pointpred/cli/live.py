@@ -7,10 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.output_files import check_target
-from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import as_given, options_in, to_read, with_reading
+from pointpred.cli.reading_options import (
+    SPEED,
+    TRIAL,
+    as_given,
+    one_recording,
+    options_in,
+    print_skipped,
+    speed_of,
+    to_read,
+    with_reading,
+)
+from pointpred.cli.shared_options import Coefficients, with_coefficients
 from pointpred.errors import ParameterError
 from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED

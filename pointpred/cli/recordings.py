@@ -9,7 +9,7 @@ import msgspec
 import typer
 
 from pointpred.cli.output_files import write_json
-from pointpred.console import counted, remarks, results
+from pointpred.console import counted, remarks, results, table
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -120,17 +120,14 @@ def _sure(question: str) -> bool:
 
 
 def _show(recordings: list[Recorded]) -> None:
-    from rich.table import Table
-
-    table = Table(box=None, pad_edge=False)
-    for column in ("name", "begun (UTC)", "events", "trials", "skipped", "size", "remark"):
-        number = column in ("events", "trials", "skipped", "size")
-        table.add_column(column, no_wrap=column == "name", justify="right" if number else "left")
+    numbers = ("events", "trials", "skipped", "size")
+    rows = []
     for one in recordings:
         counts = (str(one.events), str(one.trials), str(one.skipped)) if one.problem is None else ("-",) * 3
         remark = one.problem or "; ".join(one.notes)
-        table.add_row(one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark)
-    results().print(table, markup=False)
+        rows.append((one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark))
+    headings = ("name", "begun (UTC)", *numbers, "remark")
+    results().print(table(headings, rows, whole=("name",), right=numbers), markup=False)
 
 
 def _row(one: Recorded) -> RecordingRow:

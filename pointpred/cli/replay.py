@@ -9,10 +9,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from msgspec import structs
 
-from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.output_files import check_target, write_json
-from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import as_given, to_read, with_reading
+from pointpred.cli.reading_options import (
+    SPEED,
+    TRIAL,
+    as_given,
+    one_recording,
+    print_skipped,
+    speed_of,
+    to_read,
+    with_reading,
+)
+from pointpred.cli.shared_options import named_file, with_coefficients
 from pointpred.console import remarks, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED

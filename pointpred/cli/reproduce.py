@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import msgspec
 import typer
-from rich.table import Table
 
 from pointpred.cli.output_files import Force, check_free, check_targets, write_json
-from pointpred.console import remarks, results
+from pointpred.console import remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
@@ -109,25 +108,23 @@ def _title(entry: Entry) -> str:
 
 
 def _print_list(entries: list[Entry]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("number", "shows", "reads"):
-        table.add_column(heading, no_wrap=heading == "number")
+    rows = []
     for one in entries:
         note = "diagram" if one.make is None else one.reads and f"--recordings: {one.reads}"
-        table.add_row(one.number, one.shows, note)
-    results().print(table)
+        rows.append((one.number, one.shows, note))
+    results().print(table(("number", "shows", "reads"), rows, whole=("number",)))
 
 
 def _print(entry: Entry, made: Reproduction) -> None:
     screen = results()
     screen.print(_title(entry), style="bold", markup=False)
     screen.print(f"from: {made.data}", markup=False)
-    table = Table(box=None, pad_edge=False)
-    for heading in ("value", "printed", "ours", "unit", ""):
-        table.add_column(heading, justify="right" if heading in ("printed", "ours") else "left")
-    for value in made.values:
-        table.add_row(value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
-    screen.print(table)
+    rows = [
+        (value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
+        for value in made.values
+    ]
+    headings = ("value", "printed", "ours", "unit", "")
+    screen.print(table(headings, rows, right=("printed", "ours")))
     screen.print(f"What differs: {entry.differs}", markup=False, soft_wrap=True)
 
 

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import msgspec
 import typer
-from rich.table import Table
 
-from pointpred.cli.executor_options import ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import as_given, to_read, with_reading
-from pointpred.cli.score_inputs import in_memory
-from pointpred.console import counted, plain, results
+from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
+from pointpred.cli.shared_options import ClusterAddress, Processes, Threads
+from pointpred.console import counted, plain, results, table
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
@@ -169,12 +167,8 @@ def _print(trained: TrainingResult, out: Path) -> None:
     screen.print(
         f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
     )
-    table = Table(box=None, pad_edge=False)
-    for i, heading in enumerate(HEADINGS):
-        table.add_column(heading, justify="left" if i == 0 else "right", no_wrap=i == 0)
-    for one in trained.held_out:
-        table.add_row(plain(one.name), *_row(one))
-    screen.print(table)
+    rows = [(plain(one.name), *_row(one)) for one in trained.held_out]
+    screen.print(table(HEADINGS, rows, whole=HEADINGS[:1], right=HEADINGS[1:]))
     screen.print(
         "Time-averaged error, px, of movements that were held out; hold predicts nothing.", style="dim"
     )

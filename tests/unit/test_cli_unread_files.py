@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.cli.tables import print_sets
+from pointpred.cli.score_tables import print_sets
 from pointpred.scoring import score, summarise
 from pointpred.sources import read_any
 
