@@ -9,7 +9,7 @@ import msgspec
 import typer
 
 from pointpred.cli.output_files import write_json
-from pointpred.console import WIDE, remark, remarks, results, table
+from pointpred.console import WIDE, remark, results, table
 
 BOUNDLESS = 1000
 """Columns of the list where nobody looks at it: no address is cut."""
@@ -85,7 +85,7 @@ def fetch_set(
     for file in fetched:
         typer.echo(file.path)
     if entry.importer is not None:
-        remarks().print(f"Then:  pointpred score {into}", markup=False)
+        remark(f"Then:  pointpred score {into}")
 
 
 def _count(value: Any) -> str:

@@ -13,7 +13,7 @@ import typer
 from rich.live import Live
 
 from pointpred.cli.output_files import write_json
-from pointpred.console import counted, plain, remark, remarks, results, table
+from pointpred.console import counted, plain, remark, results, table
 from pointpred.devices.cursor import CursorSource
 from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
@@ -62,7 +62,7 @@ def list_devices(
     results().print(table(headings, rows, whole=("device",)), markup=False)
     for one in listed:
         if one.advice:
-            remarks().print(f"{one.path} ({one.name}): {one.advice}", markup=False)
+            remark(f"{one.path} ({one.name}): {one.advice}")
 
 
 @app.command("udev")
@@ -85,7 +85,7 @@ def udev() -> None:
     try:
         mice = [device for device in hid_devices() if not_a_mouse(device) is None]
     except SourceError as error:
-        remarks().print(f"no line for mice plugged in now: {error}", markup=False)
+        remark(f"no line for mice plugged in now: {error}")
         mice = []
     for device in mice:
         if not is_mouse_interface(device):
@@ -93,7 +93,7 @@ def udev() -> None:
                 " ".join(device.name.split())
             )  # a device may be called anything, a line of rules too
             typer.echo(f"\n# {name} (opens every interface of this device)\n{udev_rule(device)}")
-    remarks().print(f"write this into {RULES_FILE}, then run: {RELOAD}", markup=False)
+    remark(f"write this into {RULES_FILE}, then run: {RELOAD}")
 
 
 @app.command("watch")
@@ -131,7 +131,7 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
     """Take reports and show them: a table in a terminal, lines elsewhere."""
     until = None if seconds is None else time.monotonic() + seconds
     pictured = sys.stdout.isatty()
-    remarks().print(f"{source.name} at {source.path}; {source.clock}. Ctrl-C ends.", markup=False)
+    remark(f"{source.name} at {source.path}; {source.clock}. Ctrl-C ends.")
     with Live(console=results(), auto_refresh=False, transient=True) as screen:
         shown = time.monotonic()
         while until is None or time.monotonic() < until:

@@ -136,7 +136,8 @@ def live(
     """
     if record is not None:
         _check_new("--record", record)
-        _check_new("--record", _predictions_beside(record))
+        stem = record.stem.removesuffix("_samples") or record.stem
+        _check_new("--record", record.with_name(f"{stem}_predictions.csv"))
     if save_transfer is not None:
         _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
@@ -202,8 +203,3 @@ def _check_new(option: str, file: Path) -> None:
         raise ParameterError(
             f"{option} makes a new file, and {file} is there already; name another", code="file_exists"
         )
-
-
-def _predictions_beside(samples: Path) -> Path:
-    """Where a recording's predictions go."""
-    return samples.with_name(f"{samples.stem.removesuffix('_samples') or samples.stem}_predictions.csv")

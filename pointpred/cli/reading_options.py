@@ -26,7 +26,7 @@ from typing import (
 import msgspec
 import typer
 
-from pointpred.console import remarks
+from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording
 from pointpred.sources.reading import AS_IS, Reading, columns_of, px_per_unit_of
@@ -240,7 +240,7 @@ def _named(
                 if name != recording.name:
                     first = shown(names[recording.name])
                     note = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
-                    remarks().print(note, markup=False)
+                    remark(note)
                 names[name] = file
                 yield _called(recording, name)
         except (PointpredError, OSError) as error:

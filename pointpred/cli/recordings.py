@@ -9,7 +9,7 @@ import msgspec
 import typer
 
 from pointpred.cli.output_files import write_json
-from pointpred.console import counted, remarks, results, table
+from pointpred.console import counted, remark, remarks, results, table
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -58,11 +58,25 @@ def list_recordings(
 
     recordings = listing(_chosen(folder))
     if as_json:
-        write_json({"version": 1, "recordings": [_row(one) for one in recordings]}, Path("-"))
+        rows = [
+            RecordingRow(
+                one.name,
+                one.begun.isoformat(),
+                one.events,
+                one.trials,
+                one.skipped,
+                one.size,
+                [str(path) for path in one.files],
+                one.notes,
+                one.problem,
+            )
+            for one in recordings
+        ]
+        write_json({"version": 1, "recordings": rows}, Path("-"))
     elif recordings:
         _show(recordings)
     else:
-        remarks().print(f"nothing is recorded in {_chosen(folder)}", markup=False)
+        remark(f"nothing is recorded in {_chosen(folder)}")
 
 
 @app.command("delete")
@@ -94,7 +108,7 @@ def delete_recordings(
     wanted = list(there) if everything else list(dict.fromkeys(names or ()))
     size = sum(there[name].size for name in wanted if name in there)
     if not wanted:
-        remarks().print(f"nothing is recorded in {chosen}", markup=False)
+        remark(f"nothing is recorded in {chosen}")
         return
     present = all(name in there for name in wanted)
     many = counted(len(wanted), "recording")
@@ -102,7 +116,7 @@ def delete_recordings(
         remarks().print("nothing was deleted")
         raise typer.Exit(1)
     gone = delete(chosen, wanted)
-    remarks().print(f"deleted {counted(len(gone), 'recording')}, {_size(size)}", markup=False)
+    remark(f"deleted {counted(len(gone), 'recording')}, {_size(size)}")
 
 
 def _chosen(folder: Path | None) -> Path:
@@ -124,24 +138,10 @@ def _show(recordings: list[Recorded]) -> None:
     rows = []
     for one in recordings:
         counts = (str(one.events), str(one.trials), str(one.skipped)) if one.problem is None else ("-",) * 3
-        remark = one.problem or "; ".join(one.notes)
-        rows.append((one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark))
+        notes = one.problem or "; ".join(one.notes)
+        rows.append((one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), notes))
     headings = ("name", "begun (UTC)", *numbers, "remark")
     results().print(table(headings, rows, whole=("name",), right=numbers), markup=False)
-
-
-def _row(one: Recorded) -> RecordingRow:
-    return RecordingRow(
-        one.name,
-        one.begun.isoformat(),
-        one.events,
-        one.trials,
-        one.skipped,
-        one.size,
-        [str(path) for path in one.files],
-        one.notes,
-        one.problem,
-    )
 
 
 def _size(size: float) -> str:

@@ -21,7 +21,7 @@ from pointpred.cli.reading_options import (
     with_reading,
 )
 from pointpred.cli.shared_options import named_file, with_coefficients
-from pointpred.console import remarks, results
+from pointpred.console import remark, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
 
@@ -155,10 +155,9 @@ def _drive(
         for one in played:
             driven = drive_mouse(page, one.events, **options)
             trials.append({"trial": one.name, **structs.asdict(driven)})
-            remarks().print(
+            remark(
                 f"{one.name}: {driven.moves} moves, {driven.presses} presses, "
-                f"{driven.releases} releases in {driven.seconds:.2f} s",
-                markup=False,
+                f"{driven.releases} releases in {driven.seconds:.2f} s"
             )
     return {"version": 1, "recording": recording.name, "trials": trials, "skipped": skipped}
 

@@ -9,7 +9,7 @@ import msgspec
 import typer
 
 from pointpred.cli.output_files import Force, check_free, check_targets, write_json
-from pointpred.console import remarks, results, table
+from pointpred.console import remark, remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
@@ -78,11 +78,13 @@ def reproduce(
     if made.draw is not None and target is not None:
         write_whole(target, made.draw().svg.encode())
     if json is not None:
-        write_json(_document(entry, made), json)
+        values = tuple(ValueDocument(v.name, v.printed, v.ours, v.unit, v.agrees) for v in made.values)
+        about = entry.number, entry.source, entry.shows, made.data, entry.differs
+        write_json(ReproductionDocument(1, *about, values), json)
     if json is None or str(json) != "-":
         _print(entry, made)
     if target is not None:
-        remarks().print(f"drawn: {target}", markup=False)
+        remark(f"drawn: {target}")
 
 
 def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path | None:
@@ -153,8 +155,3 @@ class ReproductionDocument(msgspec.Struct, frozen=True):
     data: str
     differs: str
     values: tuple[ValueDocument, ...]
-
-
-def _document(entry: Entry, made: Reproduction) -> ReproductionDocument:
-    values = tuple(ValueDocument(v.name, v.printed, v.ours, v.unit, v.agrees) for v in made.values)
-    return ReproductionDocument(1, entry.number, entry.source, entry.shows, made.data, entry.differs, values)

@@ -26,7 +26,7 @@ from pointpred.cli.shared_options import (
     Threads,
     with_coefficients,
 )
-from pointpred.console import remarks
+from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.registry import REGISTRY, build
@@ -161,7 +161,7 @@ def score(
 
         print_sets(scores.sets, drawn=report is not None)
     if report is not None and drawn:
-        remarks().print(f"report written: {report}", markup=False)
+        remark(f"report written: {report}")
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rich.table import Table
 
-from pointpred.console import NARROW, counted, remarks, results, table
+from pointpred.console import NARROW, counted, remark, results, table
 from pointpred.recording import Skip
 from pointpred.scoring import HEADINGS, footnotes, rows
 from pointpred.scoring.results import TIME_FRACTIONS
@@ -53,8 +53,8 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
             results().print(_table(one))
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
-        for remark in _remarks(one):
-            remarks().print(f"{one.name}: {remark}", markup=False)
+        for words in _remarks(one):
+            remark(f"{one.name}: {words}")
     if any(one.trials for one in sets):
         results().print(
             "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "

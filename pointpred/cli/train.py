@@ -18,7 +18,7 @@ from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
     from pointpred.sources import Reading
-    from pointpred.training.custom import SetComparison, TrainingResult
+    from pointpred.training.custom import TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
 VERDICT = {
@@ -167,7 +167,11 @@ def _print(trained: TrainingResult, out: Path) -> None:
     screen.print(
         f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
     )
-    rows = [(plain(one.name), *_row(one)) for one in trained.held_out]
+    rows = []
+    for one in trained.held_out:
+        ratio, low, high = one.ratio
+        means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
+        rows.append((plain(one.name), str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"))
     screen.print(table(HEADINGS, rows, whole=HEADINGS[:1], right=HEADINGS[1:]))
     screen.print(
         "Time-averaged error, px, of movements that were held out; hold predicts nothing.", style="dim"
@@ -177,9 +181,3 @@ def _print(trained: TrainingResult, out: Path) -> None:
         words = f"The shipped coefficients were fitted to {', '.join(seen)}: their error there is too small."
         screen.print(words, style="red", markup=False)
     screen.print(f"written: {out}", markup=False, soft_wrap=True)
-
-
-def _row(one: SetComparison) -> tuple[str, ...]:
-    ratio, low, high = one.ratio
-    means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
-    return str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"

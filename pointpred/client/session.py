@@ -471,7 +471,8 @@ class UnansweredFrames:
             late = next((k for k, frame in enumerate(self._frames) if frame.late), None)
             self._remove(0 if late is None else late + 1)
         elif self._frames:  # dropped whole: the service is as if it had not been sent
-            self._remove(self._unusable())
+            # refused for its numbers: the oldest, unless predictions before it were replaced
+            self._remove(next((k for k, frame in enumerate(self._frames) if not frame.usable()), 0))
             if self._frames.popleft().begins:
                 self._taken = NEVER
             self._update()
@@ -481,10 +482,6 @@ class UnansweredFrames:
         holding = [k for k, frame in enumerate(self._frames) if t in frame.times]
         places = [k for k in holding if t in self._frames[k].expected] or holding
         return places[-1 if self._skipped else 0] if places else None
-
-    def _unusable(self) -> int:
-        """Which frame was refused for its numbers: the oldest, unless predictions before it were replaced."""
-        return next((k for k, frame in enumerate(self._frames) if not frame.usable()), 0)
 
     def _remove(self, count: int) -> None:
         for _ in range(count):

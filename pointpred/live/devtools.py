@@ -6,15 +6,14 @@ import math
 import time
 from collections import Counter, deque
 from contextlib import ExitStack
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 from urllib.error import HTTPError, URLError
 from urllib.parse import quote, urlsplit
 from urllib.request import Request, urlopen
 
 import msgspec
 
-from pointpred.devices.source import BUTTON_NAMES
+from pointpred.devices.source import BUTTON_NAMES, ClosedOnExit
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import require
 from pointpred.live.playback import Pacing
@@ -30,7 +29,7 @@ IN_FLIGHT = 512
 """Commands sent before one waits for a result: the browser merges them as those of a real mouse."""
 
 
-class Page:
+class Page(ClosedOnExit):
     """One tab of a running browser; made by ``open_page``. Not safe for threads."""
 
     def __init__(self, socket: Any, timeout_s: float) -> None:
@@ -111,14 +110,6 @@ class Page:
         if "error" in answer:
             raise SourceError(f"the browser refused a command: {answer['error'].get('message')}")
         return answer
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0) -> Page:

@@ -19,7 +19,7 @@ from typing import Any, Protocol
 
 import msgspec
 
-from pointpred.console import counted, remarks, results
+from pointpred.console import counted, remark, results
 from pointpred.devices.cursor import CursorSource
 from pointpred.devices.lsl import OUTLET, LslOutlet
 from pointpred.errors import ParameterError, SourceError
@@ -141,7 +141,7 @@ class LiveRun:
                 self._start_learning()
                 if not console.is_terminal:
                     for name, words in heading:
-                        remarks().print(f"{name}: {words}", markup=False)
+                        remark(f"{name}: {words}")
                 view = ViewThread(
                     partial(show, self.session, heading, stopping, console, self._view_rows), stopping
                 )
@@ -193,7 +193,7 @@ class LiveRun:
             console.quiet = quiet
             console.print(summary(self.session), markup=False, soft_wrap=True)
             for entry in self._log.problems if self._log else ():
-                remarks().print(entry, markup=False)
+                remark(entry)
             for name, words in self._output_rows():
                 console.print(f"{name}: {words}", markup=False, soft_wrap=True)
         if self.options.save_transfer is not None and isinstance(self.learner, CurveLearner):

@@ -263,7 +263,10 @@ class Recorder:
                     self._dirty.append(session)
         except Exception as error:  # the service goes on without this recording, whatever broke
             self._fail(session, error)
-        self._lose(session, max(0, sum(left.values()) - (session.files.rows - before)))
+        lost = max(0, sum(left.values()) - (session.files.rows - before))
+        with self._lock:
+            session.lost += lost
+            self.lost += lost
         if items[-1].closes:
             self._finish(session)
 
@@ -294,12 +297,6 @@ class Recorder:
         self._open.discard(session)
         if session.lost:
             log.warning("recording %s: %d events and ends of trials were lost", session.name, session.lost)
-
-    def _lose(self, session: SessionRecorder, count: int) -> None:
-        """Count what is in no file."""
-        with self._lock:
-            session.lost += count
-            self.lost += count
 
     def _fail(self, session: SessionRecorder, error: Exception) -> None:
         """Stop the recording of a session, and log that once; the session itself goes on."""
