@@ -48,7 +48,7 @@ def test_the_old_name_gives_the_same_things() -> None:
 def test_without_the_distribution_the_old_name_says_what_to_install(
     old: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(f"pointpred.{old}.find_spec", lambda name: None)
+    monkeypatch.setattr("pointpred.extras.find_spec", lambda name: None)
     with pytest.raises(MissingExtraError) as refused:
         exec(f"from pointpred.{old} import simulate")
     assert str(refused.value).endswith(extras.install_command(of="pointpred-observers"))
