@@ -27,14 +27,13 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import data, train
-from pointpred.training.data import TrainingData
-from pointpred.training.examples import Examples
+from pointpred.training.data import Examples, TrainingData
 from pointpred.training.fitting import Settings
 
 CODE = (
     "training/*",
     *("predictors/kinematic/*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
-    *("scoring/**/*", "sources/**/*", "recording*", "columns*", "registry*"),
+    *("scoring/**/*", "recordings/**/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"

@@ -9,7 +9,7 @@ from pathlib import Path
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources import read
+from pointpred.recordings import read
 
 VARIABLE = "POINTPRED_RECORDINGS"
 

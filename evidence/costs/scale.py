@@ -26,11 +26,11 @@ from evidence.arguments import parse
 from evidence.costs.scale_recordings import generate
 from evidence.data import Table, keep
 from evidence.machine import machine
-from pointpred.batch import score_in_chunks
-from pointpred.executors import open_executor
+from pointpred.recordings.own import trials_beside
+from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.scoring.chunks import score_in_chunks
+from pointpred.scoring.executors import open_executor
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources.own.recordings import trials_beside
-from pointpred.sources.own.stored import StoredRecording, stored
 
 WAYS: dict[str, dict[str, Any]] = {
     "1 thread": {"threads": 1},

@@ -7,17 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.files.arrow_files import open_file
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own.recordings import VALUES, files_of
-from pointpred.sources.own.trials_table import trial_table
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings.arrow_tables import KEY, open_file
+from pointpred.recordings.writing import files_of, samples_table, trial_table, write_together
 
 
 def write_in_parts(parts: Iterable[Recording], path: str | Path) -> tuple[Path, Path]:
@@ -43,9 +39,9 @@ def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) 
     notes: list[str] = []
     try:
         for recording in parts:
-            rows, text = trial_table(recording, np.diff(recording.offsets))
+            rows, text = trial_table(recording)
             described = text | {"provenance": msgspec.to_builtins(recording.provenance)}
-            tables = [_samples(recording, rows), rows]
+            tables = [samples_table(recording, rows, every=True), rows]
             if not writers:
                 about = described
                 writers = [
@@ -70,22 +66,9 @@ def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) 
         for writer, count, header in zip(writers, counts, (more, {}), strict=True):
             header = {"name": about["name"], "text": about["text"], **header, "version": 1, "rows": count}
             encoded = msgspec.json.encode(header, order="sorted")
-            writer.add_key_value_metadata({arrow_tables.KEY: encoded})
+            writer.add_key_value_metadata({KEY: encoded})
     except (OSError, pa.ArrowException) as error:
         raise RecordingError(f"{path}: cannot be written: {error}") from error
     finally:
         for writer in writers:
             writer.close()
-
-
-def _samples(recording: Recording, trials: Any) -> Any:
-    """The rows of a part as a table with every column of values."""
-    sizes = np.diff(recording.offsets)
-    index = pa.array(np.repeat(np.arange(len(sizes), dtype=np.int32), sizes))
-    columns: dict[str, Any] = {
-        key: pa.DictionaryArray.from_arrays(index, trials[key].combine_chunks()).cast(pa.string())
-        for key in ("dataset", "user", "trial")
-    }
-    for column, values in zip(VALUES, recording.events.table.T, strict=True):
-        columns[column] = pa.array(values, mask=np.isnan(values))
-    return pa.table(columns)

@@ -65,7 +65,7 @@ ROOMS = (
 PACKAGES = (
     ("server/pointpred_server/", "pointpred_server."),
     ("observers/pointpred_observers/", "pointpred_observers."),
-    ("server/", "pointpred.server."),
+    ("server/", "pointpred_server."),
     ("datasets/", "pointpred.datasets."),
     ("", ""),
 )

@@ -24,8 +24,8 @@ from evidence.data import Table, file_of, keep
 from evidence.inputs.account import Account, account
 from evidence.inputs.independent import LAYOUTS
 from pointpred.errors import PointpredError
-from pointpred.sources import read_any
-from pointpred.sources.reading import Reading
+from pointpred.recordings import read_any
+from pointpred.recordings.reading import Reading
 
 LIST = Path(__file__).with_name("inputs.toml")
 OUT = file_of("inputs")

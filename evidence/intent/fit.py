@@ -25,8 +25,8 @@ from evidence.intent.evidence import CLAIMING, SILENT, coefficients
 from evidence.intent.foresight import FRAME_S
 from evidence.intent.movements import Movement, movements
 from evidence.intent.scores import Score, by_policy, by_rule, score, shares_of
+from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.sources import read
 from pointpred.targets import posterior, prefetch
 from pointpred.training.data import folder
 

@@ -18,7 +18,7 @@ from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
-from pointpred.scoring.target_choice.layouts import layouts
+from pointpred.scoring.target_layouts import layouts
 from pointpred.scoring.trials import Prepared, prepare
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH, table
 

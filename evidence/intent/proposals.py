@@ -20,9 +20,9 @@ from evidence.held_out import HeldOut, held_out
 from evidence.intent.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
-from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from pointpred.targets.posterior import FITTED_NEAREST
 from pointpred.training.data import folder

@@ -17,7 +17,7 @@ from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out, trained_predictors, training_sets
 from evidence.intent import targets_fit
 from evidence.thinning import save
-from pointpred.drawing.style import GREY, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY

@@ -22,10 +22,10 @@ from pointpred import build, run
 from pointpred.datasets import sample
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray, PredictionColumns
-from pointpred.scoring.target_choice.layouts import Layout, layouts
+from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
-from pointpred.sources import read
 from pointpred.targets import cursor, posterior
 from pointpred.targets.evidence import FEATURES, MASS, NEAR, Law, features, unclaimed
 

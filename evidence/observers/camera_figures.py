@@ -9,7 +9,7 @@ import numpy as np
 from evidence import ROOT
 from evidence.observers.bounds import cramer_rao
 from evidence.thinning import save, thin
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred_observers.camera import (
     SCENARIOS,
     CameraPipeline,

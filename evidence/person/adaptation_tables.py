@@ -11,7 +11,7 @@ import numpy as np
 from evidence import FIGURES
 from evidence.data import Table, keep
 from evidence.thinning import save
-from pointpred.drawing.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.drawing import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.records import FloatArray
 from pointpred.scoring.measures import time_left
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors

@@ -20,9 +20,9 @@ from evidence.held_out import HeldOut, held_out
 from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
-from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.chooser import rectangle_of
 from pointpred.training.data import folder

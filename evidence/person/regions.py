@@ -22,7 +22,7 @@ from pointpred import Pipeline, PredictionColumns, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare
-from pointpred.scoring.measures.moments import moments
+from pointpred.scoring.measures.endpoint import moments
 from pointpred.training import data
 
 NAMES = ("kinematic", ADAPTIVE)

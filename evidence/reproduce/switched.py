@@ -20,12 +20,12 @@ from evidence.scored import find, named
 from evidence.thinning import save
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
-from pointpred.drawing.style import canvas, picture
+from pointpred.drawing import canvas, picture
 from pointpred.recording import Recording
-from pointpred.report.figures.style import line_style
+from pointpred.recordings import read
 from pointpred.scoring import SetScore, resolution, score
+from pointpred.scoring.report.figures import line_style
 from pointpred.scoring.results import TIME_FRACTIONS
-from pointpred.sources import read
 
 NAME = "switched-direction"
 OTHERS = ("switched", "switched-printed", "minimum-jerk", "kalman")

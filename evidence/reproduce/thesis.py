@@ -20,13 +20,13 @@ from evidence.data import Table, keep
 from evidence.scored import find, named
 from pointpred import Pipeline, build
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, SetScore, prepare, score
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova, axis_profile
 from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
-from pointpred.sources import read
 
 SEED = 1
 CPI = 2000.0

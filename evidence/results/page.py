@@ -14,14 +14,13 @@ from evidence.held_out import PEOPLE_OUT, SET_OUT
 from evidence.results.records import SetResults, stored
 from evidence.thinning import save
 from pointpred.datasets import listing
-from pointpred.drawing.style import Picture
+from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.registry import RECOMMENDED, parameters
-from pointpred.report.choice import highlighted
-from pointpred.report.figures.claims import inside_curves, time_left_bars
-from pointpred.report.figures.errors import cost, curves
 from pointpred.scoring import FLOOR, SetSummary
+from pointpred.scoring.report.figures import cost, curves, inside_curves, time_left_bars
+from pointpred.scoring.report.report import highlighted
 
 EARLY = 0.2
 """The share of the time at which a predictor that only looks a fixed time ahead gives itself away."""

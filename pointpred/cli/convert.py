@@ -13,7 +13,7 @@ from pointpred.console import counted, remarks
 from pointpred.errors import RecordingError
 
 if TYPE_CHECKING:
-    from pointpred.sources import Reading
+    from pointpred.recordings import Reading
 
 
 @with_reading
@@ -46,7 +46,7 @@ def convert(
       pointpred convert psychopy_data.csv --px-per-unit 1080 --out psychopy_samples.csv
     """
     check_recording(out, force or source.is_dir())
-    from pointpred.sources import write_recordings
+    from pointpred.recordings import write_recordings
 
     summary = write_recordings(recordings_in(source, reading), out, replace=force)
     for file in summary.files:

@@ -26,7 +26,7 @@ from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.run import OutputOptions
-    from pointpred.sources import Reading
+    from pointpred.recordings import Reading
 
 REPLAY = "Without a device"
 LSL = "Lab Streaming Layer (extra live)"

@@ -58,10 +58,10 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
     with ``--json`` a plant or a design, or another result. ``targets`` by the option that names them.
     ``--force`` changes nothing of it.
     """
-    from pointpred.sources.own import recordings
+    from pointpred.recordings.own import trials_beside
 
     outputs: dict[Path, str] = {}
-    beside = [recordings.trials_beside(path) for path in inputs if path.is_file()]
+    beside = [trials_beside(path) for path in inputs if path.is_file()]
     read = [path for path in (*inputs, *beside) if path is not None]
     for option, target in targets.items():
         check_target(target)
@@ -91,7 +91,7 @@ def check_free(target: Path | None, force: bool, option: str = "--out") -> None:
 
 def _is_recording(path: Path) -> bool:
     """Whether a file is a recording by its content; JSON of no format of its own is rather a result."""
-    from pointpred.sources import format_of
+    from pointpred.recordings import format_of
 
     try:
         form = format_of(path)
@@ -115,11 +115,12 @@ def _is_plant_or_design(path: Path) -> bool:
 def check_recording(out: Path, force: bool) -> None:
     """Raise ParameterError before any work where the result could not be written, or not without --force."""
     check_target(out)
-    from pointpred.sources.own import recordings
+    from pointpred.recordings.own import EXTENSIONS
+    from pointpred.recordings.writing import check_free
 
-    if out.suffix not in recordings.EXTENSIONS:
+    if out.suffix not in EXTENSIONS:
         raise ParameterError(
             f"--out {out}: cannot write {out.suffix or 'no extension'}, expected .parquet or .csv"
         )
     if not force:
-        recordings.check_free(out)
+        check_free(out)

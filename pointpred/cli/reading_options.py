@@ -29,11 +29,11 @@ import typer
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.reading import AS_IS, Reading, columns_of, px_per_unit_of
+from pointpred.recordings.reading import AS_IS, Reading, columns_of, px_per_unit_of
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
-    from pointpred.sources import StoredRecording
+    from pointpred.recordings import StoredRecording
 
 SAMPLE = "sample"
 """In the place of a file, unless there is one of that name: the embedded sample."""
@@ -63,7 +63,7 @@ def check_exists(value: Any) -> Any:
 
 def as_given(text: str) -> Path | str:
     """One of the recordings given: a path, or an address as it was typed, which a path would change."""
-    from pointpred.sources.files.addresses import address_in
+    from pointpred.recordings.addresses import address_in
 
     return address_in(text) or Path(text)
 
@@ -90,7 +90,7 @@ def _matches(context: typer.Context, value: Path | str) -> list[Path]:
     if str(value) == STDIN:
         return [_save_stdin(context)]
     if isinstance(value, str):
-        from pointpred.sources.files.addresses import local_copy
+        from pointpred.recordings.addresses import local_copy
 
         return [local_copy(value)]
     if value.exists() or not PATTERN.search(str(value)):
@@ -112,7 +112,7 @@ def _save_stdin(context: typer.Context) -> Path:
 
 def shown(file: Path) -> str:
     """How messages name a file: what came by stdin is ``-``."""
-    from pointpred.sources.files.addresses import address_of
+    from pointpred.recordings.addresses import address_of
 
     if address := address_of(file):
         return address
@@ -148,7 +148,7 @@ def recordings_in(
         from pointpred.datasets import sample
 
         return [sample()]
-    from pointpred.sources import open_any, read_any
+    from pointpred.recordings import open_any, read_any
 
     try:
         return (open_any if stored else read_any)(file, options, progress)

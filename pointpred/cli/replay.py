@@ -28,7 +28,7 @@ from pointpred.registry import RECOMMENDED
 if TYPE_CHECKING:
     from pointpred.live.socket import Replayed
     from pointpred.recording import Recording
-    from pointpred.sources import Reading
+    from pointpred.recordings import Reading
 
 PAGE = "As the mouse of a page"
 

@@ -33,8 +33,8 @@ from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
+    from pointpred.recordings import Reading
     from pointpred.scoring import Unread
-    from pointpred.sources import Reading
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
@@ -123,10 +123,10 @@ def score(
         return
     if report is not None:
         require("report", "a report")  # before minutes of scoring
-    from pointpred.batch import score_in_chunks
     from pointpred.cli.progress import following
-    from pointpred.executors import open_executor
     from pointpred.scoring import Document
+    from pointpred.scoring.chunks import score_in_chunks
+    from pointpred.scoring.executors import open_executor
     from pointpred.scoring.scorer import scoring_with
     from pointpred.scoring.summary.document import VERSION
 
@@ -150,7 +150,7 @@ def score(
                     raise  # nothing is wrong with the recording
                 leave_out(reasons, source.name, error)
     if report is not None and drawn:
-        from pointpred.report import write_report
+        from pointpred.scoring.report import write_report
 
         write_report(drawn, report)
     scores = Document(VERSION, tuple(sets), tuple(_unread(reasons)))
@@ -208,8 +208,8 @@ def _score_targets(
 
 
 def _unread(reasons: Reasons) -> list[Unread]:
+    from pointpred.recordings.read_files import readable
     from pointpred.scoring import Unread
-    from pointpred.sources.files.names import readable
 
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 

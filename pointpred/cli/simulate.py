@@ -32,9 +32,9 @@ def simulate(
       pointpred simulate --force && pointpred score simulated_samples.parquet
     """
     check_recording(out, force)
+    from pointpred.recordings import write
     from pointpred.simulation import people as persons
     from pointpred.simulation import simulate_circle
-    from pointpred.sources import write
 
     name, somebody = out.stem.removesuffix("_samples"), persons(people, seed)
     recording = simulate_circle(somebody, seed=seed, trials=trials, name=name)

@@ -17,8 +17,8 @@ from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
-    from pointpred.sources import Reading
-    from pointpred.training.custom import TrainingResult
+    from pointpred.recordings import Reading
+    from pointpred.training.train import TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
 VERDICT = {
@@ -80,8 +80,8 @@ def train(
     coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
-    from pointpred.executors import open_executor
-    from pointpred.training.custom import train_custom
+    from pointpred.scoring.executors import open_executor
+    from pointpred.training.train import train_custom
 
     with (
         open_executor(threads=threads, processes=processes, cluster=cluster) as executor,

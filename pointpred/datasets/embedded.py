@@ -25,9 +25,9 @@ def generate() -> Recording:
 
 def write() -> tuple[Path, Path]:
     """Write the sample into this package; the same library versions write the same bytes."""
-    from pointpred.sources.own import recordings
+    from pointpred.recordings.writing import write as write_files
 
-    return recordings.write(generate(), FILE)
+    return write_files(generate(), FILE)
 
 
 def sample() -> Recording:
@@ -40,6 +40,6 @@ def sample() -> Recording:
     >>> len(recording.trials), recording.provenance.simulated, recording.provenance.cpi
     (240, True, 2000.0)
     """
-    from pointpred.sources.own import recordings
+    from pointpred.recordings.own import read
 
-    return recordings.read(FILE)
+    return read(FILE)

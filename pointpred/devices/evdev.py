@@ -23,7 +23,7 @@ import msgspec
 from pointpred.devices.source import MOST_WAITING, DeviceInfo, ReaderSource, Report
 from pointpred.devices.udev import permission_advice
 from pointpred.errors import SourceError
-from pointpred.sources.device_logs.evdev_frames import (
+from pointpred.recordings.formats.evdev_frames import (
     BUTTONS,
     EV_KEY,
     EV_REL,

@@ -13,9 +13,9 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv as pacsv
 
+from pointpred.recordings.appended import SAMPLES, TRIALS
+from pointpred.recordings.arrow_tables import MARK
 from pointpred.records import PHASES, FloatArray
-from pointpred.sources.own.appended import SAMPLES, TRIALS
-from pointpred.sources.tables.arrow_tables import MARK
 
 PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase", "tail")
 COLUMNS = {

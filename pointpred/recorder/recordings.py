@@ -105,7 +105,7 @@ def _describe(name: str, files: list[Path], counted: bool) -> Recorded:
     if not counted or not samples:
         problem = "its samples are missing" if counted else None
         return msgspec.structs.replace(one, problem=problem)
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     try:
         recording = read(samples[0])

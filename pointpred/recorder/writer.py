@@ -24,8 +24,8 @@ from pointpred.protocol.client_messages import Goal, Hello, cpi_of, dpi_of
 from pointpred.recorder.files import SessionFiles, Write, prediction_rows, sample_rows, trial_row, warm_rows
 from pointpred.recorder.recordings import name_of, prepare
 from pointpred.recording import Provenance
+from pointpred.recordings.appended import FORMAT
 from pointpred.records import EventColumns, FloatArray, PredictionColumns
-from pointpred.sources.own.appended import FORMAT
 
 NOTHING: FloatArray = np.empty((0, 6))
 

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.drawing.panels import Line, Look, Panel, drawing
+from pointpred.drawing import Line, Look, Panel, drawing
 from pointpred.registry import build
-from pointpred.report.figures.boxes import boxes
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import Movements, experiment
 from pointpred.scoring import SetScore, score
+from pointpred.scoring.report.figures import boxes
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.drawing.style import Picture
+from pointpred.drawing import Picture
 
 EXACT = 1e-6
 """How far a number may lie from an exact printed one, such as 7/40, and still be that."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.simulation_checks import corrective_signals, minimum_jerk_check

@@ -9,9 +9,9 @@ import msgspec
 
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording
+from pointpred.recordings import read_any
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.simulation import Condition, Person, people, simulate_circle, thesis_setup
-from pointpred.sources import read_any
 
 SEED = 1
 CPI = 2000.0

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.drawing.panels import Look, Panel, beside, drawing
+from pointpred.drawing import Look, Panel, beside, drawing
 from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.transfer_trials import (

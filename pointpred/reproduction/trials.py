@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.pipeline import Pipeline, run
 from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred.reproduction.people import CPI, SEED, Movements, movements, novice_and_expert
-from pointpred.scoring.trials.submovements import PEAK_RATIO
+from pointpred.scoring.trials import PEAK_RATIO
 from pointpred.simulation import Aim, Setup
 from pointpred.simulation.movement import move
 from pointpred.transfer import ConstantGain

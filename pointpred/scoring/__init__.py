@@ -12,7 +12,7 @@ from pointpred.scoring.summary import (
     document,
     summarise,
 )
-from pointpred.scoring.table import HEADINGS, footnotes, rows
+from pointpred.scoring.summary.document import HEADINGS, footnotes, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
 __all__ = [

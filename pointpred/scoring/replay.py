@@ -1,4 +1,4 @@
-"""A pipeline over every trial of a set: chunks of whole trials as columns, in threads."""
+"""A pipeline over every trial of a set: spans of whole trials as columns, in threads."""
 
 from __future__ import annotations
 
@@ -15,18 +15,15 @@ from pointpred.differentiators import Differentiator
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
 from pointpred.records import FloatArray, PredictionColumns
-from pointpred.scoring.chunks import each_in_threads, spans, users
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import TrialMeasures, measure_trials
 from pointpred.scoring.results import PredictorErrors
+from pointpred.scoring.spans import each_in_threads, spans, users
 from pointpred.scoring.trials import Prepared
 
-Progress = Callable[[int], None]
-"""Called with the number of events just replayed, from the thread that asked for the replay."""
 
-
-class _Chunk(msgspec.Struct, frozen=True):
+class _Span(msgspec.Struct, frozen=True):
     """Trials ``first`` up to ``stop``, measured."""
 
     first: int
@@ -71,7 +68,11 @@ class Measured(msgspec.Struct, frozen=True):
 
 
 def replay(
-    prepared: Prepared, pipeline: Pipeline, *, threads: int | None = None, progress: Progress | None = None
+    prepared: Prepared,
+    pipeline: Pipeline,
+    *,
+    threads: int | None = None,
+    progress: Callable[[int], None] | None = None,
 ) -> PredictorErrors:
     """Run a pipeline over every trial, reset at each onset, and measure its errors.
 
@@ -79,7 +80,8 @@ def replay(
     user in the recording's order, and meets each user knowing nobody. The answers are those that ``update``
     would give event by event, bit for bit. A trial in which a pipeline fails (it raises, or answers what is
     not finite) is scored as if it had never answered there, and stands in ``failed``. ``threads``: one for
-    each processor unless given. The cost is the processor time of the threads within ``run``, not the wall's.
+    each processor unless given. ``progress``: called with the number of events just replayed, from the thread
+    that asked. The cost is the processor time of the threads within ``run``, not the wall's.
     """
     clock = clock_s([trial.arrival_s for trial in prepared.trials])
     measured = measure(prepared, pipeline, clock, threads=threads, progress=progress)
@@ -94,7 +96,7 @@ def measure(
     clock: float,
     *,
     threads: int | None = None,
-    progress: Progress | None = None,
+    progress: Callable[[int], None] | None = None,
     motions: SharedMotions | None = None,
 ) -> Measured:
     """``replay`` beside a clock of its own, s: where the trials are some of a set's, the set's clock.
@@ -107,13 +109,13 @@ def measure(
     failed: list[Skip] = []
     events, seconds = 0, 0.0
     work = partial(_replay_in_turn, prepared, pipeline, clock, motions)
-    for chunk in chain.from_iterable(each_in_threads(work, _turns(prepared, pipeline), threads)):
-        whole.put(chunk.first, chunk.measures)
-        failed.extend(chunk.failed)
-        events += chunk.events
-        seconds += chunk.seconds
+    for span in chain.from_iterable(each_in_threads(work, _turns(prepared, pipeline), threads)):
+        whole.put(span.first, span.measures)
+        failed.extend(span.failed)
+        events += span.events
+        seconds += span.seconds
         if progress is not None:
-            progress(chunk.events)
+            progress(span.events)
     return Measured(pipeline.name, whole, tuple(failed), events, seconds)
 
 
@@ -142,20 +144,20 @@ def _replay_in_turn(
     clock: float,
     motions: SharedMotions | None,
     ranges: list[tuple[int, int]],
-) -> list[_Chunk]:
+) -> list[_Span]:
     """Replay ranges of trials with one pipeline, one range after the other."""
     pipeline = pattern.fresh()
-    return [_replay_chunk(prepared, pipeline, clock, first, stop, motions) for first, stop in ranges]
+    return [_replay_span(prepared, pipeline, clock, first, stop, motions) for first, stop in ranges]
 
 
-def _replay_chunk(
+def _replay_span(
     prepared: Prepared,
     pipeline: Pipeline,
     clock: float,
     first: int,
     stop: int,
     motions: SharedMotions | None = None,
-) -> _Chunk:
+) -> _Span:
     """Replay trials ``first`` up to ``stop`` in one call; where that fails, each on its own."""
     rows = int(prepared.offsets[first]), int(prepared.offsets[stop])
     events, shared_s = prepared.events.rows(*rows), 0.0
@@ -171,7 +173,7 @@ def _replay_chunk(
         if stop - first > 1:
             twins = (pipeline if pipeline.learns else pipeline.fresh() for _ in range(first, stop))
             return _join(
-                [_replay_chunk(prepared, twin, clock, k, k + 1) for k, twin in enumerate(twins, first)]
+                [_replay_span(prepared, twin, clock, k, k + 1) for k, twin in enumerate(twins, first)]
             )
         if isinstance(error, MemoryError):  # the machine's, not the pipeline's
             raise
@@ -185,29 +187,29 @@ def _replay_chunk(
         alone = _unanswered(prepared, clock, first + k, reason, 0.0)
         measures.put(k, alone.measures)
         failed.extend(alone.failed)
-    return _Chunk(first, stop, measures, tuple(failed), len(events), seconds)
+    return _Span(first, stop, measures, tuple(failed), len(events), seconds)
 
 
-def _unanswered(prepared: Prepared, clock: float, trial: int, reason: str, seconds: float) -> _Chunk:
+def _unanswered(prepared: Prepared, clock: float, trial: int, reason: str, seconds: float) -> _Span:
     """A trial in which the pipeline failed, measured as one without any answer."""
     events = prepared.rows(trial)
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
     measures, _ = measure_trials(prepared, trial, trial + 1, events, nothing, clock)
     who = prepared.trials[trial].trial
     skip = Skip(who.trial, reason, user=who.user)
-    return _Chunk(trial, trial + 1, measures, (skip,), len(events), seconds)
+    return _Span(trial, trial + 1, measures, (skip,), len(events), seconds)
 
 
-def _join(chunks: list[_Chunk]) -> _Chunk:
-    first = chunks[0].first
-    joined = TrialMeasures.empty(chunks[-1].stop - first)
-    for chunk in chunks:
-        joined.put(chunk.first - first, chunk.measures)
-    return _Chunk(
+def _join(parts: list[_Span]) -> _Span:
+    first = parts[0].first
+    joined = TrialMeasures.empty(parts[-1].stop - first)
+    for span in parts:
+        joined.put(span.first - first, span.measures)
+    return _Span(
         first,
-        chunks[-1].stop,
+        parts[-1].stop,
         joined,
-        tuple(skip for chunk in chunks for skip in chunk.failed),
-        sum(chunk.events for chunk in chunks),
-        sum(chunk.seconds for chunk in chunks),
+        tuple(skip for span in parts for skip in span.failed),
+        sum(span.events for span in parts),
+        sum(span.seconds for span in parts),
     )

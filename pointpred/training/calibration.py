@@ -13,21 +13,19 @@ from pointpred.predictors.kinematic import calibration as table_law
 from pointpred.predictors.kinematic import features
 from pointpred.predictors.kinematic import network as net
 from pointpred.records import FloatArray
-from pointpred.scoring.measures.regions import reach
-from pointpred.training import losses
-from pointpred.training.examples import Examples
-from pointpred.training.fitting import FittedNetwork, Settings, truth
+from pointpred.scoring.measures.endpoint import DECILES
+from pointpred.scoring.measures.regions import LEVELS, reach
+from pointpred.scoring.measures.time_left import DEVIATIONS
+from pointpred.training.data import Examples
+from pointpred.training.fitting import FittedNetwork, Settings, point, truth
 
-LEVELS = (0.5, 0.8, 0.95)
-DECILES = 9
-"""Stretches of the true share of the time around 10, 20 ... 90 %."""
+STRETCHES = len(DECILES)
+"""Of the true share of the time, around 10, 20 ... 90 %."""
 SOFT = 0.15
 """Width, in logarithms of distance, over which an endpoint counts as half inside."""
 SMOOTH = 0.02
 """What a bend of the table between three knots costs, against a coverage that is off."""
 ROWS_MOST = 40_000
-NORMAL = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)
-"""Deviations of a normal law within which its middle 50, 80, 95 % lie."""
 
 
 class Claims(msgspec.Struct, frozen=True):
@@ -51,7 +49,7 @@ class Claims(msgspec.Struct, frozen=True):
 def claims_of(fitted: FittedNetwork, examples: Examples, settings: Settings) -> Claims:
     """A fitted network's claims about examples, before any calibration."""
     outputs, target = fitted.outputs(examples.features), truth(examples, settings)
-    along, across = losses.point(outputs, target)
+    along, across = point(outputs, target)
     values = outputs.astype(np.float64)
     wide = np.exp(np.clip(values[:, net.WIDE], *net.WIDTH_LOGS))
     broad = np.exp(np.clip(values[:, net.BROAD], *net.WIDTH_LOGS))
@@ -107,8 +105,8 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     if len(claims.share) > ROWS_MOST:
         sample = np.random.default_rng(seed).choice(len(claims.share), ROWS_MOST, replace=False)
         claims = claims.only(np.sort(sample))
-    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, DECILES - 1)
-    total = np.bincount(decile, claims.weight, DECILES)
+    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, STRETCHES - 1)
+    total = np.bincount(decile, claims.weight, STRETCHES)
     place = np.clip(claims.predicted_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)
     knot = np.minimum(place.astype(int), table_law.KNOTS - 2)
     part = place - knot
@@ -122,7 +120,7 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
         shares = []
         for level, gap in zip(LEVELS, logs, strict=False):
             inside = 1.0 / (1.0 + np.exp(np.clip(-gap / SOFT, -40.0, 40.0)))
-            shares.append(np.bincount(decile, claims.weight * inside, DECILES) / total - level)
+            shares.append(np.bincount(decile, claims.weight * inside, STRETCHES) / total - level)
         bends = [SMOOTH * np.diff(column, 2) for column in columns] + [0.1 * SMOOTH * c for c in columns]
         return np.concatenate([*shares, *bends])
 
@@ -138,7 +136,7 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     late = np.log(np.maximum(np.abs(claims.late), 1e-6))
 
     def times(values: FloatArray) -> FloatArray:
-        return off([2.0 * (log(z) + at(values) - late) for z in NORMAL[:2]], [values])
+        return off([2.0 * (log(z) + at(values) - late) for z in DEVIATIONS[:2]], [values])
 
     solution = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
     spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=40).x
@@ -162,8 +160,8 @@ def apply_table(claims: Claims, table: FloatArray) -> Claims:
 
 def coverage(claims: Claims) -> FloatArray:
     """Shares inside, a row a decile, a column a level: regions, then intervals of the time left."""
-    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, DECILES - 1)
-    total = np.bincount(decile, claims.weight, DECILES)
+    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, STRETCHES - 1)
+    total = np.bincount(decile, claims.weight, STRETCHES)
     columns = [claims.surprise <= reaches(level, claims.tail) for level in LEVELS]
-    columns += [np.abs(claims.late) <= z for z in NORMAL]
-    return np.stack([np.bincount(decile, claims.weight * c, DECILES) / total for c in columns], axis=1)
+    columns += [np.abs(claims.late) <= z for z in DEVIATIONS]
+    return np.stack([np.bincount(decile, claims.weight * c, STRETCHES) / total for c in columns], axis=1)

@@ -9,7 +9,7 @@ import msgspec
 
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.sources import write
+from pointpred.recordings import write
 from pointpred_server import samples
 from pointpred_server.page import WEB, page
 

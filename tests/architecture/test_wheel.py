@@ -107,7 +107,7 @@ def test_a_wheel_holds_every_module_of_its_package(wheels: dict[str, Path], pack
 def test_wheels_hold_the_templates_the_sample_and_the_page(wheels: dict[str, Path]) -> None:
     library = set(zipfile.ZipFile(wheels["pointpred"]).namelist())
     assert {
-        "pointpred/report/templates/report.html",
+        "pointpred/scoring/report/templates/report.html",
         "pointpred/datasets/simulated_circle_samples.parquet",
         "pointpred/devices/70-pointpred.rules",
     } <= library

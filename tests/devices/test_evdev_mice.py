@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pointpred.devices.evdev import FrameDecoder
+from pointpred.recordings.formats.evdev_frames import Frames, frames
 from pointpred.records import EventColumns
-from pointpred.sources.device_logs.evdev_frames import Frames, frames
 from tests.devices import evdev_mice
 from tests.devices.evdev_mice import Mouse, Reader, described, events_of, plug, unplug
 from tests.devices.umockdev import Testbed

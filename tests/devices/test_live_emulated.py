@@ -14,7 +14,7 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.devices.hidraw import HidSource
 from pointpred.devices.source import Report
-from pointpred.sources import read
+from pointpred.recordings import read
 from tests.devices.live_fakes import reach
 from tests.devices.live_process import PATIENCE_S, READING, send, started, until_recorded, until_said
 from tests.devices.mice import BUTTONS, TWO_WHEELS, Plugged, plug

@@ -22,8 +22,8 @@ from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSou
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read, write
 from pointpred.records import FloatArray, Pair, PredictionColumns
-from pointpred.sources import read, write
 from tests.devices.live_process import PATIENCE_S
 from tests.devices.test_live_served import goodbye, heard
 

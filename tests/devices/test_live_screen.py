@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.sources import read
+from pointpred.recordings import read
 from pointpred.transfer import ConstantGain, PixelTransfer, named_transfer
 from tests.devices.evdev_mice import PLAIN, plug, write
 from tests.devices.live_fakes import reach

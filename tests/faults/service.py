@@ -23,8 +23,8 @@ from pointpred import EventColumns, build, run
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.frames import PREDICTION, pack_events, pack_predictions
+from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.sources import read
 from tests.server.running import PATIENCE_S
 
 AT_ONCE = 50

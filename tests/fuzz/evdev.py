@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pointpred.devices.evdev import EVENT, Clock, FrameDecoder
-from pointpred.sources.device_logs.evdev_frames import EV_KEY, EV_REL, EV_SYN, SYN_DROPPED, SYN_REPORT
+from pointpred.recordings.formats.evdev_frames import EV_KEY, EV_REL, EV_SYN, SYN_DROPPED, SYN_REPORT
 
 
 def check(data: bytes) -> str:

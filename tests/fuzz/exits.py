@@ -18,14 +18,14 @@ from collections import Counter
 from pathlib import Path
 
 from evidence.arguments import parse
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 
 PROCESSES = 2000
 ROWS = "user,trial,t_s,x_px,y_px\n" + "".join(f"a,1,{0.01 * i:.2f},{i},0\n" for i in range(200))
 
 
 def main(many: int) -> None:
-    for name in ("pyarrow.csv", "pyarrow.parquet", "pointpred.sources.own.recordings"):
+    for name in ("pyarrow.csv", "pyarrow.parquet", "pointpred.recordings.own"):
         importlib.import_module(name)  # once, for all processes that are forked from this one
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     folder = Path(tempfile.mkdtemp())

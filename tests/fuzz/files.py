@@ -12,9 +12,9 @@ import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.sources.files.encodings import head_of
-from pointpred.sources.known_formats import Format, format_of
-from pointpred.sources.reading import AS_IS
+from pointpred.recordings.encodings import head_of
+from pointpred.recordings.known_formats import Format, format_of
+from pointpred.recordings.reading import AS_IS
 from pointpred_server.uploads.recordings import as_file
 from tests.fuzz.inputs import check as check_recording
 from tests.fuzz.refusals import refused

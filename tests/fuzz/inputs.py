@@ -33,8 +33,8 @@ from evidence.data import keep
 from evidence.inputs.measure import LIST, OUT, File, listed, reading_of
 from pointpred.errors import PointpredError
 from pointpred.recording import Recording
-from pointpred.sources import read_any
-from pointpred.sources.reading import FIELDS, Reading
+from pointpred.recordings import read_any
+from pointpred.recordings.reading import FIELDS, Reading
 
 EACH = 40
 MOST_BYTES = 256 << 10

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from pointpred.sources.known_formats import FORMATS
+from pointpred.recordings.known_formats import FORMATS
 from tests.fuzz import designs, evdev, files, hid, person, session, settings, transfer, uploads
 
 
@@ -55,14 +55,18 @@ TARGETS = {
             ("pointpred_server.settings", "pointpred_server.access"),
         ),
         Target(
-            "uploads", uploads.check, uploads.seeds, ("pointpred_server.uploads", "pointpred.sources"), 8192
+            "uploads",
+            uploads.check,
+            uploads.seeds,
+            ("pointpred_server.uploads", "pointpred.recordings"),
+            8192,
         ),
         *(
             Target(
                 f"source-{form.key}",
                 partial(files.check_source, form),
                 partial(files.source_seeds, form),
-                ("pointpred.sources", "pyxdf") if form.key == "xdf" else ("pointpred.sources",),
+                ("pointpred.recordings", "pyxdf") if form.key == "xdf" else ("pointpred.recordings",),
                 8192,
             )
             for form in FORMATS

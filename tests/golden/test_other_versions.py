@@ -11,7 +11,7 @@ import pytest
 from pointpred import build
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.sources.own.recordings import read
+from pointpred.recordings.own import read
 from tests.golden.exchanges import FOLDER, persons
 
 ROW = "user,trial,t_s,x_px,y_px,dx_counts,dy_counts,buttons\np,1,0.0,1.0,2.0,,,0\np,1,0.1,2.0,2.0,,,0\n"

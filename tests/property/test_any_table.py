@@ -15,8 +15,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pointpred.recording import Recording
-from pointpred.sources import read_any
-from pointpred.sources.columns.time_units import PER_SECOND
+from pointpred.recordings import read_any
+from pointpred.recordings.columns.clocks import PER_SECOND
 
 FEW = settings(max_examples=60, deadline=None)
 NAMES = (

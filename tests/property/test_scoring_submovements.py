@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from pointpred.scoring.trials.submovements import divide, divided
+from pointpred.scoring.trials import divide, divided
 
 
 def by_pairs(speeds: list[float]) -> bool:

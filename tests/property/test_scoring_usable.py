@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.scoring.trials import cutting
+from pointpred.scoring.trials import CUTS, GOOD, cut
 
 NAN = float("nan")
 EDGES = [0.0, 1.0, -1.0, 1e9, -1e9, 1.01e9, 1.7e9, 1e11, 1.01e11, 1.7e12, 1e300, float("inf"), NAN]
@@ -37,9 +37,9 @@ def trials(draw: st.DrawFn) -> np.ndarray:
 def test_every_differentiator_accepts_what_is_good(cpi: float | None, parts: list[np.ndarray]) -> None:
     table = np.concatenate(parts)
     offsets = np.concatenate([[0], np.cumsum([len(part) for part in parts])]).astype(np.int64)
-    cuts = np.empty((len(parts), cutting.CUTS), dtype=np.int64)
-    cutting.cut(table, offsets, cuts)
+    cuts = np.empty((len(parts), CUTS), dtype=np.int64)
+    cut(table, offsets, cuts)
     for verdict, _, onset, stop, _ in cuts:
-        if verdict == cutting.GOOD:
+        if verdict == GOOD:
             for kind in DIFFERENTIATORS.values():
                 kind(cpi=cpi).run(EventColumns(table[onset:stop]))

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
-from pointpred.sources import read, read_any, write
+from pointpred.recordings import read, read_any, write
 from tests.property.damage import Edits, damaged, edits
 
 Found = TypeVar("Found")

@@ -9,8 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings import read, write
 from pointpred.records import EventColumns
-from pointpred.sources import read, write
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 words = st.text(st.characters(blacklist_categories=["Cs"], blacklist_characters="\x00\r"), max_size=8)

@@ -7,9 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.recording import IN_MEMORY
+from pointpred.recordings.reading import Cut, Reading
+from pointpred.recordings.segmentation import (
+    cut,
+    cut_at_clicks,
+    cut_at_pauses,
+    trials_of_stream,
+)
 from pointpred.records import EventColumns
-from pointpred.sources.reading import Cut, Reading
-from pointpred.sources.trials.segmentation import cut, cut_at_clicks, cut_at_pauses, trials_of_stream
 
 HOWS: tuple[Cut, ...] = ("clicks", "bursts", "whole")
 rows = st.lists(

@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 from pointpred.errors import ParameterError
-from pointpred.scoring.statistics.anova import anova, balance, cell_means
+from pointpred.scoring.statistics import anova, balance, cell_means
 
 DRUGS = np.array([[30, 28, 16, 34], [14, 18, 10, 22], [24, 20, 18, 30], [38, 34, 20, 44], [26, 28, 14, 30.0]])
 """Reaction times of five people under four drugs: Winer 1971, Statistical Principles, table 4.3-1."""

@@ -14,6 +14,7 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, score
+from pointpred.scoring.measures.regions import LEVELS
 from pointpred.training import calibration, data, train
 from pointpred.training.fitting import Settings
 
@@ -30,7 +31,7 @@ TRIALS = 60
 @cache
 def recording(name: str, trials: int = TRIALS) -> Recording:
     """Some trials of a set, without samples that come at the time of another."""
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     whole = read(Path(FOLDER or "") / f"{name}_samples.parquet")
     picked = np.linspace(0, len(whole.trials) - 1, trials).astype(int).tolist()
@@ -94,7 +95,7 @@ def test_rotation_and_scale_turn_and_scale_every_answer(
 def test_regions_are_as_sure_as_they_say_on_other_people() -> None:
     """Fitted to a third of the people, calibrated on a third, tested on a third; all deciles of the time."""
     settings = msgspec.structs.replace(Settings(), passes=4, hidden=(32, 32))
-    from pointpred.sources import read
+    from pointpred.recordings import read
 
     whole = read(Path(FOLDER or "") / "freihaut2021_samples.parquet")
     school = data.training_data([whole], 1, lambda _: None, variants=1)
@@ -107,7 +108,7 @@ def test_regions_are_as_sure_as_they_say_on_other_people() -> None:
     )
     table = calibration.fit_table(known)
     after = calibration.coverage(calibration.apply_table(tested, table))
-    wanted = np.array([*calibration.LEVELS, *calibration.LEVELS])
+    wanted = np.array([*LEVELS, *LEVELS])
     off = np.abs(after - wanted)[:, :5]  # the table knows the intervals of 50 and 80 % only
     before = np.abs(calibration.coverage(tested) - wanted)[:, :5]
     assert off.mean() < 0.5 * before.mean()

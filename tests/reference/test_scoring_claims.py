@@ -13,8 +13,8 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.records import BoolArray, FloatArray, MotionColumns
 from pointpred.scoring import prepare, replay, score, summarise
-from pointpred.scoring.measures import student
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures import regions
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.measures.regions import INSIDE, LEVELS, RANKED
 from pointpred.scoring.results import TIME_FRACTIONS
 from tests.scripted import Scripted, pipeline_with
@@ -73,7 +73,7 @@ ARRIVAL_S = prepare(RECORDING).trials[0].arrival_s
 @pytest.mark.parametrize("tail", [0.4, 1.3, 3.0, 40.0])
 @pytest.mark.parametrize("z", [-30.0, -1.5, -0.01, 0.0, 0.7, 4.0])
 def test_the_distribution_is_scipys(z: float, tail: float) -> None:
-    assert student.distribution(z, tail) == pytest.approx(stats.t.cdf(z, tail), rel=1e-9, abs=1e-15)
+    assert regions.distribution(z, tail) == pytest.approx(stats.t.cdf(z, tail), rel=1e-9, abs=1e-15)
 
 
 @pytest.mark.parametrize("tail", [1.5, 3.0, 40.0])
@@ -82,12 +82,12 @@ def test_the_ranked_score_is_the_integral_of_the_squared_distance(error: float, 
     law = stats.t(tail, scale=3.0)
     below = integrate.quad(lambda y: law.cdf(y) ** 2, -np.inf, error, limit=500)[0]
     above = integrate.quad(lambda y: law.sf(y) ** 2, error, np.inf, limit=500)[0]
-    assert student.ranked_score(error, 3.0, tail) == pytest.approx(below + above, rel=1e-4)
+    assert regions.student_score(error, 3.0, tail) == pytest.approx(below + above, rel=1e-4)
 
 
 def test_a_law_without_a_mean_has_no_bound() -> None:
-    assert student.ranked_score(1.0, 1.0, 1.0) == np.inf
-    assert student.ranked_score(-5.0, 0.0, 3.0) == 5.0
+    assert regions.student_score(1.0, 1.0, 1.0) == np.inf
+    assert regions.student_score(-5.0, 0.0, 3.0) == 5.0
 
 
 def test_regions_with_a_tail_hold_what_they_say() -> None:

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pointpred.recordings.own import read
 from pointpred.scoring import rows, score, summarise
-from pointpred.sources.own.recordings import read
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
 FILES = sorted(Path(FOLDER).glob("*_samples.parquet")) if FOLDER else []

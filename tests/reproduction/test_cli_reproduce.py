@@ -12,11 +12,11 @@ import msgspec
 import pytest
 
 from pointpred import extras
+from pointpred.recordings import write
 from pointpred.reproduction import catalogue
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.people import CONDITION, novice_and_expert
 from pointpred.simulation import simulate_circle
-from pointpred.sources import write
 
 
 @pytest.fixture(autouse=True)

@@ -17,8 +17,8 @@ from playwright.sync_api import Page
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.datasets import sample
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.browser import Chromium, move_at

@@ -19,9 +19,9 @@ from httpx2 import get, post
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
+from pointpred.recordings import read, write
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summarise
-from pointpred.sources import read, write
 from pointpred_server.cli.serve import serve
 from pointpred_server.settings import Settings
 from tests import building

@@ -15,7 +15,7 @@ from pointpred.devices.cursor_paths import MotorPath
 from pointpred.live.outputs import LiveRecording
 from pointpred.live.session import LiveSession
 from pointpred.protocol.client_messages import Device, Hello, Screen
-from pointpred.sources import read
+from pointpred.recordings import read
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.listener import soon
 

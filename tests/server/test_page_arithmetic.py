@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from pointpred import Prediction
+from pointpred.recordings import read
 from pointpred.simulation.circle import positions
-from pointpred.sources import read
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 

@@ -14,8 +14,8 @@ import pytest
 from typer.testing import CliRunner
 
 from pointpred.cli.app import app
+from pointpred.recordings import read
 from pointpred.registry import REGISTRY
-from pointpred.sources import read
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 

@@ -11,7 +11,7 @@ import pytest
 from pointpred import build, run
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.sources import write
+from pointpred.recordings import write
 from tests.server import browser
 from tests.server.page_browser import Visitor
 

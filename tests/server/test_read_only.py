@@ -15,7 +15,7 @@ from httpx2 import get, post
 
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
-from pointpred.sources import write
+from pointpred.recordings import write
 from pointpred_server.service import Service
 from pointpred_server.uploads.recordings import score_body
 from tests.server.running import PATIENCE_S, running

@@ -13,9 +13,9 @@ from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
 from pointpred.recorder.recordings import listing
 from pointpred.recording import Recording
+from pointpred.recordings import read, read_any
 from pointpred.records import EventColumns
 from pointpred.scoring import score
-from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 
 

@@ -23,7 +23,7 @@ from websockets.sync.client import connect
 
 from pointpred.protocol.frames import EVENT
 from pointpred.recorder.recordings import listing
-from pointpred.sources import read
+from pointpred.recordings import read
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S
 

@@ -16,7 +16,7 @@ from pointpred.errors import SourceError
 from pointpred.protocol.client_messages import Goal
 from pointpred.recorder.recordings import listing
 from pointpred.recorder.writer import Recorder
-from pointpred.sources import read
+from pointpred.recordings import read
 from tests.server.listener import soon
 from tests.server.recorded import HELLO, Opened, begin, feed, record
 from tests.server.running import PATIENCE_S

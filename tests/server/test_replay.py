@@ -20,8 +20,8 @@ from pointpred.live.playback import Pacing, select_trials
 from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import write
 from pointpred.registry import REGISTRY
-from pointpred.sources.own import recordings as own
 from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
@@ -173,7 +173,7 @@ def test_what_cannot_be_played_is_left_out_in_words(
     line = EventColumns.of([0.0, 0.1, 0.2], [0, 50, 100], [0, 0, 0])
     back = EventColumns.of([0.0, 0.2, 0.1], [0, 50, 100], [0, 0, 0])
     recording = Recording.of("two", [line, back], [Trial("ann", "1"), Trial("ann", "2")])
-    file, _ = own.write(recording, tmp_path / "two_samples.parquet")
+    file, _ = write(recording, tmp_path / "two_samples.parquet")
     left = command("replay", file, "--to", listener.url, "--speed", "max", "--json", "-")
     told = msgspec.json.decode(left.out)
     assert left.code == 0

@@ -20,7 +20,7 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
-from pointpred.sources import Reading
+from pointpred.recordings import Reading
 from pointpred_server.compiling.compiler import Compiler
 from pointpred_server.uploads import limits, process, receiving, recordings
 from pointpred_server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked

@@ -17,19 +17,19 @@ import numpy as np
 import pytest
 
 from evidence.costs.written_in_parts import write_in_parts
-from pointpred.batch import ScoredSet, plan, score_in_chunks
-from pointpred.batch import scoring as scoring_module
-from pointpred.batch.part_store import FolderStore
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.executors import Executor, open_executor
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip
+from pointpred.recordings import StoredRecording, read, write
+from pointpred.recordings.stored import stored
+from pointpred.scoring import chunks as batch
 from pointpred.scoring import score, summarise
+from pointpred.scoring.checkpoints import FolderStore
+from pointpred.scoring.chunks import ScoredSet, score_in_chunks
+from pointpred.scoring.executors import Executor, open_executor
 from pointpred.scoring.scorer import scoring_with
-from pointpred.sources import StoredRecording, read, write
-from pointpred.sources.own.stored import stored
 
 NAMES = ["switched", "minimum-jerk"]
 
@@ -49,7 +49,7 @@ def short() -> Recording:
 
 @pytest.fixture(autouse=True)
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(plan, "CHUNK_EVENTS", 12_000)
+    monkeypatch.setattr(batch, "CHUNK_EVENTS", 12_000)
 
 
 @pytest.fixture
@@ -206,7 +206,7 @@ def test_what_is_there_is_not_done_again_unless_something_differs(
             score_in_chunks(source, scoring_with(NAMES, **settings), counting, checkpoints=tmp_path / "done")
             return counting.asked
 
-        chunks = len(plan.plan(short, {}))
+        chunks = len(batch.plan(short, {}))
         assert asked(short) == 2 * chunks  # durations, then scores
         assert asked(short) == 0
         assert asked(short, seed=7) == 0  # the bootstrap's only
@@ -279,7 +279,7 @@ def test_progress_begins_with_what_was_done_and_ends_with_all(short: Recording, 
 def test_many_chunks_leave_memory_for_a_folder_that_goes_with_them(
     short: Recording, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(scoring_module, "IN_MEMORY_CHUNKS", 2)
+    monkeypatch.setattr(batch, "IN_MEMORY_CHUNKS", 2)
     with open_executor(threads=1) as executor:
         scored = score_in_chunks(short, scoring_with([]), executor)
     assert isinstance(scored.store, FolderStore)
@@ -317,7 +317,7 @@ def test_a_folder_that_cannot_be_written_is_said(short: Recording, tmp_path: Pat
 
 
 COMMAND = (
-    "import sys, pointpred.batch.plan as plan; plan.CHUNK_EVENTS = 12_000\n"
+    "import sys, pointpred.scoring.chunks as batch; batch.CHUNK_EVENTS = 12_000\n"
     "from pointpred.cli import main\n"
     "if __name__ == '__main__': main()\n"
 )

@@ -12,7 +12,7 @@ from evidence.data import Tables, read
 from evidence.inputs import measure as inputs
 from evidence.inputs.account import account
 from evidence.inputs.independent import delimited
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 from tests.fuzz import inputs as inputs_fuzz
 
 ROWS = ["ms,px,py,who,n"]

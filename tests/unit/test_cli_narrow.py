@@ -15,10 +15,10 @@ from pointpred.cli.doctor import Finding
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording
+from pointpred.recordings import write
 from pointpred.records import EventColumns
 from pointpred.registry import REGISTRY
 from pointpred.scoring import HEADINGS, rows, score, summarise
-from pointpred.sources import write
 from tests import building
 
 COLUMNS = 80

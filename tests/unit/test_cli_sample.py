@@ -10,7 +10,7 @@ import pytest
 
 from pointpred.cli.reading_options import reading, recordings_in
 from pointpred.datasets import sample
-from pointpred.sources import read, write
+from pointpred.recordings import read, write
 from tests.unit.test_training import reaches
 
 
@@ -35,7 +35,7 @@ def test_train_reads_the_sample(command: Any, monkeypatch: pytest.MonkeyPatch) -
         heard.extend(one.name for one in recordings)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("pointpred.training.custom.train_custom", stop)
+    monkeypatch.setattr("pointpred.training.train.train_custom", stop)
     command("train", "sample", "--out", "me.npz")
     assert heard == [sample().name]
 
@@ -68,7 +68,7 @@ def test_a_report_is_told_of_last_and_not_advertised(
     command: Any, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     order: list[str] = []
-    monkeypatch.setattr("pointpred.report.write_report", lambda *_, **__: order.append("drawn"))
+    monkeypatch.setattr("pointpred.scoring.report.write_report", lambda *_, **__: order.append("drawn"))
     left = command("score", "sample", "--predictors", "hold", "--report", "out.html")
     assert left.code == 0
     assert order == ["drawn"]

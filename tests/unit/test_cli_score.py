@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read_any, write
 from pointpred.records import EventColumns
-from pointpred.sources import read_any
-from pointpred.sources.own import recordings as own
 from tests import building
 
 T = [0.0, 0.1, 0.2, 0.3]
@@ -22,7 +21,7 @@ def good(tmp_path: Path) -> Path:
     path = EventColumns.of(t=T, x=X, y=[0.0] * 4)
     still = EventColumns.of(t=T, x=[5.0] * 4, y=[0.0] * 4)
     trials = [Trial("ann", "1"), Trial("bob", "1"), Trial("bob", "2")]
-    return own.write(Recording.of("walk", [path, path, still], trials), tmp_path / "walk_samples.csv")[0]
+    return write(Recording.of("walk", [path, path, still], trials), tmp_path / "walk_samples.csv")[0]
 
 
 @pytest.fixture
@@ -53,7 +52,7 @@ def test_json_is_the_published_document(command, good: Path) -> None:
 
 def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path) -> None:
     reach = building.reach((0.0, 0.0), (400.0, 0.0), rest_s=0.2)
-    good = own.write(building.recording([reach], "reach"), tmp_path / "reach_samples.csv")[0]
+    good = write(building.recording([reach], "reach"), tmp_path / "reach_samples.csv")[0]
     errors = []
     for more in ((), ("--differentiator", "kalman")):
         left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)
@@ -135,7 +134,7 @@ def test_a_report_reads_each_recording_once(
         read.append(file)
         return read_any(file, *rest)
 
-    monkeypatch.setattr("pointpred.sources.open_any", counted)
+    monkeypatch.setattr("pointpred.recordings.open_any", counted)
     report = tmp_path / "out.html"
     left = command("score", good, bad, "--predictors", "linear", "--report", report)
     assert left.code == 0

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from pointpred.cli.score_tables import print_sets
+from pointpred.recordings import read_any
 from pointpred.scoring import score, summarise
-from pointpred.sources import read_any
 
 
 def test_each_file_that_is_not_read_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

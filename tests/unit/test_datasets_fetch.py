@@ -13,7 +13,7 @@ import pytest
 from pointpred.datasets import DataSet, RemoteFile, fetch, find, listing
 from pointpred.datasets.fetch import check_url
 from pointpred.errors import ParameterError, SourceError
-from pointpred.sources.known_formats import FORMATS
+from pointpred.recordings.known_formats import FORMATS
 from tests.hosts import Silent, host
 
 BODY = b"user,trial,t_s\n" * 9000

@@ -22,7 +22,7 @@ from pointpred.devices.evdev import (
     pressed,
 )
 from pointpred.errors import SourceError
-from pointpred.sources.device_logs.evdev_frames import Frames, frames
+from pointpred.recordings.formats.evdev_frames import Frames, frames
 
 SYN, KEY, REL, MSC = 0, 1, 2, 4
 LEFT, RIGHT = 0x110, 0x111

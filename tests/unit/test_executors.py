@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.executors import dask, open_executor
-from pointpred.executors.executor import AHEAD
+from pointpred.scoring import executors
+from pointpred.scoring.executors import AHEAD, open_executor
 
 WAYS: list[dict[str, Any]] = [{"threads": 1}, {"threads": 3}, {"processes": 2}, {"cluster": "local"}]
 
@@ -58,8 +58,8 @@ def test_a_cluster_that_loses_its_workers_is_named_as_the_reason() -> None:
 def test_a_cluster_without_workers_is_not_waited_for_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
     """A worker without a nanny that ends is not started again."""
     distributed = pytest.importorskip("distributed")
-    monkeypatch.setattr(dask, "WITHOUT_WORKERS_S", 0.4)
-    monkeypatch.setattr(dask, "CHECK_S", 0.1)
+    monkeypatch.setattr(executors, "WITHOUT_WORKERS_S", 0.4)
+    monkeypatch.setattr(executors, "CHECK_S", 0.1)
     with (
         distributed.LocalCluster(
             n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None

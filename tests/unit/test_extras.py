@@ -13,8 +13,8 @@ import pytest
 
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources.own.recordings import write
-from pointpred.training import custom
+from pointpred.recordings.writing import write
+from pointpred.training import train
 from tests.unit.test_training import reaches
 
 
@@ -77,12 +77,12 @@ def test_training_without_scipy_says_so_before_it_reads_anything(
     assert len(left.err.splitlines()) == 1
     assert extras.install_command("train") in left.err
     with pytest.raises(MissingExtraError, match="scipy"):
-        custom.train_custom([reaches(60)], tmp_path / "me.npz")
+        train.train_custom([reaches(60)], tmp_path / "me.npz")
 
 
 def test_too_few_movements_are_refused_before_any_work(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(custom, "training_data", lambda *_: pytest.fail("worked first"))
+    monkeypatch.setattr(train, "training_data", lambda *_: pytest.fail("worked first"))
     with pytest.raises(RecordingError, match="50 movements at least, there are 49"):
-        custom.train_custom([reaches(49)], tmp_path / "me.npz")
+        train.train_custom([reaches(49)], tmp_path / "me.npz")

@@ -8,8 +8,8 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings import read, write
 from pointpred.records import EventColumns
-from pointpred.sources import read, write
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 NONE = float("nan")

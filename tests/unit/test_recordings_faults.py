@@ -9,8 +9,8 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
+from pointpred.recordings import read, write
 from pointpred.records import EventColumns
-from pointpred.sources import read, write
 from tests.building import text_file
 
 HEADER = "user,trial,t_s,x_px,y_px\n"

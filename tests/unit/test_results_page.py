@@ -15,9 +15,9 @@ from evidence.results.records import SetResults, stored
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import write
 from pointpred.scoring import SetSummary
 from pointpred.scoring.summary import Measure, PredictorSummary
-from pointpred.sources import write
 
 
 def recording(name: str) -> Recording:

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import read
 from pointpred.records import EventColumns
 from pointpred.scoring import prepare
-from pointpred.scoring.trials.clean_trials import clean_trials
-from pointpred.sources import read
+from pointpred.scoring.trials import clean_trials
 
 
 def verdict(t: list[float], x: list[float], y: list[float]) -> bool:

@@ -14,7 +14,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording, Trial
 from pointpred.records import Row, TenFloats, endpoint
-from pointpred.scoring import chunks, prepare, replay
+from pointpred.scoring import prepare, replay, spans
 from pointpred.scoring.replay import answers_to
 
 MOVEMENTS, LAST_X = 0, 1
@@ -67,7 +67,7 @@ SEEN = [0, 1, 0, 2, 1, 0, 3, 1]
 def test_each_trial_knows_the_user_s_earlier_ones_and_nobody_else_s(
     threads: int, events: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(chunks, "CHUNK_EVENTS", events)
+    monkeypatch.setattr(spans, "SPAN_EVENTS", events)
     scored = replay(prepare(walks(USERS)), learner(), threads=threads)
     assert scored.by_path[:, -1].tolist() == SEEN
     assert scored.failed == ()

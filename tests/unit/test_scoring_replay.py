@@ -13,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.records import BoolArray, FloatArray, MotionColumns
-from pointpred.scoring import chunks, prepare, replay, score, scorer
+from pointpred.scoring import prepare, replay, score, scorer, spans
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors
 from tests.scripted import Scripted, pipeline_with
@@ -62,7 +62,7 @@ def same(one: PredictorErrors, other: PredictorErrors) -> bool:
 
 @pytest.mark.parametrize("name", list(REGISTRY))
 def test_replay_gives_the_streaming_answers_bit_for_bit(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chunks, "CHUNK_EVENTS", 150)
+    monkeypatch.setattr(spans, "SPAN_EVENTS", 150)
     prepared = prepare(walks(12))
     replayed = replay(prepared, build(name), threads=2)
     assert replayed.failed == ()
@@ -115,19 +115,19 @@ def test_no_pipeline_sees_the_future_of_its_trial(name: str) -> None:
 
 
 @pytest.mark.parametrize(("size", "threads"), [(1, 1), (90, 3), (10**6, 2)])
-def test_chunks_and_threads_change_nothing(size: int, threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_spans_and_threads_change_nothing(size: int, threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
     prepared = prepare(walks(30))
     whole = replay(prepared, build("hold"), threads=1)
-    monkeypatch.setattr(chunks, "CHUNK_EVENTS", size)
+    monkeypatch.setattr(spans, "SPAN_EVENTS", size)
     assert same(replay(prepared, build("hold"), threads=threads), whole)
     assert prepare(walks(30), threads=threads).trials == prepared.trials
 
 
-def test_chunks_hold_every_trial_once_and_no_more_events_than_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chunks, "CHUNK_EVENTS", 100)
+def test_spans_hold_every_trial_once_and_no_more_events_than_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(spans, "SPAN_EVENTS", 100)
     offsets = np.array([0, 40, 80, 100, 350, 360, 361])
-    assert chunks.spans(offsets) == [(0, 3), (3, 4), (4, 6)]
-    assert chunks.spans(np.array([0])) == []
+    assert spans.spans(offsets) == [(0, 3), (3, 4), (4, 6)]
+    assert spans.spans(np.array([0])) == []
 
 
 def test_a_trial_in_which_a_pipeline_fails_is_scored_as_unanswered_and_reported() -> None:

@@ -13,9 +13,9 @@ from pointpred import build
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.records import EventColumns
+from pointpred.scoring import target_choice as replaying
 from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summarise_targets
-from pointpred.scoring.target_choice import decisions as replaying
-from pointpred.scoring.target_choice.layouts import circle, grids, layouts
+from pointpred.scoring.target_layouts import circle, grids, layouts
 from pointpred.scoring.trials import prepare
 from pointpred.simulation.circle import positions
 from pointpred.targets import Chooser, Target

@@ -15,8 +15,7 @@ from typer.testing import CliRunner
 from pointpred.cli.app import app
 from pointpred.datasets import sample
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources import read_any, write
-from pointpred.sources.files import addresses
+from pointpred.recordings import addresses, read_any, write
 from tests.hosts import file_host
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Skip, Trial
-from pointpred.sources import Reading, read, read_any
+from pointpred.recordings import Reading, read, read_any
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 NONE = float("nan")

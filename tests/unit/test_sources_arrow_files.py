@@ -15,9 +15,9 @@ import pyarrow.parquet as pq
 import pytest
 from msgspec.structs import replace
 
-from pointpred.sources import read, write
-from pointpred.sources.files.arrow_files import in_memory, open_file
-from pointpred.sources.own.appended import SAMPLES
+from pointpred.recordings import read, write
+from pointpred.recordings.appended import SAMPLES
+from pointpred.recordings.arrow_tables import in_memory, open_file
 from pointpred_server.uploads.limits import check_unpacked
 
 ROWS = "user,trial,t_s,x_px,y_px\na,1,0,1,2\na,1,0.01,3,4\n"

@@ -10,7 +10,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from pointpred.errors import ColumnsError
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 from tests.building import lines_file
 
 

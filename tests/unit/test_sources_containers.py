@@ -15,9 +15,9 @@ from scipy.io import loadmat, savemat
 
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources import Reading, read_any
-from pointpred.sources.table_files import matlab, matlab_values, xdf
-from pointpred.sources.table_files import xlsx as workbook
+from pointpred.recordings import Reading, read_any
+from pointpred.recordings.formats import matlab, xdf
+from pointpred.recordings.formats import xlsx as workbook
 from tests.unit.writing_containers import (
     ROWS,
     TRIALS,
@@ -165,7 +165,7 @@ def test_values_are_those_that_scipy_reads(compressed: bool, tmp_path: Path) -> 
     }
     savemat(tmp_path / "own.mat", variables, do_compression=compressed)
     loaded = loadmat(tmp_path / "own.mat", simplify_cells=True)
-    found = matlab_values.variables_of((tmp_path / "own.mat").read_bytes())
+    found = matlab.variables_of((tmp_path / "own.mat").read_bytes())
     assert found == {name: simplified(loaded[name]) for name in variables} | {"lines": ["ab", "cde"]}
     assert found["nested"]["yes"] is True
 
@@ -179,9 +179,9 @@ def test_a_matlab_file_of_the_other_byte_order(tmp_path: Path) -> None:
         struct.pack(">HHb3x", 1, 1, 116),
     ]
     parts.append(struct.pack(">II3d", 9, 24, 1.5, 2.5, 3.5))
-    assert matlab_values.variables_of(
-        head + struct.pack(">II", 14, sum(map(len, parts))) + b"".join(parts)
-    ) == {"t": [1.5, 2.5, 3.5]}
+    assert matlab.variables_of(head + struct.pack(">II", 14, sum(map(len, parts))) + b"".join(parts)) == {
+        "t": [1.5, 2.5, 3.5]
+    }
 
 
 def test_structures_and_cells_of_matlab_are_a_row_a_trial(tmp_path: Path) -> None:
@@ -221,7 +221,7 @@ def test_damaged_matlab_files_are_refused_or_read(tmp_path: Path) -> None:
         for _ in range(3):
             damaged[chance.integers(124, len(data))] = chance.choice([0, 1, 4, 127, 255])
         try:
-            matlab_values.variables_of(bytes(damaged[: chance.integers(0, 2 * len(data))]))
+            matlab.variables_of(bytes(damaged[: chance.integers(0, 2 * len(data))]))
         except RecordingError:
             refused += 1
     assert 1000 < refused < 2000
@@ -242,7 +242,7 @@ def test_claims_of_size_in_matlab_are_not_believed(shape: tuple[int, int], conte
     ]
     head = b"MATLAB 5.0 MAT-file".ljust(124) + b"\x00\x01IM" + struct.pack("<II", 14, sum(map(len, parts)))
     try:
-        value = matlab_values.variables_of(head + b"".join(parts))["t"]
+        value = matlab.variables_of(head + b"".join(parts))["t"]
     except RecordingError:
         value = []
     assert len(value) <= 8
@@ -253,7 +253,7 @@ def test_matlab_files_that_are_refused(tmp_path: Path, monkeypatch: pytest.Monke
     path.write_bytes(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(512) + b"\x89HDF\r\n\x1a\n")
     with pytest.raises(RecordingError, match="-v7"):
         read_any(path)
-    monkeypatch.setattr(matlab_values, "MOST_UNPACKED", 1 << 20)
+    monkeypatch.setattr(matlab, "MOST_UNPACKED", 1 << 20)
     savemat(path, {"t": np.zeros(1 << 18)}, do_compression=True)  # 2 MiB in 2 KiB
     with pytest.raises(RecordingError, match="bytes of values"):
         read_any(path)

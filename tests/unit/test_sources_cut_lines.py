@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 EVENT = {

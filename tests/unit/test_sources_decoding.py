@@ -14,9 +14,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
-from pointpred.sources import format_of, read, read_any
-from pointpred.sources.files import encodings as decoding
-from pointpred.sources.files.encodings import encoding_of, head_of, is_ended, open_text, read_text
+from pointpred.recordings import encodings as decoding
+from pointpred.recordings import format_of, read, read_any
+from pointpred.recordings.encodings import (
+    encoding_of,
+    head_of,
+    is_ended,
+    open_text,
+    read_text,
+)
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 TEXT = "name,x\nJosé,1\nŽofie,2\n"

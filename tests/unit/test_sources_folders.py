@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import RecordingError
-from pointpred.sources import convert, read, read_any
+from pointpred.recordings import convert, read, read_any
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 

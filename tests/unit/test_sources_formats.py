@@ -7,7 +7,12 @@ import pytest
 
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Recording, Skip
-from pointpred.sources import FORMATS, Reading, format_of, read_any
+from pointpred.recordings import (
+    FORMATS,
+    Reading,
+    format_of,
+    read_any,
+)
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 NONE = float("nan")

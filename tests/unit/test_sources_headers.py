@@ -8,7 +8,7 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Skip
-from pointpred.sources import read, read_any
+from pointpred.recordings import read, read_any
 from tests.building import text_file
 
 HEADER = "user,trial,t_s,x_px,y_px\n"

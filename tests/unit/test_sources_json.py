@@ -16,11 +16,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
-from pointpred.sources import Reading, format_of, read_any
-from pointpred.sources.columns.names import guess
-from pointpred.sources.records import record_paths, record_tables
-from pointpred.sources.table_files import json_records as records_json
-from pointpred.sources.trials.lists import is_list, split
+from pointpred.recordings import (
+    Reading,
+    format_of,
+    nested_records,
+    read_any,
+)
+from pointpred.recordings.columns.names import guess
+from pointpred.recordings.formats import json_records as records_json
+from pointpred.recordings.trials import is_list, split
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
 
 SAMPLES = [{"t": 8.0 * at, "x": 2.0 * at, "y": float(at % 3)} for at in range(20)]
@@ -293,8 +297,8 @@ def test_a_path_of_very_many_names_is_followed_in_little_work(tmp_path: Path) ->
 
     document = Names()
     with pytest.raises(RecordingError):
-        record_paths.table_at(tmp_path, document, ".".join(["a"] * 16_000), "JSON")
-    assert document.looks <= record_tables.MOST_DEPTH
+        nested_records.table_at(tmp_path, document, ".".join(["a"] * 16_000), "JSON")
+    assert document.looks <= nested_records.MOST_DEPTH
 
 
 def test_no_column_is_lost_where_names_occur_twice(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import RecordingError
-from pointpred.sources import Reading, convert, format_of, read, read_any
+from pointpred.recordings import Reading, convert, format_of, read, read_any
 from tests.building import text_file
 
 SOURCES = Path(__file__).parents[1] / "data/sources"

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from pointpred.errors import RecordingError
-from pointpred.sources.device_logs import libinput
+from pointpred.recordings.formats import libinput
 from tests.building import text_file
 
 MOUSE = """# libinput record

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.errors import ColumnsError
-from pointpred.sources import Reading, read, read_any
+from pointpred.recordings import Reading, read, read_any
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 HEADER = "user,trial,t_s,x_px,y_px\n"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.recording import Recording
-from pointpred.sources import Reading, read_any
+from pointpred.recordings import Reading, read_any
 from tests.building import lines_file
 
 ROWS = [(10 * i, 3 * i, 100 - i) for i in range(30)]

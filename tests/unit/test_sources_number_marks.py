@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.errors import ColumnsError
-from pointpred.sources import Reading, read_any
+from pointpred.recordings import Reading, read_any
 from tests.building import lines_file
 
 COUNT = 40

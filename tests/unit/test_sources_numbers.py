@@ -7,7 +7,7 @@ import pyarrow as pa
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.sources.tables.arrow_tables import numbers
+from pointpred.recordings.arrow_tables import numbers
 
 CELLS = st.lists(st.none() | st.floats(allow_nan=False) | st.integers(-9, 9).map(float), max_size=30)
 

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 from pointpred.errors import ColumnsError, ParameterError, RecordingError
-from pointpred.sources import Reading, read_any
-from pointpred.sources.columns.names import similar_names
-from pointpred.sources.table_files.delimited_layout import layout_of
+from pointpred.recordings import Reading, read_any
+from pointpred.recordings.columns.names import similar_names
+from pointpred.recordings.formats.delimited import layout_of
 from tests.building import lines_file
 
 MOVES = [f"{10 * i};{3 * i};{100 - i}" for i in range(30)]

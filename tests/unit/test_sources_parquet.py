@@ -11,8 +11,8 @@ import pyarrow.parquet as pq
 import pytest
 
 from pointpred.errors import ColumnsError, RecordingError
-from pointpred.sources import read_any, write
-from pointpred.sources.known_formats import format_of
+from pointpred.recordings import read_any, write
+from pointpred.recordings.known_formats import format_of
 from pointpred_server.uploads.recordings import open_body
 
 COUNT = 20

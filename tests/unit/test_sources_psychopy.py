@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import RecordingError
-from pointpred.sources import Reading, convert, read, read_any
+from pointpred.recordings import Reading, convert, read, read_any
 from tests.building import lines_file
 
 SOURCES = Path(__file__).parents[1] / "data/sources"

@@ -8,7 +8,7 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.recording import Recording
-from pointpred.sources import read, read_any, write
+from pointpred.recordings import read, read_any, write
 from tests.building import lines_file
 
 

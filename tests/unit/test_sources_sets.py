@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pointpred.sources import read, read_any
+from pointpred.recordings import read, read_any
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
 pytestmark = [

@@ -8,7 +8,7 @@ import pytest
 from openpyxl import Workbook
 
 from pointpred.errors import RecordingError
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 
 ROWS = [(10 * i, 3 * i, 100 - i) for i in range(20)]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.errors import ColumnsError
-from pointpred.sources import read_any
+from pointpred.recordings import read_any
 from tests.building import lines_file
 
 

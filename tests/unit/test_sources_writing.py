@@ -9,11 +9,8 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.files import beside
-from pointpred.sources import convert, read_any
-from pointpred.sources.files import write_together as module
-from pointpred.sources.files.write_together import write_together
-from pointpred.sources.own import recordings
-from pointpred.sources.tables import arrow_tables
+from pointpred.recordings import convert, read_any, writing
+from pointpred.recordings.writing import write_together
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 FITTS = SOURCES / "gofitts.sd3"
@@ -27,7 +24,7 @@ class Full:
     """A disk that is full, or an interrupt, at the nth table that is written."""
 
     def __init__(self, at: int, error: BaseException) -> None:
-        self.left, self.error, self.write = at, error, arrow_tables.write_table
+        self.left, self.error, self.write = at, error, writing.write_table
 
     def __call__(self, path: Path, part: Path, table: object, header: dict[str, object]) -> None:
         self.write(path, part, table, header)
@@ -52,7 +49,7 @@ def test_a_failure_at_any_table_leaves_the_folder_as_it_was(
         for file in out.iterdir():
             file.write_text("before", encoding="utf-8")
     was = contents(out)
-    monkeypatch.setattr(arrow_tables, "write_table", Full(at, error))
+    monkeypatch.setattr(writing, "write_table", Full(at, error))
     with pytest.raises(type(error)):
         convert(source, out / "all.csv")
     assert contents(out) == was
@@ -83,7 +80,7 @@ def test_a_file_that_cannot_take_its_place_brings_back_the_others(
 
     monkeypatch.setattr(Path, "replace", refuse)
     if not links:
-        monkeypatch.setattr(module.os, "link", no_links)
+        monkeypatch.setattr(writing.os, "link", no_links)
     with pytest.raises(RecordingError, match=rf"{names[at - 1]}: cannot be written: opened by"):
         convert(FITTS, tmp_path / "study.csv")
     assert contents(tmp_path) == was
@@ -117,7 +114,7 @@ def test_nothing_is_written_where_no_trial_was_read(tmp_path: Path) -> None:
 def test_files_take_their_places_at_the_end_of_the_block(tmp_path: Path) -> None:
     [recording] = read_any(FITTS)
     with write_together() as part:
-        paths = recordings.write_parts(recording, tmp_path / "study.csv", part)
+        paths = writing.write_parts(recording, tmp_path / "study.csv", part)
         assert not any(path.exists() for path in paths)
     assert sorted(contents(tmp_path)) == sorted(path.name for path in paths)
 

@@ -7,7 +7,7 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.records import FloatArray, prediction_row
-from pointpred.scoring.target_choice import decisions as replaying
+from pointpred.scoring import target_choice as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
 from pointpred.targets.posterior import FITTED
 from pointpred.targets.rectangles import table

@@ -11,16 +11,16 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.executors import open_executor
 from pointpred.predictors.kinematic import calibration as kinematic_calibration
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
-from pointpred.training import calibration, data, fitting, losses, network, train
-from pointpred.training.examples import examples, join
+from pointpred.scoring.executors import open_executor
+from pointpred.scoring.measures.regions import LEVELS
+from pointpred.training import calibration, data, fitting, train
+from pointpred.training.data import examples, join, varied
 from pointpred.training.fitting import Settings
-from pointpred.training.variants import varied
 
 SMALL = Settings(hidden=(8, 6), passes=2, batch=64)
 
@@ -53,27 +53,27 @@ def test_slopes_agree_with_differences() -> None:
     ]
     inputs = random.standard_normal((rows, 5))
     shapes = ((rows, net.BASES), (rows, net.BASES), rows, rows, rows)
-    truth = losses.Truth(
+    truth = fitting.Truth(
         *(random.standard_normal(shape) for shape in shapes),
         *(random.uniform(0.2, 0.9, rows) for _ in range(2)),
         *(random.uniform(0.5, 2.0, rows) for _ in range(3)),
     )
 
-    def loss(frozen: losses.Floats) -> float:
+    def loss(frozen: fitting.Floats) -> float:
         """The point's errors enter the law as they were: so its slope is taken."""
-        outputs, _ = network.forward(layers, inputs)
-        whole, _ = losses.slopes(outputs, truth)
+        outputs, _ = fitting.forward(layers, inputs)
+        whole, _ = fitting.slopes(outputs, truth)
         held = outputs.copy()
         still = [net.ALONG, net.ACROSS, *range(net.BASIS, net.BASIS + net.BASES)]
         held[:, still] = frozen[:, still]
-        law_moved = losses._law(outputs, truth, *_off(outputs, truth), np.zeros_like(outputs))
-        law_held = losses._law(outputs, truth, *_off(held, truth), np.zeros_like(outputs))
-        spread_moved = losses._time(outputs, truth, np.zeros_like(outputs))
+        law_moved = fitting._law(outputs, truth, *_off(outputs, truth), np.zeros_like(outputs))
+        law_held = fitting._law(outputs, truth, *_off(held, truth), np.zeros_like(outputs))
+        spread_moved = fitting._time(outputs, truth, np.zeros_like(outputs))
         return whole - law_moved + law_held - spread_moved + _time_held(outputs, frozen, truth)
 
-    outputs, kept = network.forward(layers, inputs)
-    _, slope = losses.slopes(outputs, truth)
-    gradient = network.backward(layers, kept, slope)
+    outputs, kept = fitting.forward(layers, inputs)
+    _, slope = fitting.slopes(outputs, truth)
+    gradient = fitting.backward(layers, kept, slope)
     for (weights, offset), (by_weights, by_offset) in zip(layers, gradient, strict=True):
         for array, by in ((weights, by_weights), (offset, by_offset)):
             for place in np.ndindex(array.shape):
@@ -86,19 +86,19 @@ def test_slopes_agree_with_differences() -> None:
                 assert by[place] == pytest.approx((above - below) / (2 * step), rel=1e-3, abs=2e-6)
 
 
-def _off(outputs: losses.Floats, truth: losses.Truth) -> tuple[losses.Floats, losses.Floats]:
-    along, across = losses.point(outputs, truth)
+def _off(outputs: fitting.Floats, truth: fitting.Truth) -> tuple[fitting.Floats, fitting.Floats]:
+    along, across = fitting.point(outputs, truth)
     return along - truth.along, across - truth.across
 
 
-def _time_held(outputs: losses.Floats, frozen: losses.Floats, truth: losses.Truth) -> float:
+def _time_held(outputs: fitting.Floats, frozen: fitting.Floats, truth: fitting.Truth) -> float:
     """The time's loss with the spread judged at the time left as it was."""
     judged = outputs.copy()
     judged[:, net.LEFT] = frozen[:, net.LEFT]
     no_error = msgspec.structs.replace(truth, time_weight=0.0 * truth.time_weight)
     no_law = msgspec.structs.replace(truth, law_weight=0.0 * truth.law_weight)
     zeros = np.zeros_like(outputs)
-    return losses._time(judged, no_error, zeros) + losses._time(outputs, no_law, zeros)
+    return fitting._time(judged, no_error, zeros) + fitting._time(outputs, no_law, zeros)
 
 
 def test_the_law_computes_what_training_computes(material: data.TrainingData, tmp_path: Path) -> None:
@@ -136,7 +136,7 @@ def test_training_learns(material: data.TrainingData) -> None:
     )
     own = material.own[0].only(material.own[0].user == 0)
     wanted = fitting.truth(own, SMALL)
-    along, across = losses.point(fitted.outputs(own.features), wanted)
+    along, across = fitting.point(fitted.outputs(own.features), wanted)
     error = np.hypot(along - wanted.along, across - wanted.across) * own.reach
     assert (own.weight @ error) < 0.5 * (own.weight @ own.hold())
 
@@ -186,7 +186,7 @@ def test_calibration_mends_what_is_too_sure() -> None:
     )
     before = calibration.coverage(known)
     after = calibration.coverage(calibration.apply_table(known, calibration.fit_table(known)))
-    wanted = np.array([*calibration.LEVELS, *calibration.LEVELS])
+    wanted = np.array([*LEVELS, *LEVELS])
     assert np.abs(before - wanted).max() > 0.15
     assert np.abs(after - wanted).max() < 0.03
 

@@ -20,9 +20,9 @@ from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording
+from pointpred.recordings.writing import write
 from pointpred.scoring import score
-from pointpred.sources.own.recordings import write
-from pointpred.training import custom, data, fitting, train
+from pointpred.training import data, fitting, train
 from pointpred.training.data import FOLDS
 from pointpred.training.fitting import Settings
 from tests.unit.test_training import reaches
@@ -37,9 +37,9 @@ def mine(count: int = 60, users: int = 2) -> Recording:
     return msgspec.structs.replace(made, trials=trials)
 
 
-def trained(path: Path, recording: Recording | None = None, **options: Any) -> custom.TrainingResult:
+def trained(path: Path, recording: Recording | None = None, **options: Any) -> train.TrainingResult:
     options = {"settings": TINY, "variants": 0, **options}
-    return custom.train_custom([recording or mine()], path, **options)
+    return train.train_custom([recording or mine()], path, **options)
 
 
 def named(name: str, *users: str, count: int = 30) -> Recording:
@@ -115,15 +115,16 @@ def test_a_name_is_one_person_in_all_recordings(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    made: list[tuple[train.TrainingData, train.Nets]] = []
+    made: list[tuple[data.TrainingData, train.Nets]] = []
     counted: list[tuple[int, int]] = []
+    real = train.folds
 
-    def folds(school: train.TrainingData, *rest: Any) -> train.Nets:
-        made.append((school, train.folds(school, *rest)))
+    def folds(school: data.TrainingData, *rest: Any) -> train.Nets:
+        made.append((school, real(school, *rest)))
         return made[0][1]
 
-    monkeypatch.setattr(custom, "folds", folds)
-    result = custom.train_custom(
+    monkeypatch.setattr(train, "folds", folds)
+    result = train.train_custom(
         [named("one", *first), named("two", *second)],
         tmp_path / "me.npz",
         settings=TINY,
@@ -146,7 +147,7 @@ def test_a_name_is_one_person_in_all_recordings(
 def test_few_movements_of_each_of_many_recordings_are_held_out(tmp_path: Path) -> None:
     """Stretches go through all recordings: one of a single movement can still be held out."""
     recordings = [named(f"part {k}", "ann", count=10) for k in range(6)]
-    result = custom.train_custom(recordings, tmp_path / "me.npz", settings=TINY, variants=0)
+    result = train.train_custom(recordings, tmp_path / "me.npz", settings=TINY, variants=0)
     assert [len(one.hold) for one in result.held_out] == [10] * 6
 
 
@@ -225,7 +226,7 @@ def test_both_names_take_the_file(name: str, me: Path, tmp_path: Path) -> None:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Training that takes a second."""
-    monkeypatch.setattr(custom, "GENTLE", TINY)
+    monkeypatch.setattr(train, "GENTLE", TINY)
 
 
 @pytest.fixture

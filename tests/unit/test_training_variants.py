@@ -7,7 +7,7 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.training.variants import varied
+from pointpred.training.data import varied
 
 
 def test_variants_are_as_large_and_as_fast_as_they_should_be() -> None:

@@ -13,8 +13,8 @@ from evidence.sets import folder
 from pointpred.datasets import sample
 from pointpred.protocol.frames import NO_COUNTS
 from pointpred.recording import Recording
+from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.sources import read
 
 SECONDS = 10.0
 """Movements of so many seconds are replayed; each client begins at another of them."""

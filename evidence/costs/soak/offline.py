@@ -15,8 +15,8 @@ from pointpred import EventColumns, build, run
 from pointpred.protocol.frames import pack_predictions, row_of_prediction, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
 from pointpred.recorder.files import PREDICTED
+from pointpred.recordings.arrow_tables import EVENT_COLUMNS
 from pointpred.records import PHASES, FloatArray
-from pointpred.sources.own.appended import VALUES
 
 CPI, DPI = 800.0, 96.0
 """The device and the screen that every client of the soak names."""
@@ -138,7 +138,7 @@ def difference(folder: Path, session: str, file: Path, *, whole: bool) -> str | 
 
 def _tables(file: Path, part: str) -> Iterator[FloatArray]:
     """The numbers of a recorded file, a block at a time."""
-    columns = VALUES if part == "samples" else PREDICTED
+    columns = EVENT_COLUMNS if part == "samples" else PREDICTED
     options = pacsv.ReadOptions(skip_rows=1 if part == "samples" else 0, block_size=1 << 22)
     kinds = {name: pa.string() if name == "phase" else pa.float64() for name in columns}
     conversion = pacsv.ConvertOptions(include_columns=list(columns), column_types=kinds)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.drawing.style import GREY, PALETTE, canvas, picture
+from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.files import write_whole
 from pointpred.records import FloatArray
 from pointpred_observers.camera import CameraTable

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.drawing.panels import Panel, beside, drawing
+from pointpred.drawing import Panel, beside, drawing
 from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 from pointpred_observers import (

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import msgspec
 import numpy as np
 
-from pointpred.drawing.panels import Panel, beside, drawn
-from pointpred.drawing.style import written
+from pointpred.drawing import Panel, beside, drawn, written
 from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
 from pointpred.parameter import is_number

@@ -1,10 +1,12 @@
-"""The errors of one trial: a compiled law over its events and the answers a pipeline gave to them.
+"""What is measured of the predicted point of a trial: its errors, and whether it lies in the target.
 
-The truth is the last position. Where a pipeline answers ``None`` the cursor's position is scored.
+Compiled laws over a trial's events and the answers a pipeline gave to them. The truth is the last position.
+Where a pipeline answers ``None`` the cursor's position is scored.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot, inf
 
 import numpy as np
@@ -12,7 +14,7 @@ from numpy.typing import NDArray
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray
-from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, ScoredTrial
 
 WEIGHT_S = 0.05
 """In the time-averaged error no sample counts for longer than this."""
@@ -95,3 +97,56 @@ def measure(
     for k in range(len(offsets) - 1):
         a, b = offsets[k] - base, offsets[k + 1] - base
         faults[k] = measure_trial(rows[a:b], answers[a:b], fractions, arrivals[k] - offsets[k], out[k])
+
+
+DECILES = tuple(round(0.1 * i, 1) for i in range(1, 10))
+"""Shares of the time from onset to arrival at which claims are read."""
+
+
+@law
+def moments(
+    rows: FloatArray, first: int, arrival: int, last: int, shares: FloatArray, out: NDArray[np.int64]
+) -> None:
+    """For each share of the time its row: the last at or before that time; shares ascend."""
+    i, start, span = first, rows[first, 0], rows[arrival, 0] - rows[first, 0]
+    for k in range(len(shares)):
+        while i < last and rows[i + 1, 0] <= start + shares[k] * span:
+            i += 1
+        out[k] = i
+
+
+def targets(trials: Sequence[ScoredTrial]) -> FloatArray:
+    """Centre and width of each trial's target, a row a trial, NaN where one of them is unknown."""
+    rows = [(one.trial.target_x, one.trial.target_y, one.trial.target_w) for one in trials]
+    table = np.array(rows, dtype=np.float64).reshape(-1, 3)
+    table[~(np.isfinite(table).all(axis=1) & (table[:, 2] > 0.0))] = np.nan
+    return table
+
+
+@law
+def hits(
+    rows: FloatArray,
+    answers: FloatArray,
+    offsets: NDArray[np.int64],
+    arrivals: NDArray[np.int64],
+    discs: FloatArray,
+    shares: FloatArray,
+    out: FloatArray,
+) -> None:
+    """For each trial and share of the time: 1 where the prediction lies in the target, 0 where it does not.
+
+    The target is the disc with its width as the diameter. Where nothing was answered the cursor's position
+    is judged; NaN where the target is not known.
+    """
+    out[:] = np.nan
+    at = np.empty(len(shares), dtype=np.int64)
+    for k in range(len(offsets) - 1):
+        if discs[k, 0] != discs[k, 0]:
+            continue
+        first, last = offsets[k] - offsets[0], offsets[k + 1] - offsets[0] - 1
+        moments(rows, first, arrivals[k] - offsets[0], last, shares, at)
+        for m in range(len(shares)):
+            x, y = rows[at[m], 1], rows[at[m], 2]
+            if answers[at[m], 1] == answers[at[m], 1]:
+                x, y = answers[at[m], 1], answers[at[m], 2]
+            out[k, m] = 1.0 if hypot(x - discs[k, 0], y - discs[k, 1]) <= 0.5 * discs[k, 2] else 0.0

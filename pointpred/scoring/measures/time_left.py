@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray
-from pointpred.scoring.measures.endpoint import WEIGHT_S
-from pointpred.scoring.measures.moments import moments
+from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 from pointpred.scoring.measures.regions import LEVELS
 
 DEVIATIONS = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from pointpred.recording import Skip
 from pointpred.records import EventColumns, FloatArray, PredictionColumns
-from pointpred.scoring.measures import endpoint, regions, target_hits, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures import endpoint, regions, time_left
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.trials import Prepared
 
@@ -113,5 +113,5 @@ def measure_trials(
     regions.inside_by_time(*columns, SHARES, out.inside)
     time_left.time_left(*columns, clock_s, out.left)
     time_left.inside_by_time(*columns, SHARES, out.left_inside)
-    target_hits.hits(*columns, target_hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
+    endpoint.hits(*columns, endpoint.targets(prepared.trials[first:stop]), TIMES, out.hits)
     return out, faults

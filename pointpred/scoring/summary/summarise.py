@@ -4,37 +4,159 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import nan
+from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, SetScore
+from pointpred.scoring.measures import regions
+from pointpred.scoring.measures.endpoint import DECILES
+from pointpred.scoring.results import (
+    AXIS_FRACTIONS,
+    PATH_FRACTIONS,
+    TIME_FRACTIONS,
+    PredictorErrors,
+    SetScore,
+)
 from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, drawn_totals, ratio_bounds
-from pointpred.scoring.summary.claims import RATIOS, Totals, claims
 from pointpred.scoring.summary.document import (
     VERSION,
+    Calibration,
     Document,
     GroupSummary,
+    Hits,
+    HitShare,
+    InsideAtTime,
+    Interval,
     Measure,
     Measures,
+    Number,
     PredictorSummary,
     Resampling,
     SetSummary,
+    TimeLeft,
     Unread,
     UserError,
     interval,
     number,
 )
-from pointpred.scoring.summary.groups import Group, groups
-from pointpred.scoring.summary.sums import WITH_INTERVAL, Parts, Sums, rows_of, sums_of
-from pointpred.scoring.summary.trial_columns import TrialColumns, trial_columns
+from pointpred.scoring.summary.sums import (
+    WITH_INTERVAL,
+    Group,
+    Parts,
+    Sums,
+    TrialColumns,
+    groups,
+    rows_of,
+    sums_of,
+    trial_columns,
+)
 
 FLOOR = "hold"
 """No prediction: every other error is judged beside its error."""
-
 SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
+
+RATIOS = (
+    (sums.INSIDE, sums.INSIDE_MADE, sums.CELLS),
+    (sums.LEFT_INSIDE, sums.LEFT_MADE, sums.CELLS),
+    (sums.HITS, sums.HITS_MADE, sums.TIMES),
+    (sums.LEFT, sums.CLOCK, 1),
+)
+"""Columns that are divided by columns, and how many; each ratio has an interval."""
+
+
+class Totals(msgspec.Struct, frozen=True):
+    """The sums of one predictor over the trials of a group."""
+
+    trials: int
+    sums: FloatArray
+    """(WIDTH,)"""
+    low: FloatArray
+    high: FloatArray
+    """(WIDTH,): bounds of the ratios of RATIOS, at the places of what is divided"""
+
+
+class Ratio(NamedTuple):
+    """Sum over sum of one column."""
+
+    share: Number
+    interval: Interval
+    trials: int
+    """Trials with such a claim."""
+
+
+def claims(
+    errors: PredictorErrors, totals: Totals
+) -> tuple[Calibration | None, TimeLeft | None, Hits | None]:
+    """What became of the claims in a group of trials; ``errors`` says which there are in the set."""
+    if not totals.trials:
+        return None, None, None
+    inside, times, hits, (clock,) = (_ratios(totals, *columns) for columns in RATIOS)
+    by_time = dict(zip(TIME_FRACTIONS, (HitShare(one.share, one.interval) for one in hits), strict=True))
+    return (
+        None if errors.calibration is None else _calibration(errors, totals, inside),
+        None if errors.time_left is None else _time_left(errors, totals, clock, times),
+        None if errors.hits is None or not hits[0].trials else Hits(hits[0].trials, by_time),
+    )
+
+
+def _ratios(totals: Totals, above: int, below: int, count: int) -> list[Ratio]:
+    return [
+        Ratio(
+            number(totals.sums[above + i] / totals.sums[below + i]) if totals.sums[below + i] > 0.0 else None,
+            interval(totals.low[above + i], totals.high[above + i]),
+            int(totals.sums[below + i]),
+        )
+        for i in range(count)
+    ]
+
+
+def _levels(values: FloatArray) -> dict[float, Number]:
+    return {level: number(value) for level, value in zip(regions.LEVELS, values, strict=True)}
+
+
+def _by_time(cells: list[Ratio]) -> dict[float, InsideAtTime]:
+    """At each decile of the time the share of each level inside; ``cells`` has a row a decile and level."""
+    rows = (cells[sums.LEVELS * k : sums.LEVELS * (k + 1)] for k in range(len(DECILES)))
+    return {
+        share: InsideAtTime(
+            row[0].trials,
+            {level: one.share for level, one in zip(regions.LEVELS, row, strict=True)},
+            {level: one.interval for level, one in zip(regions.LEVELS, row, strict=True)},
+        )
+        for share, row in zip(DECILES, rows, strict=True)
+    }
+
+
+def _calibration(errors: PredictorErrors, totals: Totals, cells: list[Ratio]) -> Calibration | None:
+    """Means over the trials in which any region was claimed."""
+    claimed = totals.sums[sums.REGIONS]
+    if not claimed:
+        return None
+    means = totals.sums[sums.REGION : sums.TIMED] / claimed
+    return Calibration(
+        number(totals.sums[sums.CLAIMED] / totals.trials),
+        _levels(means[: sums.LEVELS]),
+        number(means[sums.LEVELS]),
+        None if errors.inside_by_time is None else _by_time(cells),
+    )
+
+
+def _time_left(errors: PredictorErrors, totals: Totals, clock: Ratio, cells: list[Ratio]) -> TimeLeft:
+    """The error beside the clock's; shares inside where any intervals were claimed."""
+    spread = totals.sums[sums.SPREADS]
+    return TimeLeft(
+        number(totals.sums[sums.TIMED] / totals.trials),
+        number(totals.sums[sums.LEFT] / totals.trials),
+        number(totals.sums[sums.CLOCK] / totals.trials),
+        clock.share,
+        clock.interval,
+        _levels(totals.sums[sums.SPREAD :] / spread) if spread else None,
+        _by_time(cells) if errors.time_inside_by_time is not None and spread else None,
+    )
 
 
 def document(scores: Iterable[SetScore], unread: Iterable[Unread] = ()) -> Document:

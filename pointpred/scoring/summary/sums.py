@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pointpred.compiled import law
 from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.measures import regions, time_left
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (
     AXIS_FRACTIONS,
     PATH_FRACTIONS,
@@ -23,9 +23,123 @@ from pointpred.scoring.results import (
     PredictorErrors,
     SetScore,
 )
-from pointpred.scoring.summary.groups import Group
-from pointpred.scoring.summary.trial_columns import TrialColumns
 from pointpred.stage import offsets
+
+EXPERIENCE = ("experience", "skill", "group")
+"""Conditions that may say who is experienced and who is a novice."""
+LABELS = ("experienced", "novice")
+
+
+class TrialColumns(msgspec.Struct, frozen=True):
+    """A row a trial of a set, some 20 bytes each, whatever the number of predictors."""
+
+    people: tuple[str, ...]
+    """Names of the people, sorted."""
+    person: NDArray[np.int64]
+    """Each trial's place in ``people``."""
+    submovements: BoolArray
+    clean: BoolArray
+    judged: bool
+    """Whether the recording itself says of any trial whether it is clean."""
+    labels: NDArray[np.int8]
+    """(EXPERIENCE, trials): the place in LABELS of what the condition says, -1 for anything else."""
+    events: int
+
+
+def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
+    """The columns of a set that comes in parts, which are looked at one after the other."""
+    codes: dict[str, int] = {}
+    person: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
+    flags: list[BoolArray] = [np.empty((3, 0), dtype=np.bool_)]
+    labels: list[NDArray[np.int8]] = [np.empty((len(EXPERIENCE), 0), dtype=np.int8)]
+    events = 0
+    for part in parts:
+        trials = part.trials
+        person.append(
+            np.array([codes.setdefault(one.trial.user, len(codes)) for one in trials], dtype=np.int64)
+        )
+        rows = [(one.submovements, one.clean, one.trial.clean is not None) for one in trials]
+        flags.append(np.array(rows, dtype=np.bool_).reshape(-1, 3).T)
+        labels.append(
+            np.array(
+                [[_label(one.trial.condition.get(name)) for one in trials] for name in EXPERIENCE],
+                dtype=np.int8,
+            )
+        )
+        events += sum(one.events for one in trials)
+    people = sorted(codes)
+    places = np.empty(len(codes), dtype=np.int64)
+    places[[codes[name] for name in people]] = np.arange(len(people))
+    submovements, clean, judged = np.concatenate(flags, axis=1)
+    return TrialColumns(
+        tuple(people),
+        places[np.concatenate(person)],
+        submovements,
+        clean,
+        bool(judged.any()),
+        np.concatenate(labels, axis=1),
+        events,
+    )
+
+
+def _label(value: object) -> int:
+    text = str(value).lower()
+    return LABELS.index(text) if text in LABELS else -1
+
+
+DIVIDED = "highest speed peak less than 5 times the next"
+WHOLE = "highest speed peak at least 5 times the next"
+BY_SHARE = "median split of people by their share of trials with sub-movements (Khalin 2022, remark 2.3.1)"
+CLEAN_OWN = "the recording's own judgement: monotone, no long stop"
+CLEAN_RULE = "at least 80 px far, path at most 1.5 times that, no stop on the way over 0.1 s"
+
+
+class Group(msgspec.Struct, frozen=True):
+    """Trials that are shown together; ``mask`` has a row a trial of the set."""
+
+    label: str
+    mask: BoolArray
+    basis: str = ""
+    """The rule that puts trials into the group."""
+
+
+def groups_of(score: SetScore) -> tuple[Group, ...]:
+    """The groups of a set that is in memory; see ``groups``."""
+    return groups(trial_columns([score]))
+
+
+def groups(trials: TrialColumns) -> tuple[Group, ...]:
+    """All trials; those with and without sub-movements; clean ones; experienced people and novices.
+
+    A group without a trial is not listed; one with every trial is.
+    """
+    listed = [
+        Group("all trials", np.ones(len(trials.person), dtype=np.bool_)),
+        Group("with sub-movements", trials.submovements, DIVIDED),
+        Group("without sub-movements", ~trials.submovements, WHOLE),
+        Group("clean trials", trials.clean, CLEAN_OWN if trials.judged else CLEAN_RULE),
+        *_people(trials),
+    ]
+    return tuple(group for group in listed if group.mask.any())
+
+
+def _people(trials: TrialColumns) -> list[Group]:
+    """Experienced people and novices: by the recording's conditions, otherwise by their sub-movements."""
+    for name, labels in zip(EXPERIENCE, trials.labels, strict=True):
+        masks = [labels == place for place in range(len(LABELS))]
+        if all(mask.any() for mask in masks):
+            return [
+                Group(f"{label} people", mask, f"condition {name!r}")
+                for label, mask in zip(LABELS, masks, strict=True)
+            ]
+    if len(trials.people) < 2:
+        return []
+    share = np.bincount(trials.person, weights=trials.submovements) / np.bincount(trials.person)
+    few = (share <= np.median(share))[trials.person]
+    if few.all():
+        return []
+    return [Group("experienced people", few, BY_SHARE), Group("novice people", ~few, BY_SHARE)]
+
 
 Parts = Callable[[], Iterable[SetScore]]
 """Gives a set's parts in order, each time from the first one on."""

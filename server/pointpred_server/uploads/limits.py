@@ -7,7 +7,12 @@ import io
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.sources.files.encodings import DAMAGED, GZIP, HEAD_BYTES, UTF_16
+from pointpred.recordings.encodings import (
+    DAMAGED,
+    GZIP,
+    HEAD_BYTES,
+    UTF_16,
+)
 from pointpred_server.uploads.receiving import UploadError
 
 PARQUET = b"PAR1"
@@ -53,8 +58,7 @@ def _check_parquet(body: bytes) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pointpred.sources.files.arrow_files import in_memory
-    from pointpred.sources.tables.arrow_tables import UNREADABLE
+    from pointpred.recordings.arrow_tables import UNREADABLE, in_memory
 
     try:
         file = pa.BufferReader(in_memory(io.BytesIO(body)))
@@ -96,7 +100,7 @@ def _text_columns(schema: Any) -> list[str]:
     """The columns of text; raises RecordingError for one that holds no text, numbers, dates or times."""
     import pyarrow as pa
 
-    from pointpred.sources.tables.arrow_tables import PLAIN
+    from pointpred.recordings.arrow_tables import PLAIN
 
     names = []
     for field in schema:

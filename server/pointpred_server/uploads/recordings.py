@@ -16,11 +16,11 @@ import msgspec
 
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording, Trial
+from pointpred.recordings import Reading, read_any
+from pointpred.recordings.known_formats import format_of
+from pointpred.recordings.reading import columns_of
 from pointpred.registry import REGISTRY
 from pointpred.scoring import Document, document, score
-from pointpred.sources import Reading, read_any
-from pointpred.sources.known_formats import format_of
-from pointpred.sources.reading import columns_of
 from pointpred_server.uploads.limits import NO_TEXT, PARQUET, check_most, check_unpacked
 
 NAME = "recording"

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from pointpred.report import write_report
-from pointpred.report.figures.claims import inside_curves, time_left_bars
-from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.endpoint import DECILES
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.figures import inside_curves, time_left_bars
 from pointpred.scoring.summary import summarise
 
 

@@ -6,9 +6,8 @@ from html.parser import HTMLParser
 import pytest
 from msgspec.structs import replace
 
-from pointpred.report import write_report
-from pointpred.report.choice import conclusion, ranked
-from pointpred.report.page import environment
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.report import conclusion, environment, ranked
 from pointpred.scoring.summary import summarise
 
 

@@ -9,13 +9,13 @@ import pytest
 
 from pointpred import build
 from pointpred import run as pipeline_run
-from pointpred.drawing.style import Picture, canvas, picture
+from pointpred.drawing import Picture, canvas, picture
 from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.records import EventColumns
-from pointpred.report import write_report
-from pointpred.report.choice import compared, highlighted
 from pointpred.scoring import score as run
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.report import compared, highlighted
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise
 

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 from pointpred import extras
 from pointpred.cli.app import app
 from pointpred.errors import MissingExtraError
-from pointpred.report import write_report
+from pointpred.scoring.report import write_report
 
 
 @pytest.fixture

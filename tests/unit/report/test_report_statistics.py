@@ -1,11 +1,10 @@
 import numpy as np
 import pytest
 
-from pointpred.report import write_report
-from pointpred.report.statistics import ALPHA, leads, terms
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.report import ALPHA, leads, terms
 from pointpred.scoring.results import AXIS_FRACTIONS
-from pointpred.scoring.statistics import axis_anova
-from pointpred.scoring.statistics.anova import Effect
+from pointpred.scoring.statistics import Effect, axis_anova
 
 
 def effect(f, p):

@@ -8,10 +8,9 @@ from scipy import stats
 from pointpred.errors import ParameterError
 from pointpred.recording import Trial
 from pointpred.scoring.results import AXIS_FRACTIONS, ScoredTrial, SetScore
-from pointpred.scoring.statistics.factors import factors_of
-from pointpred.scoring.statistics.single_axis import axis_anova, axis_profile, box, replace_outliers
+from pointpred.scoring.statistics import axis_anova, axis_profile, box, factors_of, replace_outliers
 from pointpred.scoring.summary import summarise
-from pointpred.scoring.summary.groups import groups_of
+from pointpred.scoring.summary.sums import groups_of
 
 samples = st.lists(st.floats(0.0, 1e4), min_size=1, max_size=60).map(np.array)
 

@@ -6,11 +6,10 @@ import re
 import matplotlib.colors
 import pytest
 
-from pointpred.drawing.style import FAINT
+from pointpred.drawing import FAINT
 from pointpred.registry import REGISTRY
-from pointpred.report import write_report
-from pointpred.report.figures.errors import cost, curves
-from pointpred.report.figures.style import STYLES, line_style
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report.figures import STYLES, cost, curves, line_style
 from pointpred.scoring.summary import summarise
 
 

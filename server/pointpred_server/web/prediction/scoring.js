@@ -1,7 +1,7 @@
 // The score of a trial, as `pointpred score` gives it.
 
 import { BY_PATH, BY_TIME, FRACTIONS, MEASURES, measure_trial as measure, SINGLE_AXIS, SOUND, TIME_AVERAGED } from "../laws/scoring/measures/endpoint.js";
-import * as cutting from "../laws/scoring/trials/cutting.js";
+import * as cutting from "../laws/scoring/trials.js";
 import { UNPREDICTED } from "./row.js";
 import { MOST_EVENTS } from "./trial.js";
 import { general } from "./words.js";

@@ -3,7 +3,7 @@ import { larger, smaller, square } from "../../arithmetic.js";
 import * as $mixtures_levels from "../../mixtures/levels.js";
 import * as $adaptation_levels from "./levels.js";
 import * as $mixed_region from "./mixed_region.js";
-import * as $adaptation_moments from "./moments.js";
+import * as $moments from "./moments.js";
 export const JUDGED = 9;
 export const LIGHTEST = 0.02;
 export const HEAVIEST = 4;
@@ -48,7 +48,7 @@ export function widen(memory, at, share, tail) {
   return [Math.exp(0.5 * (near + far - Math.log(both))), 2 / heavy];
 }
 export function record(memory, at, t, cursor_x, cursor_y, stated) {
-  const last = $adaptation_moments.new_moment(memory, at, [t, cursor_x, cursor_y], MOMENT, MOST);
+  const last = $moments.new_moment(memory, at, [t, cursor_x, cursor_y], MOMENT, MOST);
   if (last < 0) {
     return -1;
   }
@@ -72,7 +72,7 @@ export function probability_within(memory, moment, x, y) {
   return 1 - Math.exp(-0.5 * tail * Math.log(1 + larger(far, 0) / tail));
 }
 export function learn(memory, person, at, place_of_end, span) {
-  if (memory[at + $adaptation_moments.COUNT] === 0) {
+  if (memory[at + $moments.COUNT] === 0) {
     return;
   }
   const x = place_of_end[0];
@@ -82,8 +82,8 @@ export function learn(memory, person, at, place_of_end, span) {
   let k = 0;
   for (let judged = 1, end_1 = JUDGED + 1; judged < end_1; judged++) {
     const share = judged / (JUDGED + 1);
-    k = $adaptation_moments.moment_at(memory, at, k, span, share, MOMENT);
-    const moment = at + $adaptation_moments.FIRST + MOMENT * k;
+    k = $moments.moment_at(memory, at, k, span, share, MOMENT);
+    const moment = at + $moments.FIRST + MOMENT * k;
     const within = probability_within(memory, moment, x, y);
     for (let which = 0, end_2 = $mixtures_levels.LEVELS.length; which < end_2; which++) {
       $adaptation_levels.learn(memory, person + OFFSETS, share, which, within <= $mixtures_levels.LEVELS[which], step);

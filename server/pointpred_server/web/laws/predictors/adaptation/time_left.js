@@ -1,7 +1,7 @@
 // Written by `make page` from time_left.py: change that and run it again.
 import { larger, smaller, view } from "../../arithmetic.js";
 import * as $arrival_intervals from "./arrival_intervals.js";
-import * as $adaptation_moments from "./moments.js";
+import * as $moments from "./moments.js";
 import * as $time_left_prior from "./time_left_prior.js";
 export const TERMS = 7;
 export const SUMS = 28;
@@ -94,7 +94,7 @@ export function stated(memory, place, cursor, since, median, estimates, way, pac
   }
   const left = larger(smaller(total, FURTHEST) * median, LEAST * smaller(estimates[1], median));
   const spread = $arrival_intervals.spread(memory, intervals, since / (since + left));
-  const moment = $adaptation_moments.new_moment(memory, at + MOMENTS, cursor, MOMENT, MOST);
+  const moment = $moments.new_moment(memory, at + MOMENTS, cursor, MOMENT, MOST);
   if (moment >= 0) {
     memory[moment + LEFT] = left;
     memory[moment + SPREAD] = spread;
@@ -118,9 +118,9 @@ export function learn(memory, place, span, median, prior) {
   let k = 0;
   for (let judged = 0; judged < JUDGED; judged++) {
     const share = (judged + 0.5) / JUDGED;
-    k = $adaptation_moments.moment_at(memory, at + MOMENTS, k, span, share, MOMENT);
-    const moment = at + MOMENTS + $adaptation_moments.FIRST + MOMENT * k;
-    const seconds = larger(span[1] - memory[moment + $adaptation_moments.T], SHORTEST_S);
+    k = $moments.moment_at(memory, at + MOMENTS, k, span, share, MOMENT);
+    const moment = at + MOMENTS + $moments.FIRST + MOMENT * k;
+    const seconds = larger(span[1] - memory[moment + $moments.T], SHORTEST_S);
     $arrival_intervals.judge(memory, intervals, share, step, [memory[moment + LEFT], memory[moment + SPREAD]], seconds);
     const left = smaller(seconds / median, FURTHEST);
     let off = left;

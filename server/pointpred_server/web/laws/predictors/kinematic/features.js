@@ -1,7 +1,7 @@
 // Written by `make page` from features.py: change that and run it again.
 import { hypot, larger, smaller } from "../../arithmetic.js";
 import * as $history from "./history.js";
-import * as $kinematic_submovements from "./submovements.js";
+import * as $submovements from "./submovements.js";
 import * as $track from "./track.js";
 import * as $minimum_jerk from "../minimum_jerk.js";
 export const LAGS_S = [0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5];
@@ -105,12 +105,12 @@ export function fill_shape(memory, at, point, frame, out) {
   out[PUSH] = memory[at + $track.PUSH] * SOON_S * 0.1 / hand;
   out[BRAKE] = memory[at + $track.BRAKE] * SOON_S * 0.1 / hand;
   out[SINCE_PUSH] = t - memory[at + $track.PUSH_T];
-  out[SUBS] = smaller(memory[sub + $kinematic_submovements.COUNT], 6);
-  out[SINCE_SUB] = t - memory[sub + $kinematic_submovements.T];
-  out[SUB_PEAK] = memory[sub + $kinematic_submovements.PEAK] / peak;
-  out[SINCE_SUB_PEAK] = t - memory[sub + $kinematic_submovements.PEAK_T];
-  out[FALLING] = memory[sub + $kinematic_submovements.FALLING];
-  out[SUB_PATH] = (path - memory[sub + $kinematic_submovements.PATH]) / reach;
+  out[SUBS] = smaller(memory[sub + $submovements.COUNT], 6);
+  out[SINCE_SUB] = t - memory[sub + $submovements.T];
+  out[SUB_PEAK] = memory[sub + $submovements.PEAK] / peak;
+  out[SINCE_SUB_PEAK] = t - memory[sub + $submovements.PEAK_T];
+  out[FALLING] = memory[sub + $submovements.FALLING];
+  out[SUB_PATH] = (path - memory[sub + $submovements.PATH]) / reach;
   out[SLOW_FOR] = t - memory[at + $track.FAST_T];
   out[SLOWER_FOR] = t - memory[at + $track.MOVING_T];
   out[STILL_FOR] = t - memory[at + $track.MOVED_T];
@@ -122,10 +122,10 @@ export function fill_pace(memory, at, point, m, frame, out) {
   const ux = frame[2];
   const uy = frame[3];
   const sub = at + $track.SUBMOVEMENT;
-  const sub_x = point[1] - memory[sub + $kinematic_submovements.X];
-  const sub_y = point[2] - memory[sub + $kinematic_submovements.Y];
+  const sub_x = point[1] - memory[sub + $submovements.X];
+  const sub_y = point[2] - memory[sub + $submovements.Y];
   const peak = memory[at + $track.PEAK] + 1e-09;
-  const sub_peak = memory[sub + $kinematic_submovements.PEAK] + 1e-09;
+  const sub_peak = memory[sub + $submovements.PEAK] + 1e-09;
   const v = hypot(m[3], m[4]);
   const v_along = m[3] * ux + m[4] * uy;
   const a_along = m[5] * ux + m[6] * uy;
@@ -136,7 +136,7 @@ export function fill_pace(memory, at, point, m, frame, out) {
   out[V_ALIGNED] = v_along / (v + 1e-06);
   out[SPEED_OF_SUB] = v / sub_peak;
   const of_peak = point[0] > memory[at + $track.PEAK_T] ? v / peak : 1;
-  const of_sub = point[0] > memory[sub + $kinematic_submovements.PEAK_T] ? v / sub_peak : 1;
+  const of_sub = point[0] > memory[sub + $submovements.PEAK_T] ? v / sub_peak : 1;
   out[JERK_AHEAD] = ahead(of_peak) * hypot(point[1], point[2]) / reach;
   out[SUB_JERK_AHEAD] = ahead(of_sub) * hypot(sub_x, sub_y) / reach;
   const braking = larger(-a_along, 0.001);

@@ -2,7 +2,7 @@
 import { larger, smaller, square } from "../../arithmetic.js";
 import * as $kinematic_calibration from "./calibration.js";
 import * as $features from "./features.js";
-import * as $kinematic_network from "./network.js";
+import * as $network from "./network.js";
 import * as $observation from "./observation.js";
 import * as $predictors_movement from "../movement.js";
 import * as $records from "../../records.js";
@@ -27,22 +27,22 @@ export function step(memory, motion, coefficients) {
   if (reach === 0) {
     return $records.endpoint(m[0], m[1], m[2], phase);
   }
-  const out = new Float64Array($kinematic_network.OUTPUTS);
-  const calibration_at = $kinematic_network.evaluate(coefficients, values, out);
-  let along = out[$kinematic_network.ALONG];
-  let across = out[$kinematic_network.ACROSS] * $kinematic_network.side(values);
-  for (let i = 0; i < $kinematic_network.BASES; i++) {
-    along += out[$kinematic_network.BASIS + i] * values[$kinematic_network.BASIS_ALONG[i]];
-    across += out[$kinematic_network.BASIS + i] * values[$kinematic_network.BASIS_ACROSS[i]];
+  const out = new Float64Array($network.OUTPUTS);
+  const calibration_at = $network.evaluate(coefficients, values, out);
+  let along = out[$network.ALONG];
+  let across = out[$network.ACROSS] * $network.side(values);
+  for (let i = 0; i < $network.BASES; i++) {
+    along += out[$network.BASIS + i] * values[$network.BASIS_ALONG[i]];
+    across += out[$network.BASIS + i] * values[$network.BASIS_ACROSS[i]];
   }
   const since = m[0] - memory[AT + $predictors_movement.T0];
-  const left = (since + $kinematic_network.HEAD_START_S) * bounded_exp(out[$kinematic_network.LEFT], $kinematic_network.LEFT_LOGS);
+  const left = (since + $network.HEAD_START_S) * bounded_exp(out[$network.LEFT], $network.LEFT_LOGS);
   const share = since / (since + left);
   const scale = reach * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.WIDTH);
-  const wide = square(scale * bounded_exp(out[$kinematic_network.WIDE], $kinematic_network.WIDTH_LOGS));
-  const broad = square(scale * bounded_exp(out[$kinematic_network.BROAD], $kinematic_network.WIDTH_LOGS));
-  const tail = bounded_exp(out[$kinematic_network.TAIL], $kinematic_network.TAIL_LOGS);
-  const spread = bounded_exp(out[$kinematic_network.SPREAD], $kinematic_network.SPREAD_LOGS);
+  const wide = square(scale * bounded_exp(out[$network.WIDE], $network.WIDTH_LOGS));
+  const broad = square(scale * bounded_exp(out[$network.BROAD], $network.WIDTH_LOGS));
+  const tail = bounded_exp(out[$network.TAIL], $network.TAIL_LOGS);
+  const spread = bounded_exp(out[$network.SPREAD], $network.SPREAD_LOGS);
   return [m[0], m[1] + reach * (along * ux - across * uy), m[2] + reach * (along * uy + across * ux), wide * ux * ux + broad * uy * uy, (wide - broad) * ux * uy, wide * uy * uy + broad * ux * ux, left, phase, tail * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.TAIL), spread * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.SPREAD)];
 }
 export const KinematicPredictor = {

@@ -1,6 +1,6 @@
 // Written by `make page` from track.py: change that and run it again.
 import { hypot, larger, smaller } from "../../arithmetic.js";
-import * as $kinematic_submovements from "./submovements.js";
+import * as $submovements from "./submovements.js";
 export const SLOW = 0.2;
 export const SLOWER = 0.05;
 export const SPAN_S = 0.05;
@@ -56,5 +56,5 @@ export function advance(memory, at, point, hand, cursor_speed) {
   if (speed >= SLOWER * memory[at + PEAK]) {
     memory[at + MOVING_T] = t;
   }
-  $kinematic_submovements.divide(memory, at + SUBMOVEMENT, point, speed, memory[at + PEAK]);
+  $submovements.divide(memory, at + SUBMOVEMENT, point, speed, memory[at + PEAK]);
 }

@@ -1,1 +1,0 @@
-"""Figures in one style: the canvas, and panels of lines."""

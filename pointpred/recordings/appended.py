@@ -1,0 +1,140 @@
+"""Recordings written row by row, as by the service's recorder.
+
+Their header says ``"append": true``: rows were appended one by one and the process may have been killed at
+any time, so the last line may be incomplete. It is ignored, with a note.
+"""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from pointpred.errors import RecordingError
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, parse_header, says_appended
+from pointpred.recordings.encodings import read_unpacked, stem_of
+from pointpred.recordings.reading import AS_IS, Reading, row_name
+from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.trials import TARGET, assemble
+from pointpred.records import EventColumns
+
+FORMAT = "pointpred recorder"
+LIVE = "pointpred live"
+"""The header's name of the recorder of a device session."""
+TITLE = "pointpred recorder CSV"
+SAMPLES = ("user", "trial", *EVENT_COLUMNS)
+TRIALS = ("user", "trial", *TARGET, "n_samples")
+MOST_HEADER = 1 << 16
+OUTSIDE = "outside the marked trials"
+UNFINISHED = "the trial never ended"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether the header of a file that begins with ``head`` marks it as appended to."""
+    first = head.split(b"\n", 1)[0]
+    return first.startswith(arrow_tables.MARK) and says_appended(first[len(arrow_tables.MARK) :])
+
+
+def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording:
+    """Read an appended recording, with its table of trials if there is one.
+
+    Rows of a marked trial name it. If no row does, the stream is cut according to ``reading``, by default at
+    clicks, or at pauses for a live device without clicks. A trial without a row in ``trials`` had not ended;
+    one that lost events has fewer samples than stated: both are skipped.
+    Memory: the file, and about 150 bytes a row.
+    Returns the recording; raises RecordingError.
+    """
+    table, header, notes = _table(path, SAMPLES)
+    name = header.name or stem_of(path).removesuffix("_samples")
+    provenance = header.provenance or Provenance(FORMAT)
+    events = np.column_stack([arrow_tables.numbers(table[column])[0] for column in EVENT_COLUMNS])
+    marks = table["trial"].combine_chunks()
+    users = table["user"].drop_null()
+    user = str(users[0].as_py()) if len(users) else name
+    if marks.null_count == len(marks):
+        how = reading.cut or "clicks"
+        if reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
+            how = "bursts"
+            notes.append("no button was pressed: cut at pauses")
+        return trials_of_stream(
+            name, EventColumns(events), how, reading, user=user, provenance=provenance, notes=notes
+        )
+    encoded = marks.dictionary_encode()
+    group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)
+    names = encoded.dictionary.to_pylist()
+    trials_there, unusable, empty, more = _read_trials(trials, user, names)
+    sizes = np.bincount(group[group >= 0], minlength=len(names)).tolist()
+    for index, size in enumerate(sizes):
+        expected = unusable.pop(index, size)
+        if expected is None:
+            unusable[index] = UNFINISHED
+        elif expected != size:
+            unusable[index] = f"{size} samples, expected {expected:g} as the trials file says"
+    rows = np.flatnonzero(group >= 0)
+    return assemble(
+        name,
+        events[rows],
+        group[rows],
+        trials_there,
+        skipped=(*_outside(group), *empty),
+        unusable={index: str(reason) for index, reason in unusable.items()},
+        provenance=provenance,
+        notes=(*notes, *more),
+        row_of=rows,
+    )
+
+
+def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]]:
+    """The complete lines of a file as a table, its header, and a note about a last line that is cut short."""
+    data = read_unpacked(path)
+    end = data.rstrip(b"\0").rfind(b"\n") + 1
+    first, _, rest = data[:end].partition(b"\n")
+    if not first.startswith(arrow_tables.MARK):
+        raise RecordingError(f"{path}: not even the first line is complete, expected a header and rows")
+    header = parse_header(path, first[len(arrow_tables.MARK) :])
+    if rest.partition(b"\n")[0] != ",".join(columns).encode():
+        raise RecordingError(f"{path}: expected the columns {', '.join(columns)} below the header")
+    words = {name: pa.string() for name in ("user", "trial")}
+    types = {name: pa.float64() for name in columns} | words
+    table = arrow_tables.parse_csv(path, BytesIO(rest), types)
+    for name in columns if pa.types.is_string(table[columns[-1]].type) else ():
+        wrong = {} if name in words else arrow_tables.numbers(table[name])[1]
+        for row, cell in wrong.items():
+            raise RecordingError(f"{path}: {row_name(row)}: {name} is {cell!r}, expected a number")
+    cut = len(data) - end
+    notes = [f"{path.name}: the last line is cut after {cut} bytes and left aside"] if cut else []
+    return table, header, notes
+
+
+def _read_trials(
+    path: Path | None, user: str, names: list[str]
+) -> tuple[list[Trial], dict[int, Any], list[Skip], list[str]]:
+    """The trials, the number of samples of each (None: it never ended), those without samples, notes."""
+    if path is None:
+        return [Trial(user, name) for name in names], {}, [], ["no trials file: every target is unknown"]
+    table, _, notes = _table(path, TRIALS)
+    targets = np.column_stack([arrow_tables.numbers(table[column])[0] for column in TARGET]).tolist()
+    counts = arrow_tables.numbers(table["n_samples"])[0].tolist()
+    if table["trial"].null_count:
+        raise RecordingError(f"{path}: row {pc.index(pc.is_null(table['trial']), True)} names no trial")
+    by_name = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
+    trials = [
+        Trial(user, name, *by_name[name][0]) if name in by_name else Trial(user, name) for name in names
+    ]
+    sizes = {index: by_name[name][1] if name in by_name else None for index, name in enumerate(names)}
+    empty = [Skip(name, "no samples", user=user) for name in by_name if name not in set(names)]
+    return trials, sizes, empty, notes
+
+
+def _outside(group: IntArray) -> list[Skip]:
+    """The runs of rows outside trials."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], group < 0, [False]]).astype(np.int8)))
+    return [
+        Skip(f"rows {first} to {stop - 1}", OUTSIDE, first) for first, stop in edges.reshape(-1, 2).tolist()
+    ]

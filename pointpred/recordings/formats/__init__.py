@@ -1,0 +1,1 @@
+"""What each format looks like and how it is read: one file for each."""

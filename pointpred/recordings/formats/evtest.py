@@ -1,0 +1,67 @@
+"""evtest's text: ``Event: time S.UUUUUU, type 2 (EV_REL), code 0 (REL_X), value n``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from pointpred.recording import Recording
+from pointpred.recordings.formats.evdev_frames import (
+    EV_REL,
+    EV_SYN,
+    SYN_DROPPED,
+    SYN_REPORT,
+    RawEvent,
+    UnreadableLines,
+    text_recording,
+)
+from pointpred.recordings.reading import AS_IS, Reading
+
+TITLE = "evtest text"
+STAMP = r"Event: time (\d{1,10})\.(\d{6}), "
+EVENT = re.compile(
+    STAMP + r"type (\d{1,2}) \([^)]*\), code (\d{1,4}) \([^)]*\), value (-?[0-9a-fA-F]{1,10})\s*$"
+)
+MARK = re.compile(STAMP + r"[-+>]+ ?([A-Za-z_ ?]+?) ?[-+<]+\s*$")
+NAME = re.compile(r'^Input device name: "(.*)"$', re.MULTILINE)
+WHOLE = re.compile(r"-?\d+")
+UNREAD = "events that cannot be read"
+REPORTS = ("SYN_REPORT", "Report Sync")
+MARKS = {"SYN_MT_REPORT": 2, "Config Sync": 1, "SYN_CONFIG": 1, "SYN_DROPPED": SYN_DROPPED}
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` holds evtest's events."""
+    return re.search(rb"^Event: time \d+\.\d{6}, ", head, re.MULTILINE) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read a recording as counts; ``row`` counts the Event lines that can be read; the others are in a note.
+
+    Raises RecordingError.
+    """
+    clock = "kernel stamps, us, usually the real-time clock"
+    return text_recording(path, "evtest", NAME, _events, reading, clock)
+
+
+def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
+    """The events of the lines that begin with Event; evtest's own header and footer are skipped."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.startswith("Event: "):
+            continue
+        event, mark = EVENT.match(line), MARK.match(line)
+        if event:
+            seconds, micros, kind, code, value = event.groups()
+            time = int(seconds) * 1_000_000 + int(micros)
+            if int(kind) > EV_REL:
+                yield time, int(kind), int(code), 0
+            elif WHOLE.fullmatch(value):
+                yield time, int(kind), int(code), int(value)
+            else:
+                unreadable.add(UNREAD, number, line)
+        elif mark and (mark.group(3) in REPORTS or mark.group(3) in MARKS):
+            time = int(mark.group(1)) * 1_000_000 + int(mark.group(2))
+            yield time, EV_SYN, MARKS.get(mark.group(3), SYN_REPORT), 0
+        else:
+            unreadable.add(UNREAD, number, line)

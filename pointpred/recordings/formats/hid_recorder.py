@@ -1,0 +1,119 @@
+"""hid-recorder: ``R:`` the report descriptor, ``E: S.UUUUUU n hex..`` the reports, of one or more devices."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import msgspec
+
+from pointpred.devices.hid import ReportDecoder, parse_descriptor
+from pointpred.errors import RecordingError
+from pointpred.recording import Recording
+from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recordings.formats.evdev_frames import UnreadableLines, frames_of_counts, recording
+from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.trials import join
+
+TITLE = "hid-recorder"
+REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
+BYTES = re.compile(r"R: (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
+CLOCK = "hid-recorder's own stamps, us from the first report"
+
+
+class _Device(msgspec.Struct):
+    """One device of a file: its name, its descriptor and its pointer events so far."""
+
+    name: str = ""
+    descriptor: ReportDecoder | None = None
+    events: list[tuple[int, int, int, int]] = []
+    rows: list[int] = []
+    aside: int = 0
+    why: str = "no report descriptor"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` was written by hid-recorder."""
+    return re.search(rb"^R: \d+ [0-9a-fA-F]{2} ", head, re.MULTILINE) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read the relative reports of every mouse, as counts; ``row`` counts the E lines of the file.
+
+    Reports without x, y and button, unreadable reports and lines of other kinds (``P:``, ``B:``) are ignored
+    and counted in notes; devices without relative x and y are named in a note.
+    Raises RecordingError, naming the line of a descriptor that cannot be read.
+    """
+    devices: dict[int, _Device] = {}
+    current, row = 0, 0
+    unreadable = UnreadableLines()
+    for number, line in enumerate(read_text(path).splitlines(), 1):
+        device = devices.setdefault(current, _Device())
+        if line.startswith("D: "):
+            if not re.fullmatch(r"D: \d{1,3}\s*", line):
+                raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected D: and a number")
+            current = int(line[3:])
+        elif line.startswith("N: "):
+            device.name = line[3:].strip()
+        elif line.startswith("R: "):
+            _describe(path, number, line, device)
+        elif line.startswith("E: "):
+            why = _report(line, device, row)
+            if why:
+                unreadable.add(f"reports that cannot be read ({why})", number, line)
+            row += 1
+        elif line.strip() and line[0] not in "#I":
+            unreadable.add("lines that are neither R:, N:, I:, E: nor D:", number, line)
+    parts: list[Recording] = []
+    notes: list[str] = []
+    for device in devices.values():
+        if any(event[1] or event[2] for event in device.events):
+            aside = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
+            frames = frames_of_counts(device.events, device.rows, aside)
+            parts.append(recording(path, "hid-recorder", device.name, frames, reading, CLOCK))
+        elif device.name or device.descriptor:
+            why = device.why or f"no motion in {len(device.events)} reports"
+            notes.append(f"device {device.name!r}: {why}")
+    notes += unreadable.notes
+    if not parts:
+        raise RecordingError(f"{path}: {'; '.join(notes) or 'no device'}, expected a mouse that moves")
+    return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
+
+
+def _describe(path: Path, number: int, line: str, device: _Device) -> None:
+    """Store a device's report descriptor, or the reason why it is not a mouse's."""
+    match = BYTES.match(line)
+    data = bytes.fromhex(match.group(2)) if match else b""
+    if not match or int(match.group(1)) != len(data):
+        raise RecordingError(f"{path}: line {number}: {len(data)} bytes, expected as many as R: says")
+    try:
+        device.descriptor, device.why = parse_descriptor(data), ""
+    except RecordingError as error:
+        device.why = str(error)
+
+
+def _report(line: str, device: _Device, row: int) -> str:
+    """Process one report of a device; returns why it cannot be read, or an empty text."""
+    match = REPORT.match(line)
+    if not match:
+        return "expected E: s.us, a size and its bytes"
+    data = bytes.fromhex(match.group(4))
+    if int(match.group(3)) != len(data):
+        return "not as many bytes as they say"
+    if device.descriptor is None:
+        device.aside += 1
+        return ""
+    try:
+        decoded = device.descriptor.decode(data)
+    except RecordingError:
+        return "shorter than the report descriptor says"
+    layout = device.descriptor.layout_of(data)
+    if decoded is None or layout is None or not layout.points:
+        device.aside += 1
+        return ""
+    dx, dy, pressed, mask, _, _ = decoded
+    before = device.events[-1][3] if device.events else 0
+    time = int(match.group(1)) * 1_000_000 + int(match.group(2))
+    device.events.append((time, dx, dy, (before & ~mask) | pressed))
+    device.rows.append(row)
+    return ""

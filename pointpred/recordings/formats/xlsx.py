@@ -1,0 +1,148 @@
+"""Workbooks ``.xlsx``, as Gorilla exports them: the sheet that holds a table."""
+
+from __future__ import annotations
+
+import shlex
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import time, timedelta
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+from pointpred.errors import RecordingError
+from pointpred.extras import require
+from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
+from pointpred.recordings.nested_records import CLEAR, EACH, LEAST_COLUMNS, RecordTable
+from pointpred.recordings.reading import AS_IS, Reading
+
+TITLE = "workbook .xlsx"
+ZIP, PART = b"PK\x03\x04", b"xl/"
+MOST_UNPACKED = 1 << 29
+MOST_ROWS = 1 << 20
+"""Most rows of an Excel sheet."""
+SHEET = "sheet"
+"""The column with each row's sheet if all sheets are read."""
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a workbook in the Office Open XML format."""
+    return head.startswith(ZIP) and PART in head
+
+
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
+    """Read the sheet ``reading.records``, else the only one with a table of at least three columns.
+
+    If several have one, the largest is read if it has twice the samples of the next one. ``*`` reads all
+    sheets, with their names in the column ``sheet``.
+
+    The first row with three cells names the columns; if it contains only numbers, they are numbered from 0.
+    Empty rows are left out. Formulas have the values saved with the file.
+    Raises RecordingError, also above 512 MiB of unpacked sheets; MissingExtraError.
+    """
+    require("tables", f"{path}: reading a workbook")
+    try:
+        with _opened(path) as book:
+            return _sheet(path, {sheet.title: sheet for sheet in book.worksheets}, reading.records)
+    except RecordingError:
+        raise
+    except MemoryError as error:  # the file need not be damaged
+        raise unreadable(path, error) from error
+    except Exception as error:  # openpyxl raises errors of many kinds on damaged bytes
+        raise RecordingError(f"{path}: damaged workbook: {str(error)[:120]}") from error
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    from openpyxl import load_workbook
+
+    with ZipFile(path) as file:
+        size = sum(part.file_size for part in file.infolist())
+    if size > MOST_UNPACKED:
+        raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
+    # an open file, because openpyxl checks the extension of a path
+    with warnings.catch_warnings(), path.open("rb") as content:
+        warnings.simplefilter("ignore")  # warnings about styles and extensions without cells
+        book = load_workbook(content, read_only=True, data_only=True, keep_links=False)
+        try:
+            yield book
+        finally:
+            book.close()
+
+
+def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTable:
+    """The sheet of that name, all of them, or the only one with most of the rows."""
+    if wanted not in (None, EACH, *sheets):
+        raise RecordingError(
+            f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}, or {EACH} for all"
+        )
+    titles = list(sheets) if wanted in (None, EACH) and wanted not in sheets else [str(wanted)]
+    tables = {title: _table(path, sheets[title]) for title in titles}
+    tables = {
+        title: table for title, table in tables.items() if len(table.columns) >= LEAST_COLUMNS and table.rows
+    }
+    if not tables:
+        where = f"the sheet {wanted!r}" if len(titles) == 1 else f"the sheets {', '.join(sheets)}"
+        raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in {where}")
+    if wanted == EACH and len(titles) > 1:
+        return _joined(tables)
+    title = _largest(path, tables)
+    others = [other for other in sheets if other != title]
+    note = f"records: {tables[title].rows} rows of the sheet {title!r}"
+    note += f"; other sheets left aside: {', '.join(others)}" if others else ""
+    return ColumnTable(dict(tables[title].columns), TITLE, (note,))
+
+
+def _joined(tables: dict[str, RecordTable]) -> ColumnTable:
+    """The rows of all sheets concatenated, with the name of their sheet."""
+    whole = RecordTable()
+    for title, table in tables.items():
+        whole.append(table, {SHEET: title})
+    note = f"records: {whole.rows} rows of the sheets {', '.join(tables)}; the column {SHEET} names them"
+    return ColumnTable(dict(whole.columns), TITLE, (note,))
+
+
+def _largest(path: Path, tables: dict[str, RecordTable]) -> str:
+    """The sheet with twice the samples of the next one; raises RecordingError if there is none."""
+    first, *more = sorted(tables, key=lambda title: tables[title].samples, reverse=True)
+    if more and tables[first].samples < CLEAR * tables[more[0]].samples:
+        shown = "; ".join(f"{title} ({table.rows} rows)" for title, table in tables.items())
+        raise RecordingError(
+            f"{path}: sheets hold tables: {shown}; choose one, as in: --records {shlex.quote(first)}, "
+            f"or read all, their names in the column {SHEET}: --records '{EACH}'"
+        )
+    return first
+
+
+def _table(path: Path, sheet: Any) -> RecordTable:
+    """The cells of a sheet below the row that names its columns."""
+    sheet.reset_dimensions()  # the size stored in a file may be wrong
+    table = RecordTable()
+    titles: list[str] = []
+    for number, row in enumerate(sheet.iter_rows(values_only=True)):
+        if number >= MOST_ROWS:
+            raise RecordingError(f"{path}: the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
+        cells = {at: _cell(value) for at, value in enumerate(row) if value is not None}
+        if not titles:
+            if len(cells) < LEAST_COLUMNS:
+                continue
+            titles = _titles(cells)
+            table.columns = {title: [] for title in titles}
+            if any(isinstance(cell, str) for cell in cells.values()):
+                continue
+        if cells:
+            table.add({titles[at] if at < len(titles) else str(at): cell for at, cell in cells.items()})
+    return table.finish()
+
+
+def _titles(cells: dict[int, Any]) -> list[str]:
+    """A name for each column up to the last of the first row: its text, else its place from 0."""
+    names = [cells.get(at) for at in range(max(cells) + 1)]
+    return distinct_names([name if isinstance(name, str) else str(at) for at, name in enumerate(names)])
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, timedelta):
+        return value.total_seconds()
+    return value.isoformat() if isinstance(value, time) else value

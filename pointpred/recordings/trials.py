@@ -1,0 +1,391 @@
+"""Rows, or lists of samples, as the trials of a recording: grouped, checked and described."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
+from pointpred.records import EVENT_FIELDS, LARGEST, LATEST_S, EventColumns, FloatArray
+
+T, X, Y, DX, DY, BUTTONS = range(6)
+MOST_BUTTONS = EVENT_FIELDS[BUTTONS].most
+Codes = tuple[IntArray, list[str]]
+"""For each row the index of its value among the distinct values, and these."""
+TARGET = ("target_x", "target_y", "target_w")
+TRIAL_COLUMNS = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")
+"""The columns of our own tables of trials; every other column is a condition."""
+PROBE = 1000
+"""Rows compared first: most varying columns differ within them."""
+MOST = 64
+"""Most columns that become conditions; the others are skipped."""
+WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
+OPENING, CLOSING = "[({", "])}"
+BRACKETS = OPENING + CLOSING
+MARKS = (";", "|", ",")
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+CALL = re.compile(r"^(?:(?:np\.|numpy\.)?array|c|list)\s*(?=[\[(])")
+
+
+def assemble(
+    name: str,
+    table: FloatArray,
+    group: IntArray,
+    trials: Sequence[Trial],
+    *,
+    skipped: Sequence[Skip] = (),
+    faults: dict[int, str] | None = None,
+    unusable: dict[int, str] | None = None,
+    provenance: Provenance = IN_MEMORY,
+    notes: Sequence[str] = (),
+    row_of: IntArray | None = None,
+) -> Recording:
+    """A recording from event rows, row ``i`` of which belongs to ``trials[group[i]]``.
+
+    Assumes that the rows of one trial are in the order of their time; rows of several trials may interleave:
+    they are regrouped, with a note. A trial is skipped, with the reason and the first row at fault, when it
+    has fewer than two samples, a cell that is not a finite number (``faults``: row -> fault) or beyond the
+    bounds of events, one count without the other, time that runs backwards, buttons that are not a whole
+    number in 0..65535, or no movement at all. ``unusable`` names further trials with the caller's reason.
+    Equal times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is
+    either in the recording or in its ``skipped``. Memory: two copies of the table at most.
+    """
+    count = len(trials)
+    sizes = np.bincount(group, minlength=count).astype(np.int64)
+    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+    row = np.arange(len(group), dtype=np.int64) if row_of is None else row_of
+    fault_rows = np.array(sorted(faults or {}), dtype=np.int64)
+    words = list(notes)
+    if np.any(np.diff(group) < 0):
+        runs = 1 + np.count_nonzero(np.diff(group))
+        if runs > np.count_nonzero(sizes):
+            at = _first_return(group)
+            words.append(f"row {row[at]}: the rows of trials interleave; put together by trial")
+        order = np.argsort(group, kind="stable")
+        table, row = table[order], row[order]
+        place = np.empty(len(order), dtype=np.int64)
+        place[order] = np.arange(len(order))
+        faults = {int(place[at]): (faults or {})[int(at)] for at in fault_rows}
+    reasons = _find_faults(table, offsets, faults or {})
+    for index, reason in (unusable or {}).items():
+        reasons.setdefault(index, (reason, int(offsets[index]) if sizes[index] else None))
+    usable = np.array([index not in reasons for index in range(count)], dtype=bool)
+    skips = [
+        Skip(trials[index].trial, reason, None if at is None else int(row[at]), trials[index].user)
+        for index, (reason, at) in sorted(reasons.items())
+    ]
+    if not usable.all():
+        table = table[np.repeat(usable, sizes)]
+        offsets = np.concatenate([[0], np.cumsum(sizes[usable])]).astype(np.int64)
+    begin = np.zeros(len(table), dtype=np.bool_)
+    begin[offsets[:-1]] = True
+    return Recording(
+        name,
+        EventColumns(table, begin),
+        offsets,
+        tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep),
+        (*skipped, *skips),
+        provenance,
+        tuple(words),
+    )
+
+
+def _first_return(group: IntArray) -> int:
+    """The first row that returns to an earlier trial."""
+    starts = np.flatnonzero(np.diff(group, prepend=-1))
+    _, first = np.unique(group[starts], return_index=True)
+    again = np.ones(len(starts), dtype=bool)
+    again[first] = False
+    return int(starts[again][0])
+
+
+def _find_faults(
+    table: FloatArray, offsets: IntArray, faults: dict[int, str]
+) -> dict[int, tuple[str, int | None]]:
+    """The trials that cannot be used: index -> (reason, first row of the table at fault)."""
+    reasons: dict[int, tuple[str, int | None]] = {}
+
+    def blame(rows: IntArray, describe: dict[int, str] | str) -> None:
+        owners = np.searchsorted(offsets, rows, side="right") - 1
+        for owner, first in zip(*np.unique(owners, return_index=True), strict=True):
+            at = int(rows[first])
+            if int(owner) not in reasons:
+                words = describe if isinstance(describe, str) else describe[at]
+                reasons[int(owner)] = (words.format(*table[max(at - 1, 0)], *table[at]), at)
+
+    for index in np.flatnonzero(np.diff(offsets) == 0):
+        reasons[int(index)] = ("no samples", None)
+    blame(
+        np.array(sorted(faults), dtype=np.int64),
+        {at: words.replace("{", "{{").replace("}", "}}") for at, words in faults.items()},
+    )
+    for column, most in ((T, LATEST_S), (X, LARGEST), (Y, LARGEST)):
+        words, size = f"{EVENT_FIELDS[column].name} is {{{6 + column}}}, expected", np.abs(table[:, column])
+        blame(np.flatnonzero(~np.isfinite(size)), f"{words} a finite number")
+        blame(np.flatnonzero(size > most), f"{words} at most {most:g} either way")
+    counts, words = np.abs(table[:, [DX, DY]]), "dx is {9} and dy {10}, expected"
+    blame(np.flatnonzero(np.isinf(counts).any(axis=1)), "counts are not finite")
+    blame(np.flatnonzero((counts > LARGEST).any(axis=1)), f"{words} at most {LARGEST:g} either way")
+    blame(np.flatnonzero(np.isnan(counts[:, 0]) != np.isnan(counts[:, 1])), f"{words} both or neither")
+    buttons = table[:, BUTTONS]
+    with np.errstate(invalid="ignore"):
+        bad = ~((buttons >= 0) & (buttons <= MOST_BUTTONS) & (buttons == np.floor(buttons)))
+        back = np.diff(table[:, T], prepend=table[:1, T]) < 0
+    back[offsets[offsets < len(table)]] = False
+    blame(np.flatnonzero(bad), "buttons is {11}, expected a whole number from 0 to 65535")
+    blame(np.flatnonzero(back), "time goes backwards, from {0} s to {6} s")
+    sizes = np.diff(offsets)
+    blame(offsets[:-1][sizes == 1], "one sample, expected at least two")
+    still = (sizes > 0) & ~_moved(table, offsets)
+    blame(offsets[:-1][still], "no movement: every position equals the first")
+    return reasons
+
+
+def _moved(table: FloatArray, offsets: IntArray) -> NDArray[np.bool_]:
+    """Which trials leave their first position or have a nonzero count."""
+    sizes = np.diff(offsets)
+    first = offsets[:-1][sizes > 0]
+    moved = (np.nan_to_num(table[:, DX]) != 0) | (np.nan_to_num(table[:, DY]) != 0)
+    for column in (X, Y):
+        moved |= table[:, column] != np.repeat(table[first, column], sizes[sizes > 0])
+    return np.bincount(np.repeat(np.arange(len(sizes)), sizes), moved, minlength=len(sizes)) > 0
+
+
+def codes_of(column: Any) -> Codes:
+    """The codes of a text column without missing values."""
+    encoded = column.combine_chunks().dictionary_encode()
+    return arrow_tables.as_array(encoded.indices).astype(np.int64), encoded.dictionary.to_pylist()
+
+
+def keys_of(users: Codes, trials: Codes) -> tuple[IntArray, list[tuple[str, str]]]:
+    """For each row the index of its trial, and (user, trial) of each in the order of first appearance."""
+    (user, user_names), (trial, trial_names) = users, trials
+    joint = user * max(len(trial_names), 1) + trial
+    starts = np.flatnonzero(np.diff(joint, prepend=-1))
+    unique, first, run = np.unique(joint[starts], return_index=True, return_inverse=True)
+    rank = np.empty(len(unique), dtype=np.int64)
+    rank[np.argsort(first)] = np.arange(len(unique))
+    group = np.repeat(rank[run], np.diff(starts, append=len(joint)))
+    keys = [(user_names[user[row]], trial_names[trial[row]]) for row in np.sort(starts[first])]
+    return group, keys
+
+
+def one_value(values: FloatArray, group: IntArray, count: int) -> FloatArray:
+    """The value of each trial, NaN if its rows differ or one is empty.
+
+    >>> one_value(np.array([1.0, 1.0, 2.0, 3.0]), np.array([0, 0, 1, 1]), 2)
+    array([ 1., nan])
+    """
+    last = np.full(count, np.nan)
+    last[group] = values
+    differs = np.zeros(count, dtype=bool)
+    differs[group[values != last[group]]] = True
+    return np.where(differs, np.nan, last)
+
+
+def conditions_of(
+    columns: dict[str, tuple[Any, IntArray]], group: IntArray, count: int
+) -> tuple[list[dict[str, str | float]], list[str]]:
+    """The conditions of each trial, and the columns that are not, because they vary within a trial.
+
+    ``columns``: the cells and the rows of them that belong to ``group``. Numbers stay numbers if every cell
+    is one; an empty cell is not a condition.
+    """
+    conditions: list[dict[str, str | float]] = [{} for _ in range(count)]
+    varying = list(columns)[MOST:]
+    for name, (column, rows) in list(columns.items())[:MOST]:
+        if pa.types.is_nested(column.type):
+            varying.append(name)
+            continue
+        of_trial, cells = _codes(column.take(pa.array(rows[:PROBE])), group[:PROBE], count)
+        if not np.isnan(of_trial[np.unique(group[:PROBE])]).any():
+            of_trial, cells = _codes(column.take(pa.array(rows)), group, count)
+        if np.isnan(of_trial).any():
+            varying.append(name)
+            continue
+        numbers, faults = arrow_tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
+        for index, code in enumerate(of_trial.astype(np.int64).tolist()):
+            if cells[code].strip():
+                conditions[index][condition_name(name)] = cells[code] if faults else float(numbers[code])
+    return conditions, varying
+
+
+def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[str]]:
+    """The index of each trial's only distinct cell, NaN if it has several; and the distinct cells."""
+    codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
+    return one_value(codes.astype(np.float64), group, count), cells
+
+
+def is_condition(name: str) -> bool:
+    """Whether a condition may have this name in pointpred's own files."""
+    return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
+
+
+def condition_name(column: str) -> str:
+    """A column's name as a condition, valid in our own files.
+
+    >>> condition_name("trial"), condition_name("size, px")
+    ('trial_column', 'size px')
+    """
+    name = " ".join(column.replace(",", " ").replace('"', " ").split())
+    return f"{name}_column" if name in ("", *TRIAL_COLUMNS) else name
+
+
+def split(cell: str | None) -> list[str]:
+    """The items of a list in a cell, between commas, semicolons, bars or blanks, with or without brackets.
+
+    numpy's ``np.float64(1.0)`` counts as 1.0; a comma between other marks is a decimal comma.
+
+    >>> split("[1.5, np.float64(2.0)]"), split("1;2,5")
+    (['1.5', '2.0'], ['1', '2.5'])
+    """
+    inner = CALL.sub("", WRAPPED.sub(r"\1", cell or "").strip()).strip(BRACKETS).strip()
+    mark = next((mark for mark in MARKS if mark in inner), None)
+    items = [item.strip().strip("'\"") for item in (inner.rstrip(mark).split(mark) if inner else [])]
+    return items if mark in (",", None) else [item.replace(",", ".") for item in items]
+
+
+def is_list(cell: str) -> bool:
+    """Whether text is a list: in matching brackets, or several numbers.
+
+    >>> is_list("[7]"), is_list("1 2.5"), is_list("c(1, 2)"), is_list("7"), is_list("[1, 2"), is_list("a, b")
+    (True, True, True, False, False, False)
+    """
+    inner = CALL.sub("", cell.strip())
+    opened, closed = inner[:1] in OPENING, inner[-1:] in CLOSING
+    if not inner or opened != closed:
+        return False
+    items = split(cell)
+    filled = [item for item in items if item]
+    return opened or (len(filled) > 1 and all(NUMBER.fullmatch(item) for item in filled))
+
+
+class Lists:
+    """Trials one after another, each from lists of text or numbers; unreadable ones become skips."""
+
+    def __init__(self) -> None:
+        self.trials: list[Trial] = []
+        self.tables: list[FloatArray] = []
+        self.rows: list[int] = []
+        self.skipped: list[Skip] = []
+        self.row_of: dict[tuple[str, str], int] = {}
+        self.notes: list[str] = []
+
+    def skip(self, skip: Skip) -> None:
+        """Report a trial that cannot be read."""
+        self.skipped.append(skip)
+
+    def numbers(self, cells: Sequence[Any], trial: str, row: int) -> FloatArray | None:
+        """The cells as numbers; if one is not, the trial is reported and the answer is ``None``."""
+        for place, cell in enumerate(cells):
+            try:
+                float(cell)
+            except (TypeError, ValueError, OverflowError):
+                self.skip(Skip(trial, f"sample {place}: {str(cell)[:40]!r} is not a number", row))
+                return None
+        return np.array([float(cell) for cell in cells], np.float64)
+
+    def add(
+        self,
+        trial: Trial,
+        row: int,
+        t: Sequence[object],
+        x: Sequence[object],
+        y: Sequence[object],
+        buttons: Sequence[float] | None = None,
+        *,
+        scale: float,
+        gain: tuple[float, float] = (1.0, 1.0),
+    ) -> None:
+        """Add a trial: ``scale`` s a unit of time, from its first sample; ``gain`` px a unit of x, y."""
+        key = (trial.user, trial.trial)
+        if key in self.row_of:
+            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.row_of[key]}", row, trial.user))
+            return
+        if not len(t) == len(x) == len(y):
+            words = f"{len(t)} times, {len(x)} x and {len(y)} y, expected as many of each"
+            self.skip(Skip(trial.trial, words, row, trial.user))
+            return
+        columns = []
+        for cells in (t, x, y):
+            numbers = self.numbers(cells, trial.trial, row)
+            if numbers is None:
+                return
+            columns.append(numbers)
+        self.row_of[key] = row
+        table = np.full((len(t), 6), np.nan)
+        table[:, 5] = 0.0 if buttons is None else buttons
+        if len(t):
+            with np.errstate(invalid="ignore", over="ignore"):
+                table[:, 0] = (columns[0] - columns[0][0]) * scale
+                table[:, 1] = columns[1] * gain[0] + 0.0  # no negative zero where an axis is turned
+                table[:, 2] = columns[2] * gain[1] + 0.0
+        self.trials.append(trial)
+        self.tables.append(table)
+        self.rows.append(row)
+
+    def recording(self, name: str, provenance: Provenance) -> Recording:
+        """The recording of the added trials; a fault's row is the row its trial was added with."""
+        sizes = [len(table) for table in self.tables]
+        return assemble(
+            name,
+            np.concatenate([*self.tables, np.empty((0, 6))]),
+            np.repeat(np.arange(len(sizes), dtype=np.int64), sizes),
+            self.trials,
+            skipped=self.skipped,
+            provenance=provenance,
+            notes=self.notes,
+            row_of=np.repeat(np.array(self.rows, dtype=np.int64), sizes),
+        )
+
+
+def join(
+    name: str, parts: Sequence[Recording], labels: Sequence[str], notes: Sequence[str] = ()
+) -> Recording:
+    """One recording of all trials, skips and notes of ``parts``, in their order.
+
+    With more than one part, trials are renamed ``<label> <trial>`` so that names stay unique. The provenance
+    is the first part's: join only recordings of one format. Memory: a copy of all tables.
+    """
+
+    def named(label: str, trial: str) -> str:
+        return trial if len(parts) == 1 else f"{label} {trial}"
+
+    tables = [part.rows(index) for part in parts for index in range(len(part.trials))]
+    trials: list[Trial] = []
+    skipped: list[Skip] = []
+    all_notes: list[str] = []
+    for label, part in zip(labels, parts, strict=True):
+        trials += [msgspec.structs.replace(trial, trial=named(label, trial.trial)) for trial in part.trials]
+        skipped += [msgspec.structs.replace(skip, trial=named(label, skip.trial)) for skip in part.skipped]
+        all_notes += [named(f"{label}:", note) for note in part.notes]
+    return Recording.of(
+        name, tables, _of_one_kind(trials), skipped, parts[0].provenance, [*all_notes, *notes]
+    )
+
+
+def _of_one_kind(trials: list[Trial]) -> list[Trial]:
+    """The trials with text for a condition that is a number in some parts and text in others."""
+    kinds: dict[str, set[bool]] = {}
+    for trial in trials:
+        for name, value in trial.condition.items():
+            kinds.setdefault(name, set()).add(isinstance(value, str))
+    mixed = {name for name, types in kinds.items() if len(types) > 1}
+    return [
+        msgspec.structs.replace(
+            trial,
+            condition={
+                name: f"{value:.17g}" if name in mixed and not isinstance(value, str) else value
+                for name, value in trial.condition.items()
+            },
+        )
+        for trial in trials
+    ]

@@ -1,1 +1,0 @@
-"""Logs of input devices: one file for each format."""

@@ -1,1 +1,0 @@
-"""Files: their encoding, their names, folders, and writing several at once."""

@@ -1,1 +1,0 @@
-"""Pointpred's own recordings."""

@@ -1,1 +1,0 @@
-"""Nested values, as JSON and MATLAB files hold them, as tables."""

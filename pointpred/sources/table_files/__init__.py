@@ -1,1 +1,0 @@
-"""Files that hold any table: one file for each format."""

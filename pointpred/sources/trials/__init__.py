@@ -1,1 +1,0 @@
-"""Rows to trials: cutting, grouping, checks and descriptions."""
