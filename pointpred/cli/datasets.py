@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any
 
-import msgspec
 import typer
 
-from pointpred.cli.output_files import write_json
+from pointpred.cli.output_files import AsJson, print_json
 from pointpred.console import WIDE, remark, results, table
 
 BOUNDLESS = 1000
@@ -21,7 +20,7 @@ app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, an
 
 @app.command("list")
 def list_sets(
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the public sets of the catalogue, with licence and how to get each.
 
@@ -35,7 +34,7 @@ def list_sets(
 
     sets = listing()
     if as_json:
-        write_json({"version": 1, "sets": msgspec.to_builtins(sets)}, Path("-"))
+        print_json("sets", sets)
         return
     screen = results()
     if not screen.is_terminal:  # a line a set, however long, for whoever cuts it up

@@ -5,14 +5,12 @@ from __future__ import annotations
 import sys
 import time
 from contextlib import suppress
-from pathlib import Path
 from typing import Annotated
 
-import msgspec
 import typer
 from rich.live import Live
 
-from pointpred.cli.output_files import write_json
+from pointpred.cli.output_files import AsJson, print_json
 from pointpred.console import counted, plain, remark, results, table
 from pointpred.devices.cursor import CursorSource
 from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
@@ -33,7 +31,7 @@ def list_devices(
     everything: Annotated[
         bool, typer.Option("--all", help="Also list HID devices that are not mice, with the reason.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the mice: path, name, whether each can be opened, and what to do if not.
 
@@ -48,7 +46,7 @@ def list_devices(
     """
     listed = _devices(everything)
     if as_json:
-        write_json({"version": 1, "devices": msgspec.to_builtins(listed)}, Path("-"))
+        print_json("devices", listed)
         return
     if not listed:
         from pointpred.devices.hidraw import BROWSER

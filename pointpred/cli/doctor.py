@@ -15,7 +15,7 @@ import msgspec
 import typer
 
 from pointpred import compiled
-from pointpred.cli.output_files import write_json
+from pointpred.cli.output_files import print_json
 from pointpred.console import counted, results, table
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
@@ -48,7 +48,7 @@ def doctor(
     findings = [finding for check in CHECKS for finding in run_check(check)]
     broken = [one for one in findings if one.state == "broken"]
     if as_json:
-        write_json({"version": 1, "findings": msgspec.to_builtins(findings)}, Path("-"))
+        print_json("findings", findings)
     else:
         show(findings)
     raise typer.Exit(1 if broken else 0)

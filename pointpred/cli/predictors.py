@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import write_json
+from pointpred.cli.output_files import print_json
 from pointpred.console import NARROW, results, table
 from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
@@ -30,7 +29,7 @@ def predictors(
         build(name)
     descriptions = [describe(one) for one in ([name] if name else REGISTRY)]
     if as_json:
-        write_json({"version": 1, "predictors": descriptions}, Path("-"))
+        print_json("predictors", descriptions)
     elif name is None:
         _print_all(descriptions)
     else:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import write_json
+from pointpred.cli.output_files import AsJson, print_json
 from pointpred.console import counted, remark, remarks, results, table
 from pointpred.errors import ParameterError
 
@@ -42,7 +42,7 @@ class RecordingRow(msgspec.Struct, frozen=True):
 @app.command("list")
 def list_recordings(
     folder: Folder = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the recorded sessions: when they began, events, trials, size on disk.
 
@@ -72,7 +72,7 @@ def list_recordings(
             )
             for one in recordings
         ]
-        write_json({"version": 1, "recordings": rows}, Path("-"))
+        print_json("recordings", rows)
     elif recordings:
         _show(recordings)
     else:

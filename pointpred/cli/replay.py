@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from msgspec import structs
 
-from pointpred.cli.output_files import check_target, write_json
+from pointpred.cli.output_files import Numbers, check_target, write_json
 from pointpred.cli.reading_options import (
     SPEED,
     TRIAL,
@@ -65,10 +65,7 @@ def replay(
     speed: Annotated[str, typer.Option(help=SPEED)] = "1",
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
-    json: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
-    ] = None,
+    json: Numbers = None,
     coefficients: Annotated[
         str | None,
         typer.Option(

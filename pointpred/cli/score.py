@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.output_files import Numbers, check_targets, write_json
 from pointpred.cli.reading_options import (
     Reasons,
     as_given,
@@ -56,10 +56,7 @@ def score(
     predictors: Annotated[
         str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
     ] = "all",
-    json: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
-    ] = None,
+    json: Numbers = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
     ] = None,

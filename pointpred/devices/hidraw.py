@@ -140,7 +140,7 @@ def is_mouse_interface(device: HidDevice) -> bool:
     return protocol.strip() == "02"
 
 
-def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevice:
+def wanted_device(path: str | None, vendor: int | None, product: int | None) -> HidDevice:
     """The device that is meant: by its path, by its numbers, or the first mouse that may be opened.
 
     Raises SourceError that says what there is instead, and what to do next.
@@ -201,7 +201,7 @@ class HidSource(ReaderSource):
 
     def __enter__(self) -> Self:
         self._check_unused()
-        self._device = choose(*self._wanted)
+        self._device = wanted_device(*self._wanted)
         self._open(self._device)
         self._start()
         return self
