@@ -57,7 +57,7 @@ def doctor(
 def show(findings: list[Finding]) -> None:
     """Print a table; advice with lines to copy stands below it, where nothing wraps them."""
     below = [one for one in findings if one.advice and "\n" in one.advice]
-    rows = []
+    rows: list[tuple[str, str, str]] = []
     for one in findings:
         rows.append((one.state, one.name, one.found))
         if one.advice:
