@@ -49,7 +49,7 @@ def list_devices(
         print_json("devices", listed)
         return
     if not listed:
-        from pointpred.devices.hidraw import BROWSER
+        from pointpred.devices.source import BROWSER
 
         raise SourceError(
             "no mouse found; plug one in and list again. Virtual machines and containers have none of their "

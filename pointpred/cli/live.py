@@ -184,8 +184,8 @@ def live(
             raise ParameterError(
                 f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
-    from pointpred.live.follow import follow_replay
     from pointpred.live.playback import playable_trials
+    from pointpred.live.replay import follow_replay
 
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)

@@ -10,8 +10,14 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol, Self
 
 from pointpred.devices.cursor_paths import PositionReport, ReadableCursor
-from pointpred.devices.hidraw import BROWSER
-from pointpred.devices.source import BUTTON_NAMES, MOST_WAITING, ClosedOnExit, DeviceInfo, ReaderSource
+from pointpred.devices.source import (
+    BROWSER,
+    BUTTON_NAMES,
+    MOST_WAITING,
+    ClosedOnExit,
+    DeviceInfo,
+    ReaderSource,
+)
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import install_command
 from pointpred.records import PointerEvent

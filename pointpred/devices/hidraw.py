@@ -15,17 +15,13 @@ from typing import Any, Self
 import msgspec
 
 from pointpred.devices.hid import ReportDecoder, parse_descriptor
-from pointpred.devices.source import MOST_WAITING, DeviceInfo, ReaderSource, Report
+from pointpred.devices.source import BROWSER, MOST_WAITING, DeviceInfo, ReaderSource, Report
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
 from pointpred.extras import install_command
 
 EXCLUSIVE = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
 """Systems that let no program read the reports of a mouse."""
-BROWSER = (
-    "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/guide/browser.md names "
-    "the browser client for pages of your own"
-)
 CLASS = Path("/sys/class/hidraw")
 
 WAIT_MS = 100

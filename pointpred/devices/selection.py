@@ -11,9 +11,9 @@ from pathlib import Path
 from pointpred.devices.cursor import NAME, CursorSource, system_cursor
 from pointpred.devices.evdev import EvdevSource, list_evdev
 from pointpred.devices.first_moving import Candidate, FirstMoving
-from pointpred.devices.hidraw import BROWSER, HidSource, list_hid
+from pointpred.devices.hidraw import HidSource, list_hid
 from pointpred.devices.lsl import LslInlet
-from pointpred.devices.source import DeviceInfo, DeviceSource
+from pointpred.devices.source import BROWSER, DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
 
 LINKS = (Path("/dev/input/by-id"), Path("/dev/input/by-path"))

@@ -17,6 +17,11 @@ from pointpred.errors import ParameterError, SourceError
 
 MOST_WAITING = 65536
 """Reports that a queue holds by default: eight seconds of the fastest mice."""
+BROWSER = (
+    "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/guide/browser.md names "
+    "the browser client for pages of your own"
+)
+"""What to do where no device can be read."""
 BUTTON_NAMES = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 """Bits of ``PointerEvent.buttons``, and their names, which are those of the DevTools protocol."""
 

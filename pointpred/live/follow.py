@@ -1,9 +1,9 @@
-"""``pointpred live``: a device, or a recording in its place, opened and followed until the session ends."""
+"""``pointpred live`` with a device: open it, find where its cursor is, and run a session over it."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Literal
@@ -18,16 +18,13 @@ from pointpred.devices.first_moving import SILENCE_S, FirstMoving
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.selection import choose
 from pointpred.devices.source import DeviceInfo, DeviceSource
-from pointpred.errors import ParameterError, RecordingError, SourceError
+from pointpred.errors import ParameterError, SourceError
 from pointpred.files import beside
 from pointpred.garbage import tune_collector
-from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.person import LARGEST, portable
 from pointpred.pipeline import Pipeline
-from pointpred.recording import Recording
-from pointpred.records import Pair
 from pointpred.registry import REGISTRY, build
 from pointpred.transfer import TransferFunction, named_transfer
 
@@ -148,41 +145,6 @@ def _mouse_options(options: DeviceOptions, cursors: tuple[str, ...]) -> list[str
         )
         if wrong
     ]
-
-
-def follow_replay(
-    file: Path, recording: Recording, trials: Sequence[PlayedTrial], speed: float, outputs: OutputOptions
-) -> None:
-    """Play trials as the session of a device; ``outputs`` has the resolutions of the recording.
-
-    Raises RecordingError where there is no trial.
-    """
-    if not trials:
-        raise RecordingError(f"{file}: no trial can be played; see the reasons above")
-    compile_for(outputs.predictor)
-    simulated = recording.provenance.simulated
-    outputs = replace(outputs, simulated=simulated)
-    name = f"replay of {file.name}" + (" (simulated people)" if simulated else "")
-    path = PlayedPath("the recorded cursor" + (", simulated" if simulated else ""))
-    pipeline = PlayedPipeline(outputs.pipeline())
-    with PlayedSource(name, str(file), trials, speed=speed, words=recording.provenance.clock) as source:
-        run = LiveRun(LiveSession(source, path, pipeline), outputs)
-        _end_with(run, source)
-        tune_collector()
-        run.run()
-
-
-def _end_with(run: LiveRun, source: PlayedSource) -> None:
-    """End with the recording, after viewers were shown the last of it; with a page, begin once it is open."""
-    page = run.page
-
-    def end(pairs: Sequence[Pair]) -> None:
-        if source.ended and not pairs:
-            run.stopping.set()
-
-    run.session.watchers.append(end)
-    if page is not None:
-        source.hold = lambda: not page.watched
 
 
 def device_note(session: LiveSession) -> Callable[[], str | None]:

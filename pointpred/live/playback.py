@@ -12,7 +12,7 @@ from typing import Literal, Self
 import msgspec
 import numpy as np
 
-from pointpred.devices.cursor_paths import Space
+from pointpred.devices.cursor_paths import PositionReport
 from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
@@ -151,12 +151,6 @@ class PlayedEvent(PointerEvent, frozen=True, kw_only=True):
     begin: Begin = ""
 
 
-class PlayedReport(Report, frozen=True, kw_only=True, gc=False):
-    """An event on its way through a session."""
-
-    event: PlayedEvent
-
-
 class PlayedSource(ClosedOnExit):
     """A ``DeviceSource`` that plays trials one after another.
 
@@ -220,19 +214,6 @@ class PlayedSource(ClosedOnExit):
         """Nothing is open."""
 
 
-class PlayedPath:
-    """A ``CursorPath`` of recorded positions."""
-
-    space: Space = "screen"
-
-    def __init__(self, words: str) -> None:
-        self.words = words
-
-    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
-        """The event that each report carries."""
-        return [report.event for report in reports if isinstance(report, PlayedReport)]
-
-
 class PlayedPipeline:
     """A stage around a pipeline that computes with the recorded times.
 
@@ -287,7 +268,7 @@ def _reports(trials: Sequence[PlayedTrial], shifts_s: Sequence[float]) -> Iterat
             shown_s = event.t + shift_s
             row = shown_s, event.x, event.y, event.dx, event.dy, event.buttons
             shown = PlayedEvent(*row, recorded=event, begin=begin)
-            report = PlayedReport(shown_s, event.dx or 0.0, event.dy or 0.0, event.buttons, event=shown)
+            report = PositionReport(shown_s, event.dx or 0.0, event.dy or 0.0, event.buttons, event=shown)
             yield where, report
             begin = ""
         user = trial.about.user

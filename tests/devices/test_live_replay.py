@@ -17,8 +17,9 @@ import pytest
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
+from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError
-from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
+from pointpred.live.playback import GAP_S, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
@@ -68,7 +69,7 @@ def played(trials: Sequence[PlayedTrial], speed: float = 1.0, **more: Any) -> tu
 def pairs_of(trials: Sequence[PlayedTrial], speed: float = math.inf) -> list[Pair]:
     """What a session makes of trials."""
     source, _ = played(trials, speed)
-    session = LiveSession(source, PlayedPath("recorded"), PlayedPipeline(build(NAME)))
+    session = LiveSession(source, PositionPath("recorded", counts=True), PlayedPipeline(build(NAME)))
     pairs: list[Pair] = []
     while not source.ended:
         pairs += session.advance()
