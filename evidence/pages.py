@@ -12,11 +12,11 @@ from typing import Any
 
 from evidence import ROOT, data
 from evidence.attacks import page as attacks
-from evidence.intent import page as intent
+from evidence.intent import measure as intent
 from evidence.reference import asyncapi
 from evidence.reference import pages as reference
 from evidence.rendering import filled, rendered
-from evidence.reproduce import page as reproduce
+from evidence.reproduce import measure as reproduce
 from evidence.results import page as results
 
 Context = Callable[[], dict[str, Any]]

@@ -34,15 +34,20 @@ def environment() -> Environment:
     templates.filters |= {
         "shown": shown,
         "only": only,
+        "columns": columns,
+        "beside": beside,
+        "turned": turned,
+        "largest": largest,
         "number": number,
         "share": share,
         "spread": spread,
+        "span": span,
         "percent": percent,
         "percents": percents,
         "times": times,
         "names": names,
     }
-    templates.globals |= {"table": table}
+    templates.globals |= {"table": table, "missing": missing}
     return templates
 
 
@@ -75,6 +80,40 @@ def only(one: Table, **wanted: str | Sequence[str]) -> Table:
     )
 
 
+def columns(one: Table, *names: str) -> Table:
+    """Some columns, in this order."""
+    places = [one.columns.index(name) for name in names]
+    return Table(
+        list(names), [one.decimals[at] for at in places], [[row[at] for at in places] for row in one.rows]
+    )
+
+
+def beside(one: Table, other: Table, keys: int = 1) -> Table:
+    """Two tables as one, where the first cells of their rows, ``keys`` of them, are the same."""
+    more = {tuple(row[:keys]): row[keys:] for row in other.rows}
+    return Table(
+        [*one.columns, *other.columns[keys:]],
+        [*one.decimals, *other.decimals[keys:]],
+        [[*row, *more[tuple(row[:keys])]] for row in one.rows],
+    )
+
+
+def turned(one: Table) -> Table:
+    """A row for each column, for tables of many columns and few rows."""
+    head, *rows = zip(one.columns, *one.texts(), strict=True)
+    return Table(list(head), [None] * len(head), [list(row) for row in rows])
+
+
+def largest(one: Table, *bounds: float) -> Table:
+    """The rows with at least a bound in one of some columns, given as ``column, bound, column, bound``."""
+    pairs = list(zip(map(int, bounds[::2]), bounds[1::2], strict=True))
+    return Table(
+        one.columns,
+        one.decimals,
+        [row for row in one.rows if any(float(row[at]) >= bound for at, bound in pairs)],
+    )
+
+
 def number(value: float | None, digits: int = 2) -> str:
     """A number, or a dash where there is none."""
     return "-" if value is None or not isfinite(value) else f"{value:.{digits}f}"
@@ -90,6 +129,18 @@ def spread(value: float | None, interval: Sequence[float] | None, digits: int = 
     if interval is None:
         return number(value, digits)
     return f"{number(value, digits)} [{number(interval[0], digits)}, {number(interval[1], digits)}]"
+
+
+def span(values: Sequence[float], digits: int = 2) -> str:
+    """The least and the most of several numbers, one number where both are shown alike."""
+    ends = dict.fromkeys((number(min(values), digits), number(max(values), digits)))
+    return " to ".join(ends)
+
+
+def missing(short: Mapping[str, float]) -> str:
+    """By how much what is wanted is missed: what is above 0 of the differences."""
+    missed = [f"{what} {number(by)}" for what, by in short.items() if by > 0]
+    return f"Missing: {'; '.join(missed)}." if missed else "Nothing is missing."
 
 
 def percent(value: float | None, digits: int = 0) -> str:

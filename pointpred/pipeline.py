@@ -11,9 +11,9 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
-from pointpred.mixtures.mixture import Mixture
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
+from pointpred.predictors.mixture import Mixture
 from pointpred.records import (
     EVENT_FIELD,
     EventColumns,

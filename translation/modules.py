@@ -16,6 +16,7 @@ from pointpred.stage import CompiledStage
 from translation import stages
 from translation.expressions import is_constant, number
 from translation.javascript import Law
+from translation.messages import messages_text
 from translation.names import alias, path_of, renamed
 from translation.roots import HAND_WRITTEN, roots
 from translation.source import Name, UntranslatableError, is_law, module
@@ -43,6 +44,7 @@ def texts() -> dict[str, bytes]:
         path_of(name): text_of(name, wanted, [one for one in all_stages if one.__module__ == name]).encode()
         for name in modules
     }
+    files["messages.js"] = messages_text().encode()
     files["descriptions.js"] = stages.descriptions_text().encode()
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
     files[stages.COEFFICIENTS] = planes(coefficient_file.read(coefficient_file.OWN))

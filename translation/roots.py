@@ -47,7 +47,12 @@ def _module(folder: str, address: str) -> str:
     """The Python module of an address; empty for one that is not made of laws."""
     path = posixpath.normpath(posixpath.join(folder, address))
     file = path.removeprefix(LAWS)
-    made = path.startswith(LAWS) and file not in (*HAND_WRITTEN, "registry.js", "descriptions.js")
+    made = path.startswith(LAWS) and file not in (
+        *HAND_WRITTEN,
+        "registry.js",
+        "descriptions.js",
+        "messages.js",
+    )
     return f"pointpred.{file.removesuffix('.js').replace('/', '.')}" if made else ""
 
 

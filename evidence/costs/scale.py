@@ -16,21 +16,158 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+import msgspec
+import numpy as np
+import pyarrow as pa
 import pyarrow.parquet as pq
 
 from evidence.arguments import parse
-from evidence.costs.scale_recordings import generate
 from evidence.data import Table, keep
 from evidence.machine import machine
+from pointpred.datasets import sample
+from pointpred.errors import RecordingError
+from pointpred.recording import Provenance, Recording, Trial
+from pointpred.recordings.arrow_tables import KEY, open_file
 from pointpred.recordings.own import trials_beside
 from pointpred.recordings.stored import StoredRecording, stored
+from pointpred.recordings.writing import files_of, samples_table, trial_table, write_together
+from pointpred.records import EventColumns
 from pointpred.scoring.chunks import score_in_chunks
 from pointpred.scoring.executors import open_executor
 from pointpred.scoring.scorer import scoring_with
+
+
+def write_in_parts(parts: Iterable[Recording], path: str | Path) -> tuple[Path, Path]:
+    """Write a recording that comes in parts as a samples and a trials file, a row group of each a part.
+
+    ``path`` as for ``write``, but Parquet only. Every part has other trials, the same name and provenance,
+    and the same conditions; skips and notes of all are kept. Parts of about 65,536 events are best: they
+    are what ``pointpred score`` reads at once. On a failure no file is left. Raises RecordingError.
+    """
+    samples, beside = files_of(path)
+    if samples.suffix != ".parquet":
+        raise RecordingError(f"{samples}: in parts only Parquet is written, expected .parquet")
+    with write_together() as part:
+        _write(parts, samples, part(samples), part(beside))
+    return samples, beside
+
+
+def _write(parts: Iterable[Recording], path: Path, samples: Path, trials: Path) -> None:
+    writers: list[pq.ParquetWriter] = []
+    about: dict[str, Any] = {}
+    counts = [0, 0]
+    skipped: list[list[Any]] = []
+    notes: list[str] = []
+    try:
+        for recording in parts:
+            rows, text = trial_table(recording)
+            described = text | {"provenance": msgspec.to_builtins(recording.provenance)}
+            tables = [samples_table(recording, rows, every=True), rows]
+            if not writers:
+                about = described
+                writers = [
+                    pq.ParquetWriter(
+                        open_file(file, "wb"), table.schema, compression="zstd", write_page_checksum=True
+                    )
+                    for file, table in zip((samples, trials), tables, strict=True)
+                ]
+            if described != about or any(w.schema != t.schema for w, t in zip(writers, tables, strict=True)):
+                message = (
+                    f"{path}: a part has another name, provenance or other conditions than the first one"
+                )
+                raise RecordingError(message)
+            for i, (writer, table) in enumerate(zip(writers, tables, strict=True)):
+                writer.write_table(table, row_group_size=max(table.num_rows, 1))
+                counts[i] += table.num_rows
+            skipped += [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped]
+            notes += recording.notes
+        if not writers:
+            raise RecordingError(f"{path}: no part to write, expected at least one")
+        more = {"provenance": about["provenance"], "skipped": skipped, "notes": notes}
+        for writer, count, header in zip(writers, counts, (more, {}), strict=True):
+            header = {"name": about["name"], "text": about["text"], **header, "version": 1, "rows": count}
+            encoded = msgspec.json.encode(header, order="sorted")
+            writer.add_key_value_metadata({KEY: encoded})
+    except (OSError, pa.ArrowException) as error:
+        raise RecordingError(f"{path}: cannot be written: {error}") from error
+    finally:
+        for writer in writers:
+            writer.close()
+
+
+PEOPLE_TRIALS = 1000
+"""Trials of one person."""
+PART_EVENTS = 65_536
+SIZE, TEMPO = (0.5, 1.6), (0.7, 1.5)
+
+
+def generate(folder: Path, trials: int, rate_hz: int, seed: int = 17) -> Path:
+    """Write a recording of so many trials at 1000 / n Hz, and return its samples file."""
+    name = f"generated_{trials}_{rate_hz}hz"
+    samples, _ = write_in_parts(_parts(name, trials, rate_hz, seed), folder / f"{name}.parquet")
+    return samples
+
+
+def _parts(name: str, trials: int, rate_hz: int, seed: int) -> Iterator[Recording]:
+    base = sample()
+    thin = 1000 // rate_hz
+    rows = [_thinned(base, k, thin) for k in range(len(base.trials))]
+    lengths = np.array([len(one) for one in rows])
+    table = base.events.table[np.concatenate(rows)]
+    begins = np.concatenate([[0], np.cumsum(lengths)[:-1]])
+    random = np.random.default_rng(seed)
+    first = 0
+    while first < trials:
+        most = min(trials - first, PART_EVENTS // int(lengths.mean()))
+        drawn = random.integers(0, len(rows), most)
+        yield _part(name, table, begins[drawn], lengths[drawn], first, random)
+        first += most
+
+
+def _thinned(base: Recording, trial: int, thin: int) -> np.ndarray:
+    """Every so many rows of a trial, and its last two: the click."""
+    first, stop = int(base.offsets[trial]), int(base.offsets[trial + 1])
+    rows: np.ndarray = np.unique(np.append(np.arange(first, stop, thin), [stop - 2, stop - 1]))
+    return rows
+
+
+def _part(
+    name: str,
+    table: np.ndarray,
+    begins: np.ndarray,
+    lengths: np.ndarray,
+    first: int,
+    random: np.random.Generator,
+) -> Recording:
+    """Successive trials, all at once."""
+    count, offsets = len(begins), np.concatenate([[0], np.cumsum(lengths)])
+    trial = np.repeat(np.arange(count), lengths)
+    events = table[np.repeat(begins - offsets[:-1], lengths) + np.arange(offsets[-1])]
+    start = events[offsets[:-1]][trial]
+    angle, mirror = random.uniform(0.0, 2.0 * np.pi, count)[trial], random.choice([-1.0, 1.0], count)[trial]
+    size = np.exp(random.uniform(*np.log(SIZE), count))[trial]
+    tempo = np.exp(random.uniform(*np.log(TEMPO), count))[trial]
+    x, y = size * (events[:, 1] - start[:, 1]), mirror * size * (events[:, 2] - start[:, 2])
+    out = np.full((len(events), 6), np.nan)
+    out[:, 0] = np.round(tempo * (events[:, 0] - start[:, 0]), 4)
+    out[:, 1] = np.round(960.0 + np.cos(angle) * x - np.sin(angle) * y)
+    out[:, 2] = np.round(540.0 + np.sin(angle) * x + np.cos(angle) * y)
+    out[:, 5] = events[:, 5]
+    ends = out[offsets[1:] - 1, 1:3].tolist()
+    trials = tuple(
+        Trial(f"person {(first + k) // PEOPLE_TRIALS:05d}", str(first + k), *end, 24.0)
+        for k, end in enumerate(ends)
+    )
+    begin = np.zeros(len(out), dtype=np.bool_)
+    begin[offsets[:-1]] = True
+    provenance = Provenance("generated", simulated=True)
+    return Recording(name, EventColumns(out, begin), offsets.astype(np.int64), trials, provenance=provenance)
+
 
 WAYS: dict[str, dict[str, Any]] = {
     "1 thread": {"threads": 1},

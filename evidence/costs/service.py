@@ -23,8 +23,7 @@ from urllib.request import urlopen
 
 import numpy as np
 
-from evidence.costs.load.generator import Group, Plan, run
-from evidence.costs.load.movements import hello, recording
+from evidence.costs.load.generator import Group, Plan, hello, recording, run
 from evidence.costs.load.servers import Server, checkout, echo, service
 from evidence.data import Table, keep
 from evidence.machine import LAST, machine, on_cores

@@ -7,6 +7,7 @@ have moved.
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import importlib
 import io
@@ -235,5 +236,7 @@ def scores(tree: Tree) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    checkout = Tree(Path(sys.argv[1]))
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("checkout", type=Path)
+    checkout = Tree(parser.parse_args().checkout)
     print(json.dumps(service(checkout) | target(checkout) | reports(checkout) | scores(checkout)))

@@ -10,16 +10,25 @@ the folder named by POINTPRED_RECORDINGS.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from evidence.arguments import parse
-from evidence.data import Table, keep
-from evidence.intent import speculation
+from evidence.data import Table, keep, stored
+from evidence.intent.firing import (
+    FRAME_S,
+    HOVER_HEADS,
+    HOVER_S,
+    Score,
+    by_policy,
+    by_rule,
+    hovered,
+    shares_of,
+)
 from evidence.intent.fit import GROUPS, Fits, by_layout, fits, recorded
-from evidence.intent.foresight import FRAME_S
 from evidence.intent.movements import Movement
-from evidence.intent.scores import Score, by_policy, by_rule, shares_of
+from evidence.rendering import only
 from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
@@ -81,11 +90,11 @@ def speculated(movements: Sequence[Movement]) -> Table:
     """Chrome's own rules, a row a layout and an eagerness."""
     layouts = sorted({one.layout for one in movements})
     rows = [
-        (layout, eagerness, *speculation.hovered([one for one in movements if one.layout == layout], hover_s))
+        (layout, eagerness, *hovered([one for one in movements if one.layout == layout], hover_s))
         for layout in layouts
-        for eagerness, hover_s in speculation.HOVER_S.items()
+        for eagerness, hover_s in HOVER_S.items()
     ]
-    return Table.of(("layout", "eagerness", *speculation.HEADS), rows)
+    return Table.of(("layout", "eagerness", *HOVER_HEADS), rows)
 
 
 def main() -> None:
@@ -94,6 +103,61 @@ def main() -> None:
     table, curve = compared(everything, fits())
     tables = {"policy": table, "thresholds": curve, "speculation": speculated(everything)}
     keep("intent", tables, part="policy")
+
+
+BESIDE = (
+    "layout",
+    "movements",
+    "firings",
+    "elsewhere",
+    "before entry, %",
+    "median lead, ms",
+    "lead",
+    "falls short in",
+)
+LEADS = 2.0
+"""How many times ForesightJS's lead is asked for."""
+
+
+def beside(whole: Table, ours: str, theirs: str = RULE) -> Table:
+    """A rule of ours beside one of theirs, ours first in each cell; what is asked for and not reached."""
+    left, right = ({str(row[0]): row for row in only(whole, rule=name).rows} for name in (ours, theirs))
+    rows = []
+    for layout, (_, count, firings, away, before, lead, _) in left.items():
+        most, most_away, share, other = (float(cell) for cell in right[layout][2:6])
+        short = {
+            "firings": float(firings) > most,
+            "before": float(before) < share,
+            "lead": float(lead) < LEADS * other,
+        }
+        rows.append(
+            (
+                layout,
+                f"{count:.0f}",
+                f"{firings:.2f} / {most:.2f}",
+                f"{away:.2f} / {most_away:.2f}",
+                f"{before:.1f} / {share:.1f}",
+                f"{lead:.0f} / {other:.0f}",
+                f"{float(lead) / other:.2f} x",
+                ", ".join(name for name, missed in short.items() if missed) or "nothing",
+            )
+        )
+    return Table.of(BESIDE, rows)
+
+
+def context() -> dict[str, Any]:
+    """The tables, and the comparisons made from them."""
+    kept = stored("intent", "policy")
+    frames = only(kept.tables["policy"], seen="frames")
+    browser = kept.tables["browser"]
+    return {
+        "tables": kept.tables,
+        "targets": stored("intent", "targets"),
+        "proposals": stored("intent", "proposals"),
+        "in_browser": beside(browser, "`kinematic-adaptive`"),
+        "replayed": beside(frames, "`kinematic-adaptive`"),
+        "replayed_held_out": beside(frames, "`kinematic-adaptive`, settings held out"),
+    }
 
 
 if __name__ == "__main__":

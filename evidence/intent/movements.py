@@ -12,8 +12,7 @@ import msgspec
 import numpy as np
 
 from evidence.held_out import HeldOut, trained_predictors
-from evidence.intent.layouts import LAYOUTS, placed
-from evidence.intent.proposals import BETWEEN_S, LEAST_PX, with_click
+from evidence.intent.proposals import BETWEEN_S, LAYOUTS, LEAST_PX, placed, with_click
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray

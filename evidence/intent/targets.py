@@ -29,7 +29,7 @@ from pointpred.scoring.target_choice import (
     score_targets,
     summarise_targets,
 )
-from pointpred.targets.evidence import NEAR
+from pointpred.targets.posterior import NEAR
 from pointpred.training.data import folder
 
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)

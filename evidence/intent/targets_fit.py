@@ -27,7 +27,7 @@ from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, posterior
-from pointpred.targets.evidence import FEATURES, MASS, NEAR, Law, features, unclaimed
+from pointpred.targets.posterior import FEATURES, MASS, NEAR, Law, features, unclaimed
 
 SETS = ("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo")
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))

@@ -2,29 +2,41 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import msgspec
 import numpy as np
 
-from evidence import FIGURES
+from evidence import FIGURES, ROOT
 from evidence.arguments import parse
 from evidence.data import Table, keep
-from evidence.observers.bounds import consistent, cramer_rao
-from evidence.observers.camera_figures import draw
-from evidence.observers.camera_tables import designs, residuals
+from evidence.observers import printed
+from evidence.thinning import save, thin
 from pointpred.cli.progress import following
-from pointpred.records import FloatArray
+from pointpred.drawing import GREY, PALETTE, canvas, picture
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.records import BoolArray, FloatArray
 from pointpred_observers.camera import (
+    SCENARIOS,
     WAYS,
+    CameraPipeline,
     DepthObserver,
     Noise,
     PointFilter,
+    Scenario,
     Trajectory,
     UnknownInputs,
+    camera_box,
+    camera_system,
+    kinematics,
+    trajectory,
     velocities,
 )
+from pointpred_observers.camera.point_filter import PointTrack
 from pointpred_observers.camera.samples import observed
+from pointpred_observers.cli.camera_files import truth_table
+from pointpred_observers.cli.camera_plot import plot
 from pointpred_observers.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,
@@ -36,6 +48,246 @@ from pointpred_observers.reproduction.camera import (
     estimated,
     scenario_45,
 )
+from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+
+IDENTITY = np.eye(6)
+
+
+def transition(truth: Trajectory, row: int) -> FloatArray:
+    """Phi from a row to the next one: (p, v) is linear, so it is exact except for the change of w."""
+    h = float(truth.t[row + 1] - truth.t[row])
+    rx, ry, rz = (0.5 * h * (truth.w[row] + truth.w[row + 1])).tolist()
+    columns = IDENTITY.ravel().copy()
+    for i in range(6):
+        kinematics.carry(columns, i, 6, h, (rx, ry, rz))
+    return columns.reshape(6, 6)
+
+
+def information(truth: Trajectory, row: int, variance: float) -> FloatArray:
+    """The information of one image about (p, v): H' H / r at the truth."""
+    x, y, z = truth.p[row]
+    h = np.array([[1.0, 0.0, -x / z], [0.0, 1.0, -y / z]]) / z
+    whole = np.zeros((6, 6))
+    whole[:3, :3] = h.T @ h / variance
+    return whole
+
+
+def cramer_rao(
+    truth: Trajectory,
+    *,
+    focal_px: float,
+    noise_px: float,
+    images: BoolArray | None = None,
+    gyro_noise: float = 0.0,
+    accel_noise: float = 0.0,
+) -> FloatArray:
+    """The least covariance of an unbiased estimate of (p, v) at each time, NaN while it is not determined.
+
+    Assumes normal pixel noise of standard deviation ``noise_px``, no prior knowledge, and perfect inertial
+    sensors unless their noise is passed. With noise that is not normal an estimator can be better.
+
+    J <- (Phi J^-1 Phi' + Q)^-1 + H' H / r, with Phi J^-1 Phi' written as Phi^-T J Phi^-1 while Q is 0.
+
+    Parameters: ``images``, the rows that have one, all by default. Returns (rows, 6, 6).
+    Raises ParameterError for a noise that is not positive.
+
+    Reference: Tichavsky, Muravchik, Nehorai 1998, equation (21); for Q = 0 Taylor 1979.
+    """
+    if not (noise_px > 0.0 and focal_px > 0.0):
+        raise ParameterError(
+            f"noise_px and focal_px must be positive, received {noise_px!r} and {focal_px!r}",
+            field="focal_px" if noise_px > 0.0 else "noise_px",
+            value=focal_px if noise_px > 0.0 else noise_px,
+        )
+    variance = (noise_px / focal_px) ** 2
+    taken = np.ones(len(truth.t), np.bool_) if images is None else images
+    j = np.zeros((6, 6))
+    covariances = np.full((len(truth.t), 6, 6), np.nan)
+    for row in range(len(truth.t)):
+        if row:
+            inverse = np.linalg.inv(transition(truth, row - 1))
+            j = _less(inverse.T @ j @ inverse, truth, row, gyro_noise, accel_noise)
+        if taken[row]:
+            j = j + information(truth, row, variance)
+        if np.linalg.cond(j) < 1e13:
+            covariances[row] = np.linalg.inv(j)
+    return covariances
+
+
+def _less(j: FloatArray, truth: Trajectory, row: int, gyro_noise: float, accel_noise: float) -> FloatArray:
+    """Information after the sensors' noise of one step: (J^-1 + Q)^-1 = J - J (J + Q^-1)^-1 J."""
+    if gyro_noise == 0.0 and accel_noise == 0.0:
+        return j
+    h = float(truth.t[row] - truth.t[row - 1])
+    memory = np.concatenate([np.zeros(36), truth.p[row], truth.v[row]])
+    kinematics.add_noise(memory, 0, 36, gyro_noise**2 * h, accel_noise**2 * h)
+    noise = memory[:36].reshape(6, 6)
+    lost = noise @ np.linalg.inv(IDENTITY + j @ noise) @ j
+    less: FloatArray = j @ (IDENTITY - lost)
+    return 0.5 * (less + less.T)
+
+
+def normalised_errors(track: PointTrack, truth: Trajectory) -> FloatArray:
+    """The normalised estimation error squared (NEES) of each row, NaN before the filter started.
+
+    For a consistent filter it is chi-squared distributed with 6 degrees of freedom and has mean 6.
+
+    Reference: Bar-Shalom, Li, Kirubarajan 2001, section 5.4.2.
+    """
+    errors = track.state - np.hstack([truth.p, truth.v])
+    squares = np.full(len(errors), np.nan)
+    for row in np.flatnonzero(track.running):
+        squares[row] = errors[row] @ np.linalg.solve(track.covariance[row], errors[row])
+    return squares
+
+
+def consistent(track_errors: FloatArray, share: float = 0.95) -> tuple[float, tuple[float, float]]:
+    """The mean of independent NEES values and the interval it should lie in with probability ``share``.
+
+    ``track_errors``: one value per run, at the same time.
+    """
+    from scipy.stats import chi2
+
+    runs = len(track_errors)
+    low, high = (float(chi2.ppf(end, 6 * runs)) / runs for end in (0.5 - 0.5 * share, 0.5 + 0.5 * share))
+    return float(np.mean(track_errors)), (low, high)
+
+
+FOCAL, RATE_HZ = 800.0, 33.0
+
+
+def residuals() -> Table:
+    """How far printed equations are from the derivative of the trajectory, beside the corrected ones."""
+    truth = trajectory(SCENARIOS["paper"], np.arange(331) / RATE_HZ)
+    expected = printed.derivatives(truth)
+    (x, y), (wx, wy, _), (vx, vy, _) = truth.image.T, truth.w.T, truth.v.T
+    chi, eta = truth.chi, truth.eta
+    corrected = truth.a[:, 2] * chi + wy * vx * chi - wx * vy * chi + eta**2 + truth.turn * eta
+    system, point = camera_system(), {"w_x": 0.05, "w_y": -0.06}
+    _, t = printed.decoupling_matrices(0.05, -0.06)
+    least = float(np.linalg.eigvalsh(printed.P)[0])
+    rows = [
+        ("chi' in (12)", "right", _tiny(chi * (eta + y * wx - x * wy) - expected[:, 2])),
+        ("chi' in (14)", _share(printed.chi_rate_14(truth) - expected[:, 2], expected[:, 2]), "as (12)"),
+        (
+            "eta' in (12), (14)",
+            _share(printed.eta_rate_12(truth) - expected[:, 3], expected[:, 3]),
+            _tiny(corrected - expected[:, 3]),
+        ),
+        ("T F, below (23)", _tiny(t @ system.f(point)), _tiny(system.t(point) @ system.f(point))),
+        ("least eigenvalue of P, demanded >= 1e-12", f"{least:.2g}", "P >= I by scale"),
+    ]
+    return Table.of(("what", "largest error as printed", "corrected"), rows)
+
+
+def asked() -> list[tuple[tuple[str, str], Box, float]]:
+    """What is designed: ranges of eta at two thirds of the largest sigma, or at 0.01 1/s where there is none.
+
+    The bounds of eta and sigma in 1/s as the tables name them, the box, and sigma.
+    """
+    bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
+    listed = []
+    for eta in ((-2.0, -0.2), (-2.0, -0.05), (-2.0, -0.03), (-2.0, -0.015), (-0.4, 0.1)):
+        sigma = max(4.0 / 3.0 * -(eta[1] + 0.02), 0.01)
+        listed.append(((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}"), camera_box(eta, **bounds), sigma))
+    return listed
+
+
+def designs() -> Table:
+    """What can be designed: certificates, and refusals."""
+    rows = []
+    for names, box, sigma in asked():
+        try:
+            one = UnknownInputObserver.design(camera_system(), box, sigma).certificate
+            cells = (f"{one.largest_sigma:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
+        except InfeasibleError as none:
+            cells = ("none" if "no sigma" in str(none) else "?", "refused", "-", "-")
+        rows.append((*names, *cells))
+    return Table.of(("eta 1/s", "sigma 1/s", "largest", "phi1", "phi2 s", "margin"), rows)
+
+
+def _share(error: Any, of: Any) -> str:
+    """An error, and how large it is beside the largest value of what it is an error of."""
+    return f"{_tiny(error)}, {np.abs(error).max() / np.abs(of).max():.0%} of the largest"
+
+
+def _tiny(values: Any) -> str:
+    return f"{np.abs(values).max():.2g}"
+
+
+def draw(folder: Path, focal_px: float) -> None:
+    """Write all four."""
+    for name, depth, eta in (("paper", 0.25, -1.6), ("approaching", 4.0, -0.1)):
+        truth = trajectory(SCENARIOS[name], np.arange(331) / 33.0)
+        samples = observed(truth, focal_px=focal_px, noise=Noise(noise_px=2.0), seed=1)
+        observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=eta)
+        noise_px = 2.0 / np.sqrt(3.0)
+        stages = CameraPipeline(
+            observer, PointFilter(focal_px=focal_px, noise_px=noise_px), noise_px=noise_px
+        )
+        title = f"Scenario {name}, 2 px, focal length {focal_px:g} px (simulated)"
+        plot(stages.run(samples), truth_table(truth), folder / f"camera-{name}.svg", title)
+        thin(folder / f"camera-{name}.svg")
+    _fading(ROOT / "observers" / "docs" / "figures" / "camera-fading.svg", focal_px)
+    _bound(folder / "camera-bound.svg", focal_px)
+
+
+def _fading(target: Path, focal_px: float) -> None:
+    """What fades of the observer's error, and what does not, over a minute of receding."""
+    t = np.arange(60 * 33) / 33.0
+    backwards = Scenario("backwards", lambda t: (0.0, 0.0, -0.2), lambda t: (0.0, 0.0, 0.0))
+    truth = trajectory(backwards, t)
+    observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / 1.3, start_eta=-0.25 / 1.3)
+    estimate = observer.run(observed(truth, focal_px=focal_px))
+    lines = {
+        "chi [1/m]": np.abs(estimate.chi - truth.chi),
+        "eta [1/s]": np.abs(estimate.eta - truth.eta),
+        "v_z [m/s]": np.abs(estimate.eta / estimate.chi - truth.v[:, 2]),
+        "depth, relative": np.abs(1.0 / estimate.chi / truth.p[:, 2] - 1.0),
+    }
+    with canvas(width=7.5, height=4.2) as (figure, (ax,)):
+        for (label, values), colour in zip(lines.items(), PALETTE, strict=False):
+            ax.plot(t, values, color=colour, label=label)
+        ax.set(yscale="log", xlabel="t [s]", ylabel="error of the observer", ylim=(1e-4, 2.0))
+        ax.yaxis.set_major_formatter("{x:g}")
+        ax.set_title("A camera that recedes at 0.2 m/s from 1 m, started with 1.3 m and 0.25 m/s")
+        ax.legend(loc="lower left")
+        words = "Errors of chi and eta fall; those of v_z and of the relative depth level off."
+        save(picture(figure, words, words).svg, target)
+
+
+def _bound(target: Path, focal_px: float) -> None:
+    """The filter's depth error over time beside the bound and its own standard deviation."""
+    truth = trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    noise_px = 4.0 / np.sqrt(3.0)
+    squares, believed = [], []
+    for seed in range(40):
+        samples = observed(truth, focal_px=focal_px, noise=Noise(noise_px=4.0), seed=seed)
+        track = PointFilter(focal_px=focal_px, noise_px=noise_px).run(samples)
+        squares.append((track.state[:, 2] - truth.p[:, 2]) ** 2)
+        believed.append(track.covariance[:, 2, 2])
+    started = np.isfinite(squares).all(axis=0)
+    least = np.sqrt(cramer_rao(truth, focal_px=focal_px, noise_px=noise_px)[:, 2, 2])
+    with canvas(width=7.5, height=4.2) as (figure, (ax,)):
+        ax.plot(truth.t, least, color=GREY, linewidth=3.5, label="Cramer-Rao bound")
+        error = np.sqrt(np.mean(squares, axis=0))
+        ax.plot(truth.t[started], error[started], color=PALETTE[0], label="filter: RMS error of 40 runs")
+        belief = np.sqrt(np.mean(believed, axis=0))
+        ax.plot(
+            truth.t[started],
+            belief[started],
+            color=PALETTE[1],
+            linestyle=(0, (4, 2)),
+            label="filter: believed",
+        )
+        ax.set(yscale="log", xlabel="t [s]", ylabel="depth [m]", ylim=(0.02, 2.0))
+        ax.yaxis.set_major_formatter("{x:g}")
+        ax.set_title("Depth by the filter, 4 px, once all runs have started")
+        ax.legend(loc="upper right")
+        words = "The filter's depth error lies near the Cramer-Rao bound."
+        save(picture(figure, words, words).svg, target)
+
 
 PIXELS = (0.0, 2.0, 4.0, 8.0)
 SMALLEST_PX = 0.05

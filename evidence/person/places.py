@@ -85,7 +85,7 @@ def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[M
         moments = []
         for row in map(tuple, rows.tolist()):
             answer = pipeline.advance(row)
-            left = nan if answer is None else answer[6]
+            left = answer[6]
             moments.append(Moment(PointerEvent(row[0], row[1], row[2]), pipeline.places, left))
         pipeline.reset()
         x, y = rows[-1, 1:3].tolist()

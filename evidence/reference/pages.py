@@ -15,12 +15,13 @@ import typer
 from prometheus_client import CollectorRegistry, Metric
 
 from evidence import data
-from evidence.reference.asyncapi_examples import CLOSES, CODES
+from evidence.reference.asyncapi import CLOSES, CODES
 from evidence.results.page import overall
 from evidence.results.records import stored
 from pointpred import errors
 from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, app
 from pointpred.cli.help_text import VALUES
+from pointpred.cli.reading_options import PANEL, TABLES
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.logs import FIELDS
@@ -55,6 +56,8 @@ class Command(msgspec.Struct, frozen=True):
     name: str
     summary: str
     settings: tuple[Setting, ...]
+    reading: tuple[Setting, ...]
+    """Those that say how recordings are read, which several commands share."""
 
 
 def commands(group: Any, name: str) -> Iterator[Command]:
@@ -65,12 +68,14 @@ def commands(group: Any, name: str) -> Iterator[Command]:
             yield from commands(one, whole)
         else:
             summary = (one.help or "").split("\n\n")[0].replace("\n", " ")
-            yield Command(whole, summary, tuple(_settings(one)))
+            yield Command(whole, summary, tuple(_settings(one, False)), tuple(_settings(one, True)))
 
 
-def _settings(command: Any) -> Iterator[Setting]:
+def _settings(command: Any, of_reading: bool) -> Iterator[Setting]:
     for one in command.params:
         if getattr(one, "hidden", False) or one.name == "help":
+            continue
+        if (getattr(one, "rich_help_panel", None) in (PANEL, TABLES)) != of_reading:
             continue
         if one.param_type_name == "argument":
             name = (one.metavar or one.name).upper()
@@ -87,8 +92,10 @@ def _settings(command: Any) -> Iterator[Setting]:
 
 def command_page() -> dict[str, Any]:
     """Every command with its arguments and options."""
+    every = list(commands(typer.main.get_command(app), "pointpred"))
     return {
-        "commands": list(commands(typer.main.get_command(app), "pointpred")),
+        "commands": every,
+        "reading": max((one.reading for one in every), key=len),
         "exits": {"done": DONE, "nothing": NOTHING, "wrong_use": WRONG_USE, "interrupted": INTERRUPTED},
     }
 
@@ -172,37 +179,45 @@ def gains_of(name: str) -> dict[str, float]:
 
 
 def predictor(name: str) -> dict[str, Any]:
-    """One name of the registry: its own parameters, its differentiator, what it sets."""
-    one, entry = describe(name), REGISTRY[name]
-    own = {parameter.name for parameter in entry.predictor.parameters}
+    """One name of the registry: its own parameters, its differentiator, and whose parameters it shares.
+
+    ``like``: the first name of the same class, where that is another one; ``differs``: the defaults that
+    are not those of that one.
+    """
+    one, of_class = describe(name), REGISTRY[name].predictor
+    own = [p for p in one["parameters"] if p["of"] == "predictor"]
+    like = next(other for other in REGISTRY if REGISTRY[other].predictor is of_class)
+    usual = {p["name"]: p["default"] for p in describe(like)["parameters"]}
     return {
         **one,
-        "own": [p for p in one["parameters"] if p["of"] == "predictor"],
+        "own": own,
         "gains": gains_of(name),
-        "sets": {key: value for key, value in entry.preset.items() if key in own},
+        "like": like if like != name else None,
+        "differs": {p["name"]: p["default"] for p in own if p["default"] != usual[p["name"]]},
     }
 
 
 class DifferentiatorEntry(msgspec.Struct, frozen=True):
-    """One differentiator with the defaults of its class."""
+    """One differentiator with the defaults of its class, but for the parameters that all have."""
 
     name: str
     title: str
     own: tuple[Parameter, ...]
 
 
+def shared_parameters() -> list[Parameter]:
+    """The parameters that every differentiator has."""
+    first, *others = (stage.parameters for stage in DIFFERENTIATORS.values())
+    return [one for one in first if all(one in parameters for parameters in others)]
+
+
 def differentiator(name: str) -> DifferentiatorEntry:
     """The entry of one name."""
     stage = DIFFERENTIATORS[name]
-    return DifferentiatorEntry(name, (stage.__doc__ or "").strip().splitlines()[0], tuple(stage.parameters))
-
-
-def grouped() -> list[tuple[dict[str, float], list[str]]]:
-    """The names that share their gains."""
-    groups: dict[tuple[tuple[str, float], ...], list[str]] = {}
-    for name in REGISTRY:
-        groups.setdefault(tuple(gains_of(name).items()), []).append(name)
-    return [(dict(gains), names) for gains, names in groups.items()]
+    title = (stage.__doc__ or "").strip().splitlines()[0]
+    return DifferentiatorEntry(
+        name, title, tuple(one for one in stage.parameters if one not in shared_parameters())
+    )
 
 
 def streaming_us() -> dict[str, float]:
@@ -224,7 +239,7 @@ def predictor_page() -> dict[str, Any]:
         "costs": streaming_us(),
         "predictors": [predictor(name) for name in REGISTRY],
         "differentiators": [differentiator(name) for name in DIFFERENTIATORS],
-        "groups": grouped(),
+        "common": shared_parameters(),
     }
 
 

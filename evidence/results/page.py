@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import msgspec
 
 from evidence import FIGURES
 from evidence.held_out import PEOPLE_OUT, SET_OUT
+from evidence.rendering import number, percents, share, table
 from evidence.results.records import SetResults, stored
 from evidence.thinning import save
 from pointpred.datasets import listing
@@ -19,11 +19,14 @@ from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.registry import RECOMMENDED, parameters
 from pointpred.scoring import FLOOR, SetSummary
-from pointpred.scoring.report.figures import cost, curves, inside_curves, time_left_bars
+from pointpred.scoring.report.figures import curves
 from pointpred.scoring.report.report import highlighted
+from pointpred.scoring.summary import PredictorSummary
 
 EARLY = 0.2
 """The share of the time at which a predictor that only looks a fixed time ahead gives itself away."""
+MOMENTS = (0.3, 0.5, 0.7)
+"""Shares of the time that the page shows."""
 
 
 class Learned(msgspec.Struct, frozen=True):
@@ -178,65 +181,86 @@ def overall(sets: Sequence[SetResults]) -> Overall:
     )
 
 
-def overview(sets: Sequence[SetResults]) -> dict[str, list[float | None]]:
-    """A row a predictor, a column a set; the package's own coefficients never saw a simulated set."""
+def by_set(
+    sets: Sequence[SetResults], cell: Callable[[PredictorSummary], str | None]
+) -> dict[str, list[str]]:
+    """A row a predictor, a column a set, a dash where it was not scored; rows without any cell go.
+
+    The package's own coefficients never saw a simulated set: there they stand for those without the set.
+    """
     learners = {
         p.name.removesuffix(SET_OUT) for one in sets for p in one.summary.predictors if SET_OUT in p.name
     }
-    ratios: dict[str, list[float | None]] = {}
+    rows: dict[str, list[str]] = {}
     for place, one in enumerate(sets):
         for p in one.summary.predictors:
-            name = p.name + SET_OUT if p.name in learners else p.name
-            ratios.setdefault(name, [None] * len(sets))[place] = p.time_averaged.of_hold
-    return ratios
+            text = cell(p)
+            if text is not None:
+                name = p.name + SET_OUT if p.name in learners else p.name
+                rows.setdefault(name, ["-"] * len(sets))[place] = text
+    return rows
 
 
-def drawings(one: SetSummary) -> dict[str, Picture]:
-    """The figures of a set by what they show."""
+def moments(p: PredictorSummary) -> str:
+    """The error over hold's at 30, 50 and 70 % of the time."""
+    return " / ".join(number(p.by_time[t].of_hold) for t in MOMENTS)
+
+
+def claims(p: PredictorSummary) -> str | None:
+    """How often regions hold the endpoint, and the time left beside a clock; ``None`` without either."""
+    inside = percents(list(p.calibration.inside.values())) if p.calibration else None
+    left = number(p.time_left.of_clock) if p.time_left else None
+    return None if inside is None and left is None else f"{inside or '-'}; {left or '-'}"
+
+
+def costs(sets: Sequence[SetResults]) -> dict[str, tuple[list[float], list[float]]]:
+    """Of each predictor the least and the most answers in percent, and microseconds an event."""
+    found: dict[str, tuple[list[float], list[float]]] = {}
+    for p in (p for one in sets for p in one.summary.predictors):
+        answers, us = found.setdefault(p.name.removesuffix(SET_OUT).removesuffix(PEOPLE_OUT), ([], []))
+        answers.append(100 * p.coverage)
+        us.append(p.us_per_event)
+    return found
+
+
+def drawn(one: SetSummary) -> Picture:
+    """The error of a set against time."""
     judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
     shown = highlighted(msgspec.structs.replace(one, predictors=judged))
-    drawn = {
-        "by-time": curves(one, shown, "by_time", "of_hold"),
-        "cost": cost(one),
-        "regions": inside_curves(one, "calibration"),
-        "time-left": time_left_bars(one),
-    }
-    return {kind: figure for kind, figure in drawn.items() if figure is not None}
-
-
-def pictures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
-    """The figures of every set that has trials, by the set's name."""
-    return {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
-
-
-@cache
-def stored_pictures() -> dict[str, dict[str, Picture]]:
-    """The figures of the stored results, which the page and the files share."""
-    return pictures(stored())
+    return curves(one, shown, "by_time", "of_hold")
 
 
 def save_figures() -> None:
     """Write the figures of the stored results into ``docs/figures``."""
-    for name, group in stored_pictures().items():
-        for kind, figure in group.items():
-            save(figure.svg, FIGURES / f"{name}-{kind}.svg")
+    for one in stored():
+        if one.summary.trials:
+            save(drawn(one.summary).svg, FIGURES / f"{one.summary.name}-by-time.svg")
 
 
 def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
     """What the template of ``docs/evidence/results.md`` needs."""
     results = stored() if sets is None else list(sets)
     catalogue = {entry.name: entry for entry in listing()}
+    card = coefficient_file.card()
+    heads = [f"{one.summary.name}{' (simulated)' * one.summary.simulated}" for one in results]
     present = {one.summary.name for one in results}
     return {
         "sets": results,
         "overall": overall(results),
-        "overview": overview(results),
+        "averages": by_set(results, lambda p: share(p.time_averaged)),
+        "moments": by_set(results, moments),
+        "claims": by_set(results, claims),
+        "costs": costs(results),
+        "by_set": lambda rows: table(
+            ("predictor", *heads), [(f"`{name}`", *cells) for name, cells in rows.items()]
+        ),
         "catalogue": catalogue,
         "absent": [name for name in catalogue if name not in present],
         "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in results},
-        "figures": stored_pictures() if sets is None else pictures(results),
+        "figures": [one.summary.name for one in results if one.summary.trials],
         "versions": results[0].versions,
-        "card": coefficient_file.card(),
+        "card": card,
+        "moments_of": Counter({one["name"]: one["moments"] for one in card["sets"]}),
         "coefficients": {
             "file": coefficient_file.OWN.name,
             "version": coefficient_file.VERSION,

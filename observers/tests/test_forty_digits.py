@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from evidence.observers.facts import EXAMPLES, compared
+from evidence.observers.designs import EXAMPLES, compared
 
 LONG = ("6", "7")
 

@@ -4,10 +4,9 @@ from pointpred.predictors.adaptation.predictor import AdaptiveKinematicPredictor
 from pointpred.predictors.delphian import DelphianPredictor, fit_line
 from pointpred.predictors.hold import HoldPredictor
 from pointpred.predictors.kalman import KalmanPredictor
-from pointpred.predictors.kep.predictor import KinematicEndpointPredictor
+from pointpred.predictors.kep import KinematicEndpointPredictor
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.ktm.predictor import TemplatePredictor
-from pointpred.predictors.ktm.templates import templates_of
+from pointpred.predictors.ktm import TemplatePredictor, templates_of
 from pointpred.predictors.linear import LinearPredictor
 from pointpred.predictors.minimum_jerk import MinimumJerkPredictor
 from pointpred.predictors.predictor import Predictor

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import ClassVar
 
 from pointpred.errors import EventError
-from pointpred.mixtures.mixture import Mixture
+from pointpred.predictors.mixture import Mixture
 from pointpred.records import (
     BoolArray,
     Motion,

@@ -6,17 +6,50 @@ from math import hypot
 
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.predictors import movement, submovement
+from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
+
+# State, relative to `at`: highest speed in m/s; where it was; lowest speed since then; where that was; where
+# the sub-movement started.
+PEAK, PEAK_X, PEAK_Y, VALLEY, VALLEY_X, VALLEY_Y, START_X, START_Y, SUBMOVEMENT = range(9)
+
+
+@law
+def begin_submovement(memory: FloatArray, at: int, x: float, y: float) -> None:
+    """A movement starts at rest at (x, y)."""
+    memory[at + PEAK], memory[at + VALLEY] = 0.0, 0.0
+    memory[at + PEAK_X], memory[at + PEAK_Y] = x, y
+    memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
+    memory[at + START_X], memory[at + START_Y] = x, y
+
+
+@law
+def follow_submovement(memory: FloatArray, at: int, rise: float, x: float, y: float, speed: float) -> None:
+    """Take one sample in; a rise of the speed by ``rise`` of the peak out of a valley is a new sub-movement.
+
+    It started in the valley. Two samples of one time are one: the later place replaces.
+    """
+    peak, valley = memory[at + PEAK], memory[at + VALLEY]
+    if speed < peak and speed <= valley + rise * peak:
+        if speed <= valley:
+            memory[at + VALLEY] = speed
+            memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
+        return
+    if speed < peak:
+        memory[at + START_X], memory[at + START_Y] = memory[at + VALLEY_X], memory[at + VALLEY_Y]
+    memory[at + PEAK], memory[at + VALLEY] = speed, speed
+    memory[at + PEAK_X], memory[at + PEAK_Y] = x, y
+    memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
+
 
 # The parameters.
 RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = range(7)
 # The movement; its sub-movement; the hand's last velocity, its displacement in m since the movement's start;
 # the gain's two sums.
 _, UNIT, VX, VY, HAND_X, HAND_Y, CROSS, SQUARE, END = offsets(
-    AT + movement.STATES, submovement.STATES, 1, 1, 1, 1, 1, 1
+    AT + movement.STATES, SUBMOVEMENT, 1, 1, 1, 1, 1, 1
 )
 
 
@@ -45,9 +78,9 @@ def time_constant(own: float, typical_s: float, done: float, peak: float) -> flo
 @law
 def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) -> float:
     """Rate k in 1/s of the approach V = k (T - x): from the switch and the slope since; 0 where unknown."""
-    peak = memory[UNIT + submovement.PEAK]
-    peak_x, peak_y = memory[UNIT + submovement.PEAK_X], memory[UNIT + submovement.PEAK_Y]
-    done = hypot(peak_x - memory[UNIT + submovement.START_X], peak_y - memory[UNIT + submovement.START_Y])
+    peak = memory[UNIT + PEAK]
+    peak_x, peak_y = memory[UNIT + PEAK_X], memory[UNIT + PEAK_Y]
+    done = hypot(peak_x - memory[UNIT + START_X], peak_y - memory[UNIT + START_Y])
     if done == 0.0:
         return 0.0
     at_switch = 1.0 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m)
@@ -67,9 +100,9 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     if new:
         memory[VX:END] = 0.0
     if new or m.t == memory[AT + movement.T0]:
-        submovement.begin(memory, UNIT, m.x, m.y)
+        begin_submovement(memory, UNIT, m.x, m.y)
     speed = hypot(m.vx, m.vy)
-    submovement.follow(memory, UNIT, memory[RISE], m.x, m.y, speed)
+    follow_submovement(memory, UNIT, memory[RISE], m.x, m.y, speed)
     phase = movement.phase(memory, AT, m)
     px_m = gain(memory, dt, m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0], m.vx, m.vy)
     rate = approach(memory, px_m, m.x, m.y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0

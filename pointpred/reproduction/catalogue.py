@@ -12,9 +12,9 @@ from importlib.util import find_spec
 
 from pointpred.errors import ParameterError
 from pointpred.extras import install_command
-from pointpred.reproduction import comparison, model_checks, transfer_functions, trials
+from pointpred.reproduction import model_checks, transfer_functions, trials
 from pointpred.reproduction.figure import THESIS, Entry, diagram
-from pointpred.reproduction.people import READS
+from pointpred.reproduction.trials import READS
 
 PEOPLE = "The thesis shows people of Antoine, Malacria and Casiez 2018, whose recordings are not public"
 
@@ -112,7 +112,7 @@ LISTED = (
         "loses to KEP at 70 and 80 % of the path, because their speed peaks before half of the way. KEP "
         "ignores zeros more than ten times the way ahead, which the thesis does not have and which helps "
         "KEP.",
-        comparison.figure_2_12,
+        trials.figure_2_12,
         reads=READS,
         slow=True,
     ),
@@ -121,7 +121,7 @@ LISTED = (
         THESIS,
         "distribution of the error against the path, and its analysis of variance",
         "People as in 2.12.",
-        comparison.figure_2_13,
+        trials.figure_2_13,
         reads=READS,
         slow=True,
     ),

@@ -1,25 +1,94 @@
-"""Figures 2.2, 2.3 and 2.8 to 2.10 of the thesis: single movements, their derivatives and their endpoint."""
+"""Figures 2.2, 2.3, 2.8 to 2.10, 2.12 and 2.13 of the thesis: movements and their predicted endpoints."""
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pointpred.differentiators import HomogeneousDifferentiator
-from pointpred.drawing import Panel, beside, drawing
+from pointpred.drawing import Line, Look, Panel, beside, drawing
+from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline, run
+from pointpred.recording import Recording
+from pointpred.recordings import read_any
 from pointpred.records import METRES_PER_INCH, EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.reproduction.figure import Reproduction, Value
-from pointpred.reproduction.people import CPI, SEED, Movements, movements, novice_and_expert
+from pointpred.scoring import Prepared, SetScore, prepare, resolution, score
+from pointpred.scoring.report.figures import boxes
+from pointpred.scoring.results import AXIS_FRACTIONS
+from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 from pointpred.scoring.trials import PEAK_RATIO
-from pointpred.simulation import Aim, Setup
+from pointpred.simulation import Aim, Condition, Person, Setup, people, simulate_circle, thesis_setup
 from pointpred.simulation.movement import move
 from pointpred.transfer import ConstantGain
 
-SWITCHED = "switched-printed"
+SEED = 1
+CPI = 2000.0
+"""Counts per inch of the thesis's mouse and of the simulated one."""
+CONDITION = Condition(150.0, 7.0, "constant")
+"""The larger distance and width in mm, with the constant gain of 4."""
+READS = "a recording"
+
+
+class Movements(msgspec.Struct, frozen=True):
+    """The scored trials of a recording, the settings that its pipelines need, and whose they are."""
+
+    recording: Recording
+    prepared: Prepared
+    settings: dict[str, Any]
+    words: str
+
+    def first(self, *, divided: bool) -> int:
+        """The first trial with or without sub-movements; raises ParameterError where there is none."""
+        for k, trial in enumerate(self.prepared.trials):
+            if trial.submovements == divided:
+                return k
+        kind = "with" if divided else "without"
+        raise ParameterError(
+            f"{self.recording.name} has no trial {kind} sub-movements: name another recording"
+        )
+
+
+def novice_and_expert() -> tuple[Person, Person]:
+    """The least and the most skilled of ten simulated people."""
+    ten = sorted(people(10, SEED), key=lambda one: one.skill)
+    return ten[0], ten[-1]
+
+
+def movements(data: Path | None) -> Movements:
+    """The named recording, or one circle of a simulated novice and of a simulated expert."""
+    if data is None:
+        return _prepared(simulate_circle(novice_and_expert(), [CONDITION], seed=SEED, name="two people"))
+    return _prepared(_read(data))
+
+
+def experiment(data: Path | None) -> Movements:
+    """The named recording, or the thesis's experiment of 960 trials with ten simulated people."""
+    return _prepared(thesis_setup(SEED) if data is None else _read(data))
+
+
+def _read(data: Path) -> Recording:
+    found = read_any(data)
+    if len(found) > 1:
+        names = ", ".join(one.name for one in found[:5])
+        more = ", ..." if len(found) > 5 else ""
+        raise ParameterError(f"{data} holds {len(found)} recordings ({names}{more}): name one of them")
+    return found[0]
+
+
+def _prepared(recording: Recording) -> Movements:
+    given = resolution(recording, None, None)
+    settings = {name: value for name, value in given.items() if value is not None}
+    whose = "simulated people" if recording.provenance.simulated else recording.name
+    return Movements(recording, prepare(recording, **settings), settings, whose)
+
+
+SWITCHED, KEP = "switched-printed", "kep-quartic-gated"
 DPI = 96.0
 REACH_PX = 567.0
 """150 mm at 96 px per inch, the larger distance of the thesis's experiment."""
@@ -168,3 +237,66 @@ def figure_2_10(data: Path | None) -> Reproduction:
     some = movements(data)
     pipeline = build(SWITCHED, **some.settings)
     return _predicted(some, some.first(divided=True), pipeline, "2.10", "switched model, sub-movements")
+
+
+LOOKS: dict[str, Look] = {"hold": "limit", SWITCHED: "first", KEP: "second"}
+HALF = AXIS_FRACTIONS.index(0.5)
+
+
+def scored(some: Movements) -> SetScore:
+    """Both predictors of the comparison, and no prediction, on every trial."""
+    return score([some.recording], [build(name, **some.settings) for name in (SWITCHED, KEP)])[0]
+
+
+def profiles(one: SetScore) -> dict[str, AxisProfile]:
+    """Errors along the longer axis by the name of the predictor."""
+    return {errors.name: axis_profile(errors) for errors in one.predictors}
+
+
+def figure_2_12(data: Path | None) -> Reproduction:
+    """Mean absolute error against the share of the path."""
+    some = experiment(data)
+    by_name = profiles(scored(some))
+    percent = 100.0 * np.array(AXIS_FRACTIONS)
+    lines = tuple(Line(percent, by_name[name].mae, name, look) for name, look in LOOKS.items())
+    top = 1.05 * max(float(np.nanmax(line.y)) for line in lines)
+    panel = Panel("mean absolute error [px]", lines, x="share of the longer axis done [%]", limits=(0.0, top))
+    switched, kep = by_name[SWITCHED].mae, by_name[KEP].mae
+    values = (
+        Value("trials", float(by_name[KEP].boxes[-1].count), "960"),
+        Value("error at the end of the path, switched", float(switched[-1]), "9.6", "px"),
+        Value("error at the end of the path, KEP", float(kep[-1]), "69.9", "px"),
+        Value("error at 50 % of the path, switched", float(switched[HALF]), None, "px"),
+        Value("error at 50 % of the path, KEP", float(kep[HALF]), None, "px"),
+        Value("fractions of 20 at which switched is better", float((switched < kep).sum()), "20"),
+    )
+    return Reproduction(
+        values, drawing("Figure 2.12: error against the path, all trials", [panel]), some.words
+    )
+
+
+def figure_2_13(data: Path | None) -> Reproduction:
+    """The distribution of the error, and the analysis of variance over people."""
+    some = experiment(data)
+    one = scored(some)
+    by_name = profiles(one)
+    values = [
+        Value(f"error at the end, outliers replaced, {name}", float(by_name[key].mae_replaced[-1]), text,
+              "px")
+        for name, key, text in (("switched", SWITCHED, "5.2"), ("KEP", KEP, "6.4"))
+    ]  # fmt: skip
+    series = axis_anova(one, (SWITCHED, KEP))
+    printed = (
+        (series.effects, "", "38.81", "0.81"),
+        (series.effects_replaced, ", outliers replaced", "15.70", "0.64"),
+    )
+    for effects, note, f, eta2 in printed:
+        model = next((effect for effect in effects[HALF] if effect.factors == ("model",)), None)
+        if model is not None:
+            values += [
+                Value(f"F of the model at 50 %{note}", model.f, f),
+                Value(f"partial eta squared of the model at 50 %{note}", model.eta2, eta2),
+            ]
+    pair = [by_name[SWITCHED], by_name[KEP]]
+    draw = partial(boxes, one.name, pair, (SWITCHED, KEP), simulated=some.recording.provenance.simulated)
+    return Reproduction(tuple(values), draw, some.words)

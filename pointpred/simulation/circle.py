@@ -13,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.records import EventColumns
-from pointpred.simulation import movement, plan
+from pointpred.simulation import movement
 from pointpred.simulation.person import Person, people
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction
 
@@ -26,7 +26,7 @@ BOUNDS = (
     Parameter("distance_mm", "mm", 5.0, 1e4, "between successive targets"),
     Parameter("width_mm", "mm", 0.5, 1e3, "of a target"),
 )
-SETUP = plan.Setup(FUNCTIONS["constant"])
+SETUP = movement.Setup(FUNCTIONS["constant"])
 
 
 class Condition(msgspec.Struct, frozen=True):
@@ -68,7 +68,7 @@ def simulate_circle(
     *,
     seed: int = 0,
     trials: int = TARGETS - 1,
-    setup: plan.Setup = SETUP,
+    setup: movement.Setup = SETUP,
     centre: tuple[float, float] = (960.0, 540.0),
     idle_reports: bool = False,
     name: str = "simulated circle",
@@ -100,7 +100,7 @@ def simulate_circle(
             x, y = (float(round(value)) for value in places[first])
             for trial in range(trials):
                 target = places[(first + trial + 1) % TARGETS]
-                aim = plan.Aim(target[0] - x, target[1] - y, width)
+                aim = movement.Aim(target[0] - x, target[1] - y, width)
                 moved = movement.move(person, chosen, aim, generator)
                 parts.append(moved.events((x, y), idle_reports=idle_reports))
                 labels.append(_label(person, condition, number * trials + trial, target, width))

@@ -2,14 +2,187 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import atan2, exp, hypot, sqrt
-from typing import Any, NamedTuple
+from math import atan2, cos, exp, hypot, pi, sin, sqrt, trunc
+from typing import NamedTuple
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray, Row
-from pointpred.simulation import hand, sensor, slots
-from pointpred.transfer import functions
+from pointpred.simulation import slots
+from pointpred.transfer import assistance, functions, pixels
+
+QUADRATURE = 16
+BISECTIONS = 40
+LONGEST_M = 2.0
+"""Longest hand movement of one piece, m."""
+
+
+@law
+def profile(u: float, skew: float) -> tuple[float, float, float]:
+    """Share of the way at share u of the time, and its first two derivatives.
+
+    (1 - cos pi s) / 2 with s = u + skew u (1 - u): the thesis's ballistic law (2.4.2) for skew 0, an earlier
+    peak of the speed for skew > 0. |skew| < 1 keeps the speed positive.
+    """
+    if u < 0.0:
+        return 0.0, 0.0, 0.0
+    if u > 1.0:
+        return 1.0, 0.0, 0.0
+    s = pi * (u + skew * u * (1.0 - u))
+    rate = pi * (1.0 + skew * (1.0 - 2.0 * u))
+    speed = 0.5 * sin(s) * rate
+    return 0.5 * (1.0 - cos(s)), speed, 0.5 * (cos(s) * rate * rate - 2.0 * pi * skew * sin(s))
+
+
+@law
+def cursor_distance(memory: FloatArray, amplitude: float, duration: float) -> float:
+    """The cursor's distance (px) while the hand moves ``amplitude`` metres by the law without skew.
+
+    The integral of PTF(V) over V = A pi / (2 D) sin pi u by Simpson's rule; over A it is the averaged gain c
+    of 2.4.2, corrected.
+    """
+    peak = 0.5 * pi * amplitude / duration
+    total = 0.0
+    for i in range(1, QUADRATURE):
+        weight = 4.0 if i % 2 == 1 else 2.0
+        total += weight * functions.cursor_speed(memory, slots.FUNCTION, peak * sin(pi * i / QUADRATURE))
+    return float(memory[slots.PX_PER_METRE] * duration * total / (3.0 * QUADRATURE))
+
+
+@law
+def hand_distance(memory: FloatArray, distance_px: float, duration: float) -> float:
+    """The amplitude (m) that moves the cursor by ``distance_px``: ``cursor_distance`` inverted."""
+    low, high = 0.0, LONGEST_M
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        if cursor_distance(memory, middle, duration) < distance_px:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+@law
+def ballistic_force(memory: FloatArray, t: float) -> tuple[float, float]:
+    """The open-loop force of the current piece: planned acceleration with friction compensated."""
+    piece = slots.PIECE + slots.PIECE_SLOTS * int(memory[slots.NUMBER])
+    duration = memory[piece + slots.DURATION_S]
+    curve = memory[piece + slots.CURVE]
+    share, rate, bend = profile((t - memory[slots.SINCE]) / duration, memory[piece + slots.SKEW])
+    speed = memory[slots.AMPLITUDE] * rate / duration
+    along = memory[slots.AMPLITUDE] * bend / duration**2 + memory[slots.B1] * speed
+    across = -2.0 * curve * (rate / duration) * speed
+    angle = memory[slots.ANGLE] + curve * (1.0 - 2.0 * share)
+    return along * cos(angle) - across * sin(angle), along * sin(angle) + across * cos(angle)
+
+
+@law
+def cursor_in_mind(memory: FloatArray, u: float, v: float, speed: float) -> tuple[float, float]:
+    """The person's estimate of the cursor: its delayed sight, plus the hand's motion since."""
+    late = int(memory[slots.DELAY_S] / memory[slots.PERIOD_S] + 0.5)
+    row = slots.RING + slots.RING_SLOTS * ((int(memory[slots.TICK]) - late) % slots.RING_ROWS)
+    gain = functions.gain(memory, slots.FUNCTION, speed) * memory[slots.PX_PER_METRE]
+    return memory[row] + gain * (u - memory[row + 2]), memory[row + 1] + gain * (v - memory[row + 3])
+
+
+class Place(NamedTuple):
+    """Positions and velocities of cursor and hand: ``x y`` px, ``u v`` m, ``vx vy`` m/s."""
+
+    x: float
+    y: float
+    u: float
+    v: float
+    vx: float
+    vy: float
+
+
+@law
+def acceleration(memory: FloatArray, t: float, place: Place) -> tuple[float, float]:
+    """V' of (2.1): friction -b1 V, and the force of the phase."""
+    x, y, u, v, vx, vy = place
+    b1 = memory[slots.B1]
+    if memory[slots.PHASE] == slots.BALLISTIC:
+        along_x, along_y = ballistic_force(memory, t)
+        return along_x - b1 * vx, along_y - b1 * vy
+    if memory[slots.PHASE] != slots.CORRECTIVE:
+        return -b1 * vx, -b1 * vy
+    if memory[slots.METRES_PER_COUNT] > 0.0:
+        x, y = cursor_in_mind(memory, u, v, hypot(vx, vy))
+    b2 = memory[slots.FEEDBACK]
+    return (
+        -b1 * vx - b2 * (x - memory[slots.AIM_X]),
+        -b1 * vy - b2 * (y - memory[slots.AIM_Y]),
+    )
+
+
+@law
+def cursor_rate(memory: FloatArray, vx: float, vy: float) -> tuple[float, float]:
+    """The cursor's velocity of (2.1) without a sensor: (Vx, Vy) / |V| PTF(|V|), px/s."""
+    scale = memory[slots.PX_PER_METRE] * functions.gain(memory, slots.FUNCTION, hypot(vx, vy))
+    return scale * vx, scale * vy
+
+
+@law
+def advance(memory: FloatArray, t: float, h: float, extra_x: float, extra_y: float) -> None:
+    """One step of h s by the midpoint rule; ``extra`` is the velocity of noise and tremor."""
+    keep = exp(-0.5 * h / memory[slots.MUSCLE_S]) if memory[slots.MUSCLE_S] > 0.0 else 0.0
+    u, v, vx, vy = memory[slots.U], memory[slots.V], memory[slots.VX], memory[slots.VY]
+    x, y = memory[slots.X], memory[slots.Y]
+    continuous = memory[slots.METRES_PER_COUNT] == 0.0
+    ax, ay = acceleration(memory, t, Place(x, y, u, v, vx, vy))
+    ax, ay = ax + keep * (memory[slots.AX] - ax), ay + keep * (memory[slots.AY] - ay)
+    middle_x, middle_y = vx + 0.5 * h * ax, vy + 0.5 * h * ay
+    if continuous:
+        dx, dy = cursor_rate(memory, vx + extra_x, vy + extra_y)
+        x, y = x + 0.5 * h * dx, y + 0.5 * h * dy
+    middle_u, middle_v = u + 0.5 * h * vx, v + 0.5 * h * vy
+    bx, by = acceleration(memory, t + 0.5 * h, Place(x, y, middle_u, middle_v, middle_x, middle_y))
+    bx, by = bx + keep * (ax - bx), by + keep * (ay - by)
+    memory[slots.AX], memory[slots.AY] = bx, by
+    memory[slots.VX], memory[slots.VY] = vx + h * bx, vy + h * by
+    memory[slots.U] = u + h * (middle_x + extra_x)
+    memory[slots.V] = v + h * (middle_y + extra_y)
+    if continuous:
+        dx, dy = cursor_rate(memory, middle_x + extra_x, middle_y + extra_y)
+        memory[slots.X] += h * dx
+        memory[slots.Y] += h * dy
+
+
+@law
+def count(position_m: float, metres_per_count: float, counted: float) -> float:
+    """Whole counts an axis has moved since the last report; the remainder carries over."""
+    return float(trunc(position_m / metres_per_count - counted))
+
+
+@law
+def assist(memory: FloatArray, own_px: float, hat_x: float, hat_y: float) -> tuple[float, float]:
+    """The pull of the assisted transfer function over one report period, px; 0 without an estimate."""
+    off_x, off_y = hat_x - memory[slots.X], hat_y - memory[slots.Y]
+    rho, strength = memory[slots.RHO], memory[slots.STRENGTH]
+    share = assistance.pull(rho, strength, memory[slots.PERIOD_S], own_px, off_x, off_y)
+    return (share * off_x, share * off_y) if share > 0.0 else (0.0, 0.0)
+
+
+@law
+def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
+    """Poll the sensor: the counts of both axes; the cursor moves by whole pixels.
+
+    With an estimate of the endpoint the cursor is pulled to it (Remark 2.2.1).
+    """
+    unit = memory[slots.METRES_PER_COUNT]
+    dx = count(memory[slots.U], unit, memory[slots.COUNTED_X])
+    dy = count(memory[slots.V], unit, memory[slots.COUNTED_Y])
+    memory[slots.COUNTED_X] += dx
+    memory[slots.COUNTED_Y] += dy
+    gain = functions.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
+    scale = gain * memory[slots.PX_PER_METRE] * unit
+    pull_x, pull_y = assist(memory, scale * hypot(dx, dy), hat_x, hat_y)
+    memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx)
+    memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy)
+    # A common fraction would be dropped at every poll in which the hand moves against the pull.
+    memory[slots.X] += pixels.carry(memory, slots.PULLED, pull_x)
+    memory[slots.Y] += pixels.carry(memory, slots.PULLED + 1, pull_y)
+    return dx, dy
+
 
 WANDER_S = 0.03
 """Correlation time of motor noise and tremor: half its power lies below 5 Hz."""
@@ -83,7 +256,7 @@ def launch(memory: FloatArray, number: int, t: float) -> None:
     enter(memory, slots.BALLISTIC, t)
     memory[slots.NUMBER] = float(number)
     wanted = way * memory[piece + slots.SHARE]
-    memory[slots.AMPLITUDE] = hand.hand_distance(memory, wanted, memory[piece + slots.DURATION_S])
+    memory[slots.AMPLITUDE] = hand_distance(memory, wanted, memory[piece + slots.DURATION_S])
     memory[slots.ANGLE] = atan2(way_y, way_x) + memory[piece + slots.TURN]
 
 
@@ -133,13 +306,13 @@ def step(
     substeps = int(memory[slots.SUBSTEPS])
     h = period / substeps
     for i in range(substeps):
-        hand.advance(memory, now + i * h, h, extra_x, extra_y)
+        advance(memory, now + i * h, h, extra_x, extra_y)
     dx = dy = 0.0
     if memory[slots.METRES_PER_COUNT] > 0.0:
-        dx, dy = sensor.report(memory, hat_x, hat_y)
+        dx, dy = report(memory, hat_x, hat_y)
     else:
         own_px = hypot(memory[slots.X] - before_x, memory[slots.Y] - before_y)
-        pull_x, pull_y = sensor.assist(memory, own_px, hat_x, hat_y)
+        pull_x, pull_y = assist(memory, own_px, hat_x, hat_y)
         memory[slots.X] += pull_x
         memory[slots.Y] += pull_y
     memory[slots.TICK] += 1.0
@@ -165,29 +338,13 @@ def step(
 
 
 @law
-def chance_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, float]:
-    """A row of a table of ``Chance``."""
-    r = rows[i]
-    return r[0], r[1], r[2], r[3], r[4]
-
-
-def play_of(step: Callable[..., Any], row_of: Callable[..., Any]) -> Callable[..., int]:
-    """The compiled loop around a law ``step(memory, row, *shared)`` until the button is released.
-
-    It returns the number of reports.
-    """
-
-    @law
-    def play(memory: FloatArray, rows: FloatArray, out: FloatArray, *shared: Any) -> int:
-        for i in range(len(rows)):
-            answer = step(memory, row_of(rows, i), *shared)
-            for j in range(len(answer)):
-                out[i, j] = answer[j]
-            if memory[slots.PHASE] == slots.DONE:
-                return i + 1
-        return len(rows)
-
-    return play
-
-
-play = play_of(step, chance_at)
+def play(memory: FloatArray, rows: FloatArray, out: FloatArray) -> int:
+    """Report after report, a ``Chance`` a row, until the button is released; returns how many there were."""
+    for i in range(len(rows)):
+        r = rows[i]
+        answer = step(memory, (r[0], r[1], r[2], r[3], r[4]))
+        for j in range(len(answer)):
+            out[i, j] = answer[j]
+        if memory[slots.PHASE] == slots.DONE:
+            return i + 1
+    return len(rows)

@@ -2,15 +2,126 @@
 
 from __future__ import annotations
 
-from math import nan
+from math import inf, log2, nan
 
 import msgspec
 import numpy as np
 
 from pointpred.pipeline import Pipeline
-from pointpred.records import EventColumns, FloatArray, PointerEvent
-from pointpred.simulation import loop, plan, sensor, slots
+from pointpred.records import METRES_PER_INCH, BoolArray, EventColumns, FloatArray, PointerEvent
+from pointpred.simulation import loop, slots
 from pointpred.simulation.person import Person
+from pointpred.transfer import TransferFunction
+
+PATIENCE_S = 5.0
+"""After this many seconds a person clicks where the cursor is."""
+SMALLEST_PIECE_S = 0.16
+LATER_PIECE = 0.65
+"""Duration of a later, shorter piece as a share of the first one's."""
+MOST_AIM_OFF = 0.33
+"""Largest offset of the aim from the centre, as a share of the target's width."""
+SUBSTEPS = 2
+MEAN_LATE_S = 60e-6
+MOST_LATE_S = 0.8e-3
+"""Largest delay of a stamp after its poll, s; delays are exponential with mean ``MEAN_LATE_S``."""
+STAMP_S = 2.0**-17
+"""Stamps are whole ticks of a clock at 131072 Hz (7.6 us): exact as floats, and small in a file."""
+
+
+class Setup(msgspec.Struct, frozen=True):
+    """The device and the screen: counts per inch, px per inch, seconds between polls.
+
+    ``rho`` (1/s) above 0 makes the transfer function an assisted one; ``strength`` bounds its pull to a share
+    of the hand's own motion, infinite as printed in Remark 2.2.1.
+    """
+
+    transfer: TransferFunction
+    cpi: float = 2000.0
+    dpi: float = 96.0
+    period_s: float = 0.001
+    rho: float = 0.0
+    strength: float = inf
+
+
+class Aim(msgspec.Struct, frozen=True):
+    """A target relative to the start of the trial: centre and width, px."""
+
+    x: float
+    y: float
+    width: float
+
+    @property
+    def distance(self) -> float:
+        """To the centre, px."""
+        return float(np.hypot(self.x, self.y))
+
+
+def planned_memory(person: Person, setup: Setup, aim: Aim, generator: np.random.Generator) -> FloatArray:
+    """The flat memory of one trial: setup, person and a plan drawn from the generator; the state is zero."""
+    flat = np.zeros(slots.SIZE)
+    flat[slots.PERIOD_S] = setup.period_s
+    flat[slots.SUBSTEPS] = SUBSTEPS
+    flat[slots.PX_PER_METRE] = setup.dpi / METRES_PER_INCH
+    flat[slots.METRES_PER_COUNT] = METRES_PER_INCH / setup.cpi
+    flat[slots.RHO], flat[slots.STRENGTH] = setup.rho, setup.strength
+    flat[slots.FUNCTION : slots.B1] = setup.transfer.slots
+    flat[slots.B1] = person.friction * _varied(generator, 0.05)
+    flat[slots.RATE] = person.rate * _varied(generator, 0.08)
+    flat[slots.MUSCLE_S] = person.muscle_s
+    flat[slots.DELAY_S] = min(person.delay_s, (slots.RING_ROWS - 1) * setup.period_s)
+    flat[slots.NOISE] = person.noise
+    flat[slots.TREMOR] = person.tremor_m_s
+    flat[slots.TARGET_X], flat[slots.TARGET_Y], flat[slots.RADIUS] = aim.x, aim.y, 0.5 * aim.width
+    flat[slots.AIM_X], flat[slots.AIM_Y] = _aim(person, aim, generator)
+    flat[slots.REACTION_S] = person.reaction_s * _varied(generator, 0.18)
+    flat[slots.VERIFY_S] = person.verify_s * _varied(generator, 0.25)
+    flat[slots.PRESS_S] = person.press_s * _varied(generator, 0.15)
+    flat[slots.PATIENCE_S] = PATIENCE_S
+    count = _pieces(person, generator)
+    flat[slots.PIECES] = count
+    first_s = person.base_s + person.per_bit_s * log2(aim.distance / aim.width + 1.0)
+    for number in range(count):
+        at = slots.PIECE + slots.PIECE_SLOTS * number
+        flat[at : at + slots.PIECE_SLOTS] = _piece(person, first_s, number, count, generator)
+    return flat
+
+
+def _aim(person: Person, aim: Aim, generator: np.random.Generator) -> tuple[float, float]:
+    """The point a person aims at: scattered about the centre, always well inside the target."""
+    off_x, off_y = generator.standard_normal(2) * person.aim_sd * aim.width
+    shrink = min(1.0, MOST_AIM_OFF * aim.width / max(float(np.hypot(off_x, off_y)), 1e-9))
+    return aim.x + shrink * float(off_x), aim.y + shrink * float(off_y)
+
+
+def _pieces(person: Person, generator: np.random.Generator) -> int:
+    """One to four pieces, more with less skill."""
+    if generator.uniform() < person.one_piece:
+        return 1
+    return 2 + int(generator.binomial(slots.PIECES_MOST - 2, 0.55 * (1.0 - person.skill)))
+
+
+def _piece(
+    person: Person, first_s: float, number: int, count: int, generator: np.random.Generator
+) -> list[float]:
+    """Share, duration, skew, turn, curvature, and when the next phase begins, of one piece."""
+    last = number == count - 1
+    share = generator.normal(person.reach, person.reach_sd) if last else generator.uniform(0.60, 0.88)
+    duration = first_s * (1.0 if number == 0 else LATER_PIECE) * _varied(generator, 0.10)
+    skew = float(np.clip(person.skew + 0.08 * generator.standard_normal(), -0.2, 0.6))
+    turn = generator.normal(0.0, person.turn_sd)
+    curve = person.curvature + generator.normal(0.0, 0.4 * person.turn_sd)
+    duration = max(duration, SMALLEST_PIECE_S)
+    if last:
+        until = generator.uniform(0.78, 0.94)
+    else:
+        until = generator.uniform(0.90, 1.0) + generator.exponential(person.pause_s) / duration
+    return [max(float(share), 0.3), duration, skew, float(turn), float(curve), min(float(until), 1.6)]
+
+
+def _varied(generator: np.random.Generator, spread: float) -> float:
+    """A random factor near 1, bounded."""
+    return float(np.exp(spread * np.clip(generator.standard_normal(), -2.5, 2.5)))
+
 
 PHASE = loop.OUTPUTS.index("phase")
 
@@ -40,13 +151,13 @@ class Movement(msgspec.Struct, frozen=True):
         first = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
         table = np.concatenate([first, self.table[:, :6]])
         table[:, 1:3] += start
-        return sensor.reported(table, idle_reports)
+        return reported(table, idle_reports)
 
 
 def move(
     person: Person,
-    setup: plan.Setup,
-    aim: plan.Aim,
+    setup: Setup,
+    aim: Aim,
     generator: np.random.Generator,
     endpoint: tuple[float, float] | None = None,
 ) -> Movement:
@@ -63,7 +174,7 @@ def move(
 
 
 def move_assisted(
-    person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator, pipeline: Pipeline
+    person: Person, setup: Setup, aim: Aim, generator: np.random.Generator, pipeline: Pipeline
 ) -> Movement:
     """``move`` with a predictor in the loop: each report goes through the pipeline.
 
@@ -85,12 +196,29 @@ def move_assisted(
 
 
 def prepare(
-    person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator
+    person: Person, setup: Setup, aim: Aim, generator: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
     """The memory of the trial and one row of chance per poll, without an estimated endpoint."""
-    memory = plan.memory(person, setup, aim, generator)
-    longest_s = plan.PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
+    memory = planned_memory(person, setup, aim, generator)
+    longest_s = PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
     rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), nan)
     rows[:, :2] = generator.standard_normal((len(rows), 2))
-    rows[:, 2] = sensor.lateness(generator, len(rows))
+    rows[:, 2] = lateness(generator, len(rows))
     return memory, rows
+
+
+def lateness(generator: np.random.Generator, reports: int) -> FloatArray:
+    """How late each report is stamped (s): exponential, bounded."""
+    return np.asarray(np.minimum(generator.exponential(MEAN_LATE_S, reports), MOST_LATE_S))
+
+
+def reported(polls: FloatArray, idle_reports: bool) -> EventColumns:
+    """The polls that make an event: the first, motion, a change of a button; all with ``idle_reports``."""
+    table = polls.copy()
+    table[:, 0] = np.round(table[:, 0] / STAMP_S) * STAMP_S
+    if idle_reports:
+        return EventColumns(table)
+    events: BoolArray = (table[:, 3] != 0.0) | (table[:, 4] != 0.0)
+    events[1:] |= np.diff(table[:, 5]) != 0.0
+    events[:1] = True
+    return EventColumns(table[events])

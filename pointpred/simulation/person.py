@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import msgspec
 import numpy as np
 
@@ -110,8 +108,3 @@ def people(count: int = 10, seed: int = 0) -> tuple[Person, ...]:
         Person.of_skill(f"p{i + 1:02d}", float(skills[i]), np.random.default_rng([seed, 1, i]))
         for i in range(count)
     )
-
-
-def settings(person: Person) -> dict[str, Any]:
-    """A person's numbers by name, for a table of people."""
-    return msgspec.structs.asdict(person)

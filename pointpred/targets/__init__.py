@@ -2,7 +2,7 @@
 
 from pointpred.targets.chooser import Choice, Chooser, PlaceChoice, PlaceChooser
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.prefetcher import Prefetcher
+from pointpred.targets.prefetch import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
 
 __all__ = [

@@ -7,14 +7,18 @@ goes through it, more than by the probability that the movement ends there.
 
 from __future__ import annotations
 
+from collections.abc import Hashable, Sequence
 from math import hypot, inf, log
 
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
-from pointpred.targets import cursor, decision
-from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
+from pointpred.parameter import Parameter, check
+from pointpred.records import FloatArray, PointerEvent, Prediction, prediction_row
+from pointpred.targets import cursor, decision, posterior
+from pointpred.targets.chooser import Chooser
+from pointpred.targets.inputs import accepted
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH, Target, table
 
 ARMED, FIRED, RESTING, PREDICTED, ENTERED = 0.0, 1.0, 2.0, 3.0, 4.0
 """Of each target: nothing yet; fired in this movement; fired before it and not left since; fires at this
@@ -175,3 +179,81 @@ def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: Flo
             fired[i], count = PREDICTED, count + 1
     memory[COUNT] += count
     return count
+
+
+FITTED_SETTINGS: FloatArray = np.array(FITTED)
+
+
+class Prefetcher:
+    """Fires prefetches: several targets at once, each early where its probability reaches the threshold.
+
+    Each target fires once a movement, when the cursor enters it at the latest; a firing is never withdrawn.
+    Parameters: ``threshold`` in (0, 1), how likely it must be that the cursor goes through the target, on a
+    scale on which 0.5 fires about as often as a straight line of 120 ms does; higher fires later and less
+    often, 1 at entry only. ``elsewhere``: the share of movements that go to none
+    of the targets, before anything is seen. Memory: 17 floats of the cursor and the movement, 9 a target.
+    Raises ParameterError, and EventError or EventOrderError from ``update``; nothing is then changed.
+
+    >>> from pointpred import build
+    >>> from pointpred.targets import around
+    >>> pipeline = build("minimum-jerk")
+    >>> prefetcher = Prefetcher([around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0)])
+    >>> for i in range(60):
+    ...     event = PointerEvent(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0)
+    ...     for id in prefetcher.update(pipeline.update(event), event):
+    ...         print(id)
+    right
+    """
+
+    parameters = (
+        Parameter("threshold", "", 0.0, 1.0, "how likely it must be that the cursor goes through the target"),
+        Chooser.parameters[posterior.ELSEWHERE],
+    )
+
+    def __init__(
+        self,
+        targets: Sequence[Target] = (),
+        *,
+        threshold: float = THRESHOLD,
+        elsewhere: float = ELSEWHERE,
+    ) -> None:
+        check(self.parameters, {"threshold": threshold, "elsewhere": elsewhere})
+        self._threshold, self._elsewhere = threshold, elsewhere
+        self._memory = np.zeros(STATES)
+        self._ids: tuple[Hashable, ...] = ()
+        self._fired = np.zeros(0)
+        self.replace(targets)
+
+    def replace(self, targets: Sequence[Target]) -> None:
+        """Take other targets, at any time; one that stays and has fired does not fire again.
+
+        Raises ParameterError for too many, or for one out of bounds; the old ones are then kept.
+        """
+        rows, known = table(targets), dict(zip(self._ids, self._fired.tolist(), strict=True))
+        self._table, self._ids = rows, tuple(target.id for target in targets)
+        self._fired = np.array([known.get(id, ARMED) for id in self._ids])
+        self._thresholds = np.full(len(rows), self._threshold)
+        self._visits, self._shares = np.zeros(len(rows)), np.zeros(len(rows) + 1)
+
+    @property
+    def visits(self) -> FloatArray:
+        """How likely the cursor goes through each target after the last event, in their order."""
+        return self._visits.copy()
+
+    def update(self, prediction: Prediction | None, event: PointerEvent) -> tuple[Hashable, ...]:
+        """Take an event and the prediction made at it; the targets that fire now, in their order."""
+        memory = self._memory
+        t, x, y, pressed = accepted(memory, event)
+        cursor.follow(memory, t, x, y, pressed)
+        answer = prediction_row(prediction)
+        posterior.scores(memory, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
+        posterior.normalise(self._shares)
+        targets = self._table, self._thresholds, self._visits, self._fired
+        if step(memory, targets, self._shares, FITTED_SETTINGS) == 0:
+            return ()
+        return tuple(self._ids[i] for i in np.flatnonzero(self._fired >= PREDICTED).tolist())
+
+    def reset(self) -> None:
+        """Forget every event; what has fired is armed again, but for a target that the next event lies in."""
+        self._memory = np.zeros(STATES)
+        self._fired[self._fired != ARMED] = RESTING

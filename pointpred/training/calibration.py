@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.predictors.kinematic import calibration as table_law
 from pointpred.predictors.kinematic import features
 from pointpred.predictors.kinematic import network as net
 from pointpred.records import FloatArray
@@ -83,8 +82,8 @@ def join(parts: list[Claims]) -> Claims:
 
 
 def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
-    """``kinematic_calibration.factor`` of many shares."""
-    knots = (np.arange(table_law.KNOTS) + 0.5) / table_law.KNOTS
+    """``network.factor`` of many shares."""
+    knots = (np.arange(net.KNOTS) + 0.5) / net.KNOTS
     scales: FloatArray = np.exp(np.interp(share, knots, table[:, which]))
     return scales
 
@@ -107,8 +106,8 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
         claims = claims.only(np.sort(sample))
     decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, STRETCHES - 1)
     total = np.bincount(decile, claims.weight, STRETCHES)
-    place = np.clip(claims.predicted_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)
-    knot = np.minimum(place.astype(int), table_law.KNOTS - 2)
+    place = np.clip(claims.predicted_share * net.KNOTS - 0.5, 0.0, net.KNOTS - 1.0)
+    knot = np.minimum(place.astype(int), net.KNOTS - 2)
     part = place - knot
 
     def at(values: FloatArray) -> FloatArray:
@@ -127,7 +126,7 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     surprise = np.log(np.maximum(claims.surprise, 1e-12))
 
     def regions(values: FloatArray) -> FloatArray:
-        width, tail = values[: table_law.KNOTS], values[table_law.KNOTS :]
+        width, tail = values[: net.KNOTS], values[net.KNOTS :]
         heavy = claims.tail * np.exp(np.clip(at(tail), -3.0, 3.0))
         return off(
             [np.log(reaches(level, heavy)) + 2.0 * at(width) - surprise for level in LEVELS], [width, tail]
@@ -138,23 +137,23 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     def times(values: FloatArray) -> FloatArray:
         return off([2.0 * (log(z) + at(values) - late) for z in DEVIATIONS[:2]], [values])
 
-    solution = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
-    spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=40).x
-    table = np.empty((table_law.KNOTS, table_law.FACTORS))
-    table[:, table_law.WIDTH] = solution[: table_law.KNOTS]
-    table[:, table_law.TAIL] = np.clip(solution[table_law.KNOTS :], -3.0, 3.0)
-    table[:, table_law.SPREAD] = spread
+    solution = least_squares(regions, np.zeros(2 * net.KNOTS), max_nfev=15).x
+    spread = least_squares(times, np.zeros(net.KNOTS), max_nfev=40).x
+    table = np.empty((net.KNOTS, net.FACTORS))
+    table[:, net.WIDTH_FACTOR] = solution[: net.KNOTS]
+    table[:, net.TAIL_FACTOR] = np.clip(solution[net.KNOTS :], -3.0, 3.0)
+    table[:, net.SPREAD_FACTOR] = spread
     return np.round(table, 6)
 
 
 def apply_table(claims: Claims, table: FloatArray) -> Claims:
     """The claims after calibration."""
-    widths = factors(table, claims.predicted_share, table_law.WIDTH)
+    widths = factors(table, claims.predicted_share, net.WIDTH_FACTOR)
     return msgspec.structs.replace(
         claims,
         surprise=claims.surprise / widths**2,
-        tail=claims.tail * factors(table, claims.predicted_share, table_law.TAIL),
-        late=claims.late / factors(table, claims.predicted_share, table_law.SPREAD),
+        tail=claims.tail * factors(table, claims.predicted_share, net.TAIL_FACTOR),
+        late=claims.late / factors(table, claims.predicted_share, net.SPREAD_FACTOR),
     )
 
 

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import features as kinematic_features
-from pointpred.predictors.kinematic import observation
 from pointpred.recording import Recording
 from pointpred.records import EventColumns, FloatArray
 from pointpred.registry import build
@@ -120,8 +119,8 @@ def examples(
     motions = build("hold").differentiator.run(prepared.events).table
     features = np.zeros((len(motions), kinematic_features.FEATURES))
     frames = np.zeros((len(motions), 3))
-    memory = np.zeros(observation.STATES)
-    observation.observe_all(memory, prepared.events.begin, motions, features, frames)
+    memory = np.zeros(kinematic_features.STATES)
+    kinematic_features.observe_all(memory, prepared.events.begin, motions, features, frames)
     first, last = prepared.offsets[:-1], prepared.offsets[1:] - 1
     trial = np.repeat(np.arange(len(first)), last + 1 - first)
     t, x, y = motions[:, 0], motions[:, 1], motions[:, 2]

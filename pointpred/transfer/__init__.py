@@ -3,12 +3,23 @@
 from pointpred.transfer.assistance import AssistedTransfer, GuardedTransfer
 from pointpred.transfer.curve import GainCurve
 from pointpred.transfer.files import SavedTransfer, load_transfer, named_transfer, save_transfer
-from pointpred.transfer.functions import Arctan, ConstantGain, SigmoidGain, TransferFunction
-from pointpred.transfer.identification import Identification, PolynomialIdentifier
+from pointpred.transfer.functions import (
+    Arctan,
+    ConstantGain,
+    HeldPolynomial,
+    PolynomialFunction,
+    SigmoidGain,
+    TransferFunction,
+    averaged_gain,
+)
+from pointpred.transfer.identification import (
+    Identification,
+    PolynomialIdentifier,
+    differentiated_speeds,
+    euler_speeds,
+)
 from pointpred.transfer.learner import TransferLearner
 from pointpred.transfer.pixels import PixelTransfer
-from pointpred.transfer.polynomial import HeldPolynomial, PolynomialFunction, averaged_gain
-from pointpred.transfer.speeds import differentiated_speeds, euler_speeds
 
 __all__ = [
     "Arctan",

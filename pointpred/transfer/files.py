@@ -16,10 +16,11 @@ from pointpred.transfer.functions import (
     SPEED_HIGH,
     SPEED_LOW,
     ConstantGain,
+    HeldPolynomial,
+    PolynomialFunction,
     SigmoidGain,
     TransferFunction,
 )
-from pointpred.transfer.polynomial import HeldPolynomial, PolynomialFunction
 
 VERSION = 1
 LARGEST_BYTES = 65536

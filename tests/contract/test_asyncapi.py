@@ -16,9 +16,7 @@ import pytest
 import yaml
 
 from evidence import ROOT
-from evidence.reference.asyncapi import document, keys, schemas
-from evidence.reference.asyncapi_examples import EVENT_ROWS
-from evidence.reference.asyncapi_live import EXAMPLES
+from evidence.reference.asyncapi import EVENT_ROWS, EXAMPLES, document, keys, schemas
 from pointpred.protocol import client_messages, server_messages
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, CLIENT_TYPES, ClientMessage
 from pointpred.protocol.decoding import decode_client_message, table_of_bytes

@@ -10,7 +10,7 @@ from pointpred.devices.cursor import ScreenCursor
 from pointpred.devices.cursor_paths import Pairing
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
-from pointpred.reproduction.transfer_trials import CPI, DPI, best_polynomial, gain_error, simulate_trials
+from pointpred.reproduction.transfer_functions import CPI, DPI, best_polynomial, gain_error, simulate_trials
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferLearner
 from tests.devices import live_hand
 from tests.devices.evdev_mice import PLAIN, plug, told

@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from evidence.costs.soak.client import upgrade
+from evidence.costs.soak.sessions import upgrade
 from tests.faults.conftest import ERROR, HANG, Faults
 from tests.faults.service import Client, Running, service, wait_until_ready
 from tests.server.listener import soon

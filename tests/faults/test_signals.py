@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed
 
-from evidence.costs.soak.client import PING, PONG, TEXT, frame, split, upgrade
+from evidence.costs.soak.sessions import PING, PONG, TEXT, frame, split, upgrade
 from pointpred.protocol.frames import PREDICTION
 from tests.faults.service import Client, service, wait_until_ready
 from tests.server.listener import soon

@@ -42,7 +42,7 @@ def check(data: bytes) -> str:
     assert person_of(predictor) == text
     for place in range(40):
         row = (place / 100, 10.0 * place, 3.0 * place, float("nan"), float("nan"), 0.0)
-        assert pipeline.advance(row) is not None
+        assert pipeline.advance(row)[0] == row[0]
     pipeline.reset()
     restore(build(NAME).predictor, person_of(predictor))
     return came

@@ -57,7 +57,7 @@ def stream(
             answers.append(None)
         else:
             answer = pipeline.advance(tuple(row))
-            answers.append(None if answer is None else [float(one) for one in answer])
+            answers.append([float(one) for one in answer] if answer[0] == answer[0] else None)
     return {
         "name": name,
         "differentiator": _name_of(pipeline),

@@ -44,7 +44,7 @@ def scene(predictor: str, *, buttons: bool = True) -> tuple[list[dict[str, Any]]
     pipeline, updates = build(predictor), []
     for event in table.tolist():
         answer = pipeline.advance(tuple(event))
-        updates.append(["update", None if answer is None or answer[1] != answer[1] else answer, event])
+        updates.append(["update", answer if answer[1] == answer[1] else None, event])
     return [*targets(2), *ends], updates, pressed.tolist()
 
 

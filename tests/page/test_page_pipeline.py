@@ -37,7 +37,8 @@ def answers(pipeline: Pipeline, steps: list[Any]) -> list[Any]:
         elif isinstance(step, dict):
             found.append(pipeline.enter(*step["enter"]))
         else:
-            found.append(pipeline.advance(tuple(step)))
+            answer = pipeline.advance(tuple(step))
+            found.append(answer if answer[0] == answer[0] else None)
     return found
 
 

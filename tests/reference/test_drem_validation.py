@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.regression import DynamicRegressorExtension
-from pointpred.regression.extension import Estimate
+from pointpred.regression.drem import Estimate
 
 B1, B2, GOAL, STEP_S = 4.0, 7.0, 600.0, 0.01
 TRUTH = (1.0 / B2, B1 / B2, GOAL)

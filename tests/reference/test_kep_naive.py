@@ -9,9 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns, Motion, build
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
-from pointpred.predictors import KinematicEndpointPredictor
-from pointpred.predictors.kep import predictor as kep
-from pointpred.predictors.kep import quartic
+from pointpred.predictors import KinematicEndpointPredictor, kep
 from pointpred.records import FloatArray
 from pointpred.regression import least_squares
 from tests.reference.naive_kep import NaiveKep
@@ -101,7 +99,7 @@ COEFFICIENT = st.floats(-100.0, 100.0).filter(lambda c: c == 0.0 or abs(c) > 1e-
 )
 @settings(max_examples=300, deadline=None, derandomize=True)
 def test_the_first_zero_is_that_of_numpy(c: tuple[float, ...], far: float) -> None:
-    zero = quartic.first_zero(quartic.Quartic(*c), far)
+    zero = kep.first_zero(kep.Quartic(*c), far)
     polynomial = np.polynomial.Polynomial(c)
     roots = np.roots(c[::-1])
     real = np.sort(roots.real[(np.abs(roots.imag) < 1e-7) & (roots.real > 0.0)])
@@ -129,7 +127,7 @@ def test_the_first_zero_is_that_of_numpy(c: tuple[float, ...], far: float) -> No
     ],
 )
 def test_zeros_known_by_hand(c: tuple[float, ...], far: float, expected: float | None) -> None:
-    zero = quartic.first_zero(quartic.Quartic(*c), far)
+    zero = kep.first_zero(kep.Quartic(*c), far)
     assert np.isnan(zero) if expected is None else zero == pytest.approx(expected, rel=1e-12)
 
 

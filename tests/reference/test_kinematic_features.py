@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build
-from pointpred.predictors.kinematic import features, history, observation
+from pointpred.predictors.kinematic import features, history
 from pointpred.records import FloatArray
 
 LAGS = np.array(features.LAGS_S)
@@ -28,7 +28,7 @@ def seen(events: EventColumns) -> tuple[FloatArray, FloatArray, FloatArray]:
     found, frames = np.zeros((len(motions), features.FEATURES)), np.zeros((len(motions), 3))
     begin = np.zeros(len(motions), np.bool_)
     begin[0] = True
-    observation.observe_all(np.zeros(observation.STATES), begin, motions, found, frames)
+    features.observe_all(np.zeros(features.STATES), begin, motions, found, frames)
     return motions, found, frames
 
 
@@ -140,6 +140,6 @@ def test_an_event_that_comes_again_at_its_time_is_one_event(gap: float) -> None:
     for table in (motions, twice):
         out = np.zeros((len(table), features.FEATURES))
         begin = np.arange(len(table)) == 0
-        observation.observe_all(np.zeros(observation.STATES), begin, table, out, np.zeros((len(table), 3)))
+        features.observe_all(np.zeros(features.STATES), begin, table, out, np.zeros((len(table), 3)))
         found.append(out[-20:])
     assert found[0].tobytes() == found[1].tobytes()

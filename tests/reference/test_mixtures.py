@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from pointpred.errors import ParameterError
-from pointpred.mixtures import contours, density, levels
-from pointpred.mixtures.mixture import LevelSet, Mixture, Part
+from pointpred.predictors import mixture
+from pointpred.predictors.mixture import LevelSet, Mixture, Part
 from pointpred.records import FloatArray
 from pointpred.regions import reach, region_of
 
@@ -145,7 +145,7 @@ def test_regions_of_higher_levels_hold_those_of_lower_ones() -> None:
 @pytest.mark.parametrize("offset", [-1.2, 0.0, 0.9])
 def test_a_corrected_level_has_the_radius_that_it_should(tail: float, offset: float) -> None:
     """By scipy's F law: a growing squared radius is multiplied, a shrinking one is that of a lower level."""
-    own = levels.probability(0.8, tail, offset, offset)
+    own = mixture.corrected_probability(0.8, tail, offset, offset)
     lower = 1.0 - 0.2 ** math.exp(min(offset, 0.0))
     radius = stats.f.ppf(lower, 2.0, tail) * math.exp(max(offset, 0.0))
     assert own == pytest.approx(stats.f.cdf(radius, 2.0, tail), abs=1e-9)
@@ -154,7 +154,7 @@ def test_a_corrected_level_has_the_radius_that_it_should(tail: float, offset: fl
 def test_the_share_of_denser_places_by_few_points_is_near_that_by_many() -> None:
     """What judges a movement counts 32 points a part."""
     for x, y in drawn(MIXTURE, 60, np.random.default_rng(4)):
-        few, many = (density.content(MIXTURE.table, 4, x, y, points) for points in (32, 20_000))
+        few, many = (mixture.content(MIXTURE.table, 4, x, y, points) for points in (32, 20_000))
         assert few == pytest.approx(many, abs=0.04)
 
 
@@ -176,6 +176,6 @@ def test_of_four_crossings_of_a_cell_those_are_joined_that_the_middle_says(
     """Two opposite corners are denser: the contour from below goes on to the right, or else to the left."""
     heights = np.array([[1.0, -1.0], [-1.0, 1.0]])
     following = np.empty(8)
-    contours.follow_cells(heights, np.full((2, 2), middle), 2, 2, following)
-    below, right_side, left_side = (contours.edge_of(side, 0, 0, 2, 2) for side in (0, 1, 3))
+    mixture.follow_cells(heights, np.full((2, 2), middle), 2, 2, following)
+    below, right_side, left_side = (mixture.edge_of(side, 0, 0, 2, 2) for side in (0, 1, 3))
     assert following[below] == (right_side if right else left_side)

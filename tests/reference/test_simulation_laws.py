@@ -9,13 +9,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.records import FloatArray
-from pointpred.reproduction.simulation_checks import (
+from pointpred.reproduction.model_checks import (
     ballistic_estimate,
     bare_memory,
     corrective_signals,
     minimum_jerk_check,
 )
-from pointpred.simulation import hand, loop, slots
+from pointpred.simulation import loop, slots
 from pointpred.transfer import Arctan, ConstantGain, SigmoidGain, TransferFunction
 
 
@@ -136,7 +136,7 @@ def test_friction_takes_the_energy_the_feedback_gives() -> None:
 @pytest.mark.parametrize("skew", [-0.5, 0.0, 0.3, 0.9])
 def test_profile_covers_the_way_and_matches_its_derivatives(skew: float) -> None:
     u = np.linspace(0.0, 1.0, 2001)
-    share, rate, bend = np.array([hand.profile(float(value), skew) for value in u]).T
+    share, rate, bend = np.array([loop.profile(float(value), skew) for value in u]).T
     assert (share[0], share[-1]) == (0.0, 1.0)
     assert (rate[1:-1] > 0.0).all()
     np.testing.assert_allclose(rate[1:-1], np.gradient(share, u)[1:-1], atol=2e-4)
@@ -147,7 +147,7 @@ def test_profile_covers_the_way_and_matches_its_derivatives(skew: float) -> None
 @pytest.mark.parametrize("function", [ConstantGain(4.0), SigmoidGain()])
 def test_a_person_who_feels_the_averaged_gain_lands_on_the_aim(function: TransferFunction) -> None:
     memory = bare_memory(function, period_s=0.001, px_per_metre=96.0 / 0.0254)
-    amplitude = hand.hand_distance(memory, 567.0, 0.6)
+    amplitude = loop.hand_distance(memory, 567.0, 0.6)
     t = np.linspace(0.0, 0.6, 20001)
     speed = amplitude * np.pi / 1.2 * np.sin(np.pi * t / 0.6)
     exact = np.trapezoid(function.cursor_speed(speed), t) * 96.0 / 0.0254

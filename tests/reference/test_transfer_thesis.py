@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pointpred.reproduction.transfer_trials import (
+from pointpred.reproduction.transfer_functions import (
     best_polynomial,
     gain_error,
     identify,

@@ -15,7 +15,7 @@ from pointpred import extras
 from pointpred.recordings import write
 from pointpred.reproduction import catalogue
 from pointpred.reproduction.catalogue import ENTRIES
-from pointpred.reproduction.people import CONDITION, novice_and_expert
+from pointpred.reproduction.trials import CONDITION, novice_and_expert
 from pointpred.simulation import simulate_circle
 
 

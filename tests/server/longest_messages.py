@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from evidence.arguments import parse
-from evidence.costs.load.movements import resampled, tables
+from evidence.costs.load.generator import resampled, tables
 from evidence.data import Table, keep
 from evidence.machine import machine
 from pointpred import build

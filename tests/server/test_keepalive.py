@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from evidence.costs.soak.client import CLOSE, PING, TEXT, frame, split, upgrade
+from evidence.costs.soak.sessions import CLOSE, PING, TEXT, frame, split, upgrade
 from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 

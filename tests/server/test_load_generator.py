@@ -11,8 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from evidence.costs.load import movements
-from evidence.costs.load.generator import Counts, Group, Plan, built, run
+from evidence.costs.load.generator import Counts, Group, Plan, built, recording, run, track
 from evidence.machine import ALL
 from tests.server.running import Running, running
 
@@ -26,8 +25,8 @@ RATE_HZ, SIZE, CLIENTS, SECONDS = 250.0, 8, 2, 0.8
 @pytest.fixture(autouse=True)
 def _sample(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("POINTPRED_RECORDINGS", raising=False)
-    movements.recording.cache_clear()
-    movements.track.cache_clear()
+    recording.cache_clear()
+    track.cache_clear()
 
 
 def port_of(here: Running) -> int:

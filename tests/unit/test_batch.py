@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from evidence.costs.written_in_parts import write_in_parts
+from evidence.costs.scale import write_in_parts
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import beside

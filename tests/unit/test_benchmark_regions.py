@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from evidence.held_out import HeldOut
-from evidence.person import region_tables as regions_page
 from evidence.person import regions
-from evidence.person.region_tables import LEVELS, SHARES, Drawn
+from evidence.person.regions import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
@@ -88,7 +87,7 @@ def test_tables_count_each_movement_once_and_leave_out_the_first(tmp_path: Path)
         size, way = np.full((count, len(LEVELS)), 10.0 * count), np.full(count, 7.0)
         return Drawn(name, "kinematic", np.array(["a"] * count), np.arange(count), inside, size, way)
 
-    cells = regions_page.coverage([one("small", 10, 0.0), one("large", 30, 1.0)]).texts()
+    cells = regions.coverage([one("small", 10, 0.0), one("large", 30, 1.0)]).texts()
     assert [row[:5] for row in cells] == [
         ["small", "all", "1", "10", "0 / 0 / 0"],
         ["large", "all", "1", "30", "100 / 100 / 100"],
@@ -96,7 +95,7 @@ def test_tables_count_each_movement_once_and_leave_out_the_first(tmp_path: Path)
         ["all", "all", "2", "40", "75 / 75 / 75"],
         ["all", "after 20", "1", "10", "100 / 100 / 100"],
     ]
-    sizes = regions_page.sizes([one("small", 10, 0.0), one("large", 30, 1.0)]).texts()[-1]
+    sizes = regions.sizes([one("small", 10, 0.0), one("large", 30, 1.0)]).texts()[-1]
     assert sizes == ["all", "300", "300", "7"]
 
 

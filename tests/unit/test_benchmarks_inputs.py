@@ -10,8 +10,8 @@ import pytest
 
 from evidence.data import Tables, read
 from evidence.inputs import measure as inputs
-from evidence.inputs.account import account
 from evidence.inputs.independent import delimited
+from evidence.inputs.measure import account
 from pointpred.recordings import read_any
 from tests.fuzz import inputs as inputs_fuzz
 

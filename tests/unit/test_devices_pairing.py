@@ -11,7 +11,7 @@ from pointpred.devices.cursor_paths import Pairing
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
 from pointpred.records import EventColumns, PointerEvent
-from pointpred.reproduction.transfer_trials import CPI, DPI, gain_error, simulate_trials
+from pointpred.reproduction.transfer_functions import CPI, DPI, gain_error, simulate_trials
 from pointpred.transfer import SigmoidGain, TransferFunction, TransferLearner
 
 

@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 from evidence.data import Table
-from evidence.intent import foresight
-from evidence.intent.measure import HEADS, RULE
+from evidence.intent.firing import by_hover, by_policy, by_rule, fire_by_rule, frame_end, score
+from evidence.intent.measure import HEADS, RULE, beside
 from evidence.intent.movements import Movement
-from evidence.intent.page import beside
-from evidence.intent.scores import by_policy, by_rule, score
-from evidence.intent.speculation import by_hover
 from pointpred.records import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
@@ -28,17 +25,17 @@ def straight() -> FloatArray:
 
 def test_the_rule_fires_when_a_line_of_120_ms_reaches_the_border() -> None:
     fired_at = np.empty(2)
-    foresight.fire(straight(), TARGETS, 0.0, fired_at)
+    fire_by_rule(straight(), TARGETS, 0.0, fired_at)
     assert fired_at[0] == 5.0  # the cursor is in it at the first event
     assert fired_at[1] == pytest.approx(5.16)  # 160 + 120 px reach beyond the border at 279 px
 
 
 def test_of_a_frame_the_last_event_is_seen_when_the_frame_ends() -> None:
     events = straight()
-    ends = [foresight.frame_end(events, i, 0.025) for i in range(6)]
+    ends = [frame_end(events, i, 0.025) for i in range(6)]
     assert ends == pytest.approx([np.inf, np.inf, 5.025, np.inf, np.inf, 5.05])
     fired_at = np.empty(2)
-    foresight.fire(events, TARGETS, 0.025, fired_at)
+    fire_by_rule(events, TARGETS, 0.025, fired_at)
     assert fired_at[1] == pytest.approx(5.175)
 
 

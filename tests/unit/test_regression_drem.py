@@ -124,7 +124,7 @@ def test_excitation_falls_with_the_third_power_of_the_delay() -> None:
     assert phi[0] / phi[1] == pytest.approx(8.0, rel=0.02)
 
 
-def test_restart_is_a_new_beginning_anywhere_in_a_memory() -> None:
+def test_a_law_writes_nothing_beside_its_own_floats() -> None:
     n, at = 3, 5
     memory = np.full(at + drem.states(n) + 4, 7.0)
     memory[at : at + drem.states(n)] = 0.0
@@ -132,8 +132,7 @@ def test_restart_is_a_new_beginning_anywhere_in_a_memory() -> None:
     for t in np.arange(0.0, 0.5, 0.002):
         memory[at + drem.REGRESSOR : at + drem.REGRESSOR + n] = rng.standard_normal(n)
         drem.advance(memory, at, n, 0.05, 10.0, (t, 1.0))
-    drem.restart(memory, at, n)
-    assert (memory[at : at + drem.states(n)] == 0.0).all()
+    assert memory[at : at + drem.states(n)].any()
     assert (memory[:at] == 7.0).all()
     assert (memory[at + drem.states(n) :] == 7.0).all()
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.regression import DynamicRegressorExtension, RecursiveLeastSquares, least_squares
-from pointpred.regression.recursive_least_squares import AT
+from pointpred.regression.least_squares import AT
 
 
 def weighted(rows: np.ndarray, outputs: np.ndarray, weights: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.regression import mixing
+from pointpred.regression import drem
 
 
 def exact_determinant(rows: list[list[Fraction]]) -> Fraction:
@@ -32,8 +32,8 @@ def exact_adjugate_times(rows: list[list[Fraction]], y: list[Fraction]) -> list[
 
 def mix(matrix: np.ndarray, y: np.ndarray) -> tuple[float, np.ndarray]:
     n = len(y)
-    memory = np.concatenate([matrix.ravel(), y, np.zeros(n), np.zeros(mixing.work(n))])
-    phi = mixing.mix(memory, 0, n * n, n, n * n + n, n * n + 2 * n)
+    memory = np.concatenate([matrix.ravel(), y, np.zeros(n), np.zeros(drem.work(n))])
+    phi = drem.mix(memory, 0, n * n, n, n * n + n, n * n + 2 * n)
     assert np.array_equal(memory[: n * n + n], np.concatenate([matrix.ravel(), y]))
     return phi, memory[n * n + n : n * n + 2 * n]
 
@@ -74,4 +74,4 @@ def test_the_closed_form_for_three_agrees_with_elimination() -> None:
     rng = np.random.default_rng(3)
     matrix = rng.standard_normal((3, 3))
     phi, _ = mix(matrix, np.ones(3))
-    assert phi == pytest.approx(mixing.determinant(matrix.ravel().copy(), 0, 3), rel=1e-12)
+    assert phi == pytest.approx(drem.determinant(matrix.ravel().copy(), 0, 3), rel=1e-12)

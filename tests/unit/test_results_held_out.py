@@ -9,7 +9,7 @@ import pytest
 
 from evidence import held_out
 from evidence.held_out import HeldOut
-from evidence.results import scores as results_scores
+from evidence.results import measure
 from pointpred import EventColumns
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
@@ -43,7 +43,7 @@ def held(tmp_path_factory: pytest.TempPathFactory) -> HeldOut:
 
 def test_a_set_that_was_trained_on_is_judged_without_it(held: HeldOut) -> None:
     assert "freihaut2021" in held_out.training_sets()
-    scored = results_scores.scored(recording("freihaut2021"), NAMES, held, seed=0)
+    scored = measure.scored(recording("freihaut2021"), NAMES, held, seed=0)
     assert [p.name for p in scored.predictors] == [
         "hold", "kinematic (set left out)", "kinematic (people left out)"
     ]  # fmt: skip
@@ -55,7 +55,7 @@ def test_a_set_that_was_trained_on_is_judged_without_it(held: HeldOut) -> None:
 
 def test_each_person_is_judged_by_the_fold_without_him(held: HeldOut) -> None:
     one = recording("freihaut2021")
-    row, prepared = results_scores.scored(one, NAMES, held, seed=0).predictors[2], prepare(one)
+    row, prepared = measure.scored(one, NAMES, held, seed=0).predictors[2], prepare(one)
     people = held.of_people("kinematic", one)
     by_fold = {user: replay(prepared, people[user]) for user in ("u0", "u1", "u2")}
     for k, trial in enumerate(prepared.trials):
@@ -68,13 +68,13 @@ def test_each_person_is_judged_by_the_fold_without_him(held: HeldOut) -> None:
 
 
 def test_other_sets_may_meet_the_packages_own_coefficients(held: HeldOut) -> None:
-    scored = results_scores.scored(recording("elsewhere"), NAMES, held, seed=0)
+    scored = measure.scored(recording("elsewhere"), NAMES, held, seed=0)
     assert [p.name for p in scored.predictors] == ["hold", "kinematic"]
 
 
 def test_what_nobody_can_judge_is_said(held: HeldOut) -> None:
     none = HeldOut({}, held.folds, {"freihaut2021 u0": 0})
-    scored = results_scores.scored(recording("freihaut2021"), NAMES, none, seed=0)
+    scored = measure.scored(recording("freihaut2021"), NAMES, none, seed=0)
     assert [p.name for p in scored.predictors] == ["hold"]
     assert "no other set at hand" in scored.notes[0]
     assert "2 people of the set are in no fold" in scored.notes[1]

@@ -55,15 +55,20 @@ def test_cells_hold_the_numbers_of_the_json(measured: tuple[list[SetResults], di
     text = rendered("results/page.md", page.context(sets))
     one = sets[1].summary
     linear = one.predictors[1]
-    section = text.split("\n## reaches\n")[1]
-    assert "3 people, 12 trials, 6 of them clean" in section
-    assert "Skipped: " in section
-    row = next(line for line in section.splitlines() if line.startswith("| `linear`")).split(" | ")
     low, high = linear.time_averaged.interval or (0.0, 0.0)
-    assert row[1] == f"{linear.time_averaged.px:.1f}"
-    assert row[2] == f"{linear.time_averaged.of_hold:.2f} [{low:.2f}, {high:.2f}]"
-    assert row[5] == f"{linear.by_time[0.5].of_hold:.2f}"
-    assert text.count("![") == 4  # nobody claims anything: errors by time and cost of two sets
+    of_reaches = {}
+    for heading in ("Time-averaged error of all sets", "By time"):
+        section = text.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+        row = next(line for line in section.splitlines() if line.startswith("| `linear`"))
+        of_reaches[heading] = row.strip("| ").split(" | ")[2]
+    average, moments = of_reaches.values()
+    assert average == f"{linear.time_averaged.of_hold:.2f} [{low:.2f}, {high:.2f}]"
+    assert moments.split(" / ")[1] == f"{linear.by_time[0.5].of_hold:.2f}"
+    described = next(line for line in text.splitlines() if line.startswith("| [reaches]")).split(" | ")
+    assert described[2:5] == ["3", "12", "6"]
+    assert described[5] == "one sample, expected at least two (1)"
+    assert described[-1] == f"{one.predictors[0].time_averaged.px:.1f} |"
+    assert text.count("![") == 2  # the error by time of two sets
 
 
 def test_what_is_kept_is_read_again(

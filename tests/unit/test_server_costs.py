@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from evidence.data import stored
-from pointpred.predictors.ktm.predictor import TemplatePredictor
+from pointpred.predictors.ktm import TemplatePredictor
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.sessions.costs import TEXT_BYTE_S
 from pointpred_server.sessions.quota import SHARE

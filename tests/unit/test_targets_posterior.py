@@ -14,8 +14,7 @@ from pointpred import run as run_columns
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray
 from pointpred.targets import Chooser, Target, around
-from pointpred.targets.evidence import FEATURES, MASS
-from pointpred.targets.posterior import COEFFICIENTS, SET
+from pointpred.targets.posterior import COEFFICIENTS, FEATURES, MASS, SET
 
 MASS_ALONE = np.zeros(COEFFICIENTS)
 MASS_ALONE[[MASS, FEATURES + MASS, SET + MASS, SET + FEATURES + MASS]] = 1.0

@@ -11,7 +11,6 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.predictors.kinematic import calibration as kinematic_calibration
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording, Trial
@@ -104,7 +103,7 @@ def _time_held(outputs: fitting.Floats, frozen: fitting.Floats, truth: fitting.T
 def test_the_law_computes_what_training_computes(material: data.TrainingData, tmp_path: Path) -> None:
     fitted = train.fit_without(material, set(), None, SMALL)
     path = tmp_path / "small.npz"
-    train.save(path, fitted, np.zeros((kinematic_calibration.KNOTS, kinematic_calibration.FACTORS)), {})
+    train.save(path, fitted, np.zeros((net.KNOTS, net.FACTORS)), {})
     flat, stored = coefficient_file.read(path), fitting.load_network(path)
     rows = material.own[0].features[:50]
     np.testing.assert_allclose(stored.outputs(rows), fitted.outputs(rows), atol=0.05)
@@ -112,7 +111,7 @@ def test_the_law_computes_what_training_computes(material: data.TrainingData, tm
         said = np.empty(net.OUTPUTS)
         at = net.evaluate(flat, seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
-        assert len(flat) - at == kinematic_calibration.KNOTS * kinematic_calibration.FACTORS
+        assert len(flat) - at == net.KNOTS * net.FACTORS
 
 
 def test_training_is_reproducible_to_the_byte(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from pointpred.errors import EventError, ParameterError
 from pointpred.records import PointerEvent
-from pointpred.reproduction.transfer_trials import CPI, DPI, simulate_trials
+from pointpred.reproduction.transfer_functions import CPI, DPI, simulate_trials
 from pointpred.transfer import (
     ConstantGain,
     PolynomialFunction,

@@ -14,8 +14,7 @@ from importlib.metadata import version
 from typing import Any
 
 from evidence.costs.load.curves import LOADS, WINDOWS, Overload, Point, Series, curves, knee, overload
-from evidence.costs.load.generator import built
-from evidence.costs.load.movements import recording
+from evidence.costs.load.generator import built, recording
 from evidence.costs.load.servers import checkout, echo, service
 from evidence.data import Table, keep
 from evidence.machine import ALL, LAST, machine, on_cores

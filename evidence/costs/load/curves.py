@@ -6,8 +6,7 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from evidence.costs.load.generator import Counts, Group, Plan, run
-from evidence.costs.load.movements import hello
+from evidence.costs.load.generator import Counts, Group, Plan, hello, run
 from evidence.costs.load.servers import Server
 from evidence.machine import ALL, LAST
 
@@ -59,18 +58,11 @@ class Point(msgspec.Struct, frozen=True):
     p999_ms: float
     grows: bool
     server_us: float
-    largest_share: float
-    """The busiest process's share of a core."""
     answers: float
     """Answers for each frame: below 1 where one answer was for several."""
     own_share: float
     late_ms: float
     notices: dict[str, int]
-
-    @property
-    def delays(self) -> str:
-        """p50, p99 and p99.9, ms."""
-        return f"{self.p50_ms:.2f} / {self.p99_ms:.2f} / {self.p999_ms:.2f}"
 
 
 def group(series: Series, clients: int, size: int) -> Group:
@@ -108,7 +100,6 @@ def measured(series: Series, clients: int, size: int, seconds: float) -> Point:
         delay.p999_ms,
         grows(counts),
         counts.server_us,
-        max(counts.server_s) / seconds,
         counts.answers / max(counts.answered, 1),
         result.own_share,
         counts.late.p99_ms,

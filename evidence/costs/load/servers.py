@@ -1,10 +1,17 @@
-"""The servers under load, in processes of their own on cores of their own."""
+"""The servers under load, in processes of their own on cores of their own; and two yardsticks beside them.
+
+``python -m evidence.costs.load.servers asgi|raw`` prints its port and sends everything back. ``asgi`` is an
+ASGI application of six lines on the uvicorn that the service runs on, with uvicorn's own WebSocket protocol;
+``raw`` has no WebSocket at all, only uvloop.
+"""
 
 from __future__ import annotations
 
+import asyncio
 import io
 import json
 import os
+import socket
 import subprocess
 import sys
 import tarfile
@@ -13,12 +20,16 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.error import HTTPError
 from urllib.request import urlopen
 
 import msgspec
+import uvicorn
+import uvloop
 
 from evidence import ROOT
+from evidence.arguments import parse
 from evidence.machine import FIRST, family, on_cores, processor_s
 
 PATIENCE_S = 600.0
@@ -62,8 +73,8 @@ def service(
 
 @contextmanager
 def echo(kind: str, *, cores: set[int] = FIRST) -> Iterator[Server]:
-    """``asgi`` or ``raw``: a server that sends everything back, from ``evidence.costs.load.echoes``."""
-    words = ["-m", "evidence.costs.load.echoes", kind]
+    """``asgi`` or ``raw``: a server that sends everything back, from ``evidence.costs.load.servers``."""
+    words = ["-m", "evidence.costs.load.servers", kind]
     with _process(words, cores, ROOT, {"PYTHONPATH": str(ROOT)}) as (process, lines):
         yield Server(int(next(lines)), (process.pid,))
 
@@ -115,3 +126,50 @@ def _wait_until_idle(pid: int) -> None:
     while abs((now_s := sum(map(processor_s, family(pid)))) - used_s) > IDLE_S / 50:
         used_s = now_s
         time.sleep(IDLE_S)
+
+
+async def application(scope: Any, receive: Any, send: Any) -> None:
+    """Accept a WebSocket and send back what comes."""
+    await receive()
+    await send({"type": "websocket.accept"})
+    while (message := await receive())["type"] == "websocket.receive":
+        await send({**message, "type": "websocket.send"})
+
+
+class Echo(asyncio.Protocol):
+    """Send back what comes."""
+
+    def connection_made(self, transport: Any) -> None:
+        """Keep the connection."""
+        self.transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        """Send it back."""
+        self.transport.write(data)
+
+
+async def serve_raw(opened: socket.socket) -> None:
+    """Serve until killed."""
+    server = await asyncio.get_running_loop().create_server(Echo, sock=opened)
+    await server.serve_forever()
+
+
+def main(kind: str) -> None:
+    """Listen on a free port of loopback and serve until killed."""
+    opened = socket.create_server(("127.0.0.1", 0))
+    print(opened.getsockname()[1], flush=True)
+    if kind == "raw":
+        uvloop.run(serve_raw(opened))
+    else:
+        config = uvicorn.Config(
+            application,
+            ws="websockets-sansio",
+            lifespan="off",
+            log_level="warning",
+            ws_per_message_deflate=False,
+        )
+        uvicorn.Server(config).run([opened])
+
+
+if __name__ == "__main__":
+    main(*parse(__doc__, metavar="kind", choices=("asgi", "raw"), most=1))

@@ -23,9 +23,9 @@ import msgspec
 
 from evidence.arguments import parse
 from evidence.costs.load.servers import wait_until_compiled
-from evidence.costs.soak.reports import Plan, Report
+from evidence.costs.soak.players import recording
+from evidence.costs.soak.sessions import Plan, Report
 from evidence.costs.soak.verdicts import Second, Usage, Verdict, judge, percentile_ms, usage_of
-from evidence.costs.soak.visitors import recording
 from evidence.data import Table, Tables, file_of, write
 from evidence.machine import family, machine
 from pointpred.errors import ParameterError
@@ -81,7 +81,13 @@ class Soak:
         self._groups = [self._start(group, plan) for group in GROUPS]
 
     def _start(self, group: str, plan: Plan) -> subprocess.Popen[str]:
-        command = [sys.executable, "-m", f"evidence.costs.soak.{group}", msgspec.json.encode(plan).decode()]
+        command = [
+            sys.executable,
+            "-m",
+            "evidence.costs.soak.players",
+            group,
+            msgspec.json.encode(plan).decode(),
+        ]
         if group != "steady":  # whose delays are judged: the others give way to it
             command = ["nice", "-n", "5", *command]
         process = subprocess.Popen(

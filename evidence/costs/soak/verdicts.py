@@ -10,8 +10,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from evidence.costs.soak.reports import delay_of
-from evidence.costs.soak.visitors import VISITORS
+from evidence.costs.soak.players import VISITORS
+from evidence.costs.soak.sessions import delay_of
 from evidence.machine import family, processor_s
 
 MEMORY_MB, DELAY_SHARE = 2.0, 0.2

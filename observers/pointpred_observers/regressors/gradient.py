@@ -16,7 +16,7 @@ from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray
 from pointpred.regression import gradient
-from pointpred.regression.recursive_least_squares import moment, starting
+from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 from pointpred_observers.matrices import TIMES, one_of
 

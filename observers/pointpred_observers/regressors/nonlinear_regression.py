@@ -13,7 +13,7 @@ from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray
-from pointpred.regression.recursive_least_squares import moment, starting
+from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 from pointpred_observers import nonlinearity
 from pointpred_observers.matrices import positive, vector

@@ -17,7 +17,7 @@ from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import parameter
 from pointpred.records import BoolArray, FloatArray
-from pointpred.regression.recursive_least_squares import moment
+from pointpred.regression.least_squares import moment
 from pointpred.stage import CompiledStage, loop_into
 from pointpred_observers.matrices import instance, matrix
 from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, certify

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from evidence.observers.bounds import consistent, cramer_rao
+from evidence.observers.camera_measure import consistent, cramer_rao
 from pointpred.errors import ParameterError
 from pointpred_observers.camera import SCENARIOS, trajectory
 from pointpred_observers.camera.scenario import Trajectory

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mpmath
 import pytest
 
-from evidence.observers.least import minimum
+from evidence.observers.designs import minimum
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.unknown_input.gains import ROOMS
 from pointpred_observers.unknown_input.observer import UnknownInputObserver

@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import pytest
 
-from evidence.observers.bounds import consistent, cramer_rao, normalised_errors
+from evidence.observers.camera_measure import consistent, cramer_rao, normalised_errors
 from pointpred.errors import EventError, ParameterError
 from pointpred_observers.camera import (
     SCENARIOS,

@@ -8,8 +8,8 @@ Reference: Gibbs, Candes 2021, "Adaptive conformal inference under distribution 
 from __future__ import annotations
 
 from pointpred.compiled import law
-from pointpred.mixtures.levels import LEVELS
 from pointpred.predictors.adaptation.stages import STAGES, interpolation
+from pointpred.predictors.mixture import LEVELS
 from pointpred.records import FloatArray
 from pointpred.stage import Slot
 

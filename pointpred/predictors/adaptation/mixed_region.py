@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.mixtures import density
-from pointpred.mixtures.levels import LEVELS, probability
+from pointpred.predictors import mixture
 from pointpred.predictors.adaptation import destination, levels, places
+from pointpred.predictors.mixture import LEVELS, corrected_probability
 from pointpred.records import FloatArray, SixFloats
 from pointpred.stage import Slot, offsets
 
@@ -29,9 +29,9 @@ LEARNED = levels.OFFSETS
 SLOTS: tuple[Slot, ...] = (levels.SLOT,)
 """What is known of a person's levels, in the order of the layout."""
 
-# The mixture at a moment: how many parts; the parts as ``density`` has them, elsewhere first; the offsets of
+# The mixture at a moment: how many parts; the parts as ``mixture`` has them, elsewhere first; the offsets of
 # both levels.
-COUNT, PARTS, OFFSETS, MIXTURE = offsets(1, density.WIDTH * (MOST_PLACES + 1), len(LEVELS))
+COUNT, PARTS, OFFSETS, MIXTURE = offsets(1, mixture.WIDTH * (MOST_PLACES + 1), len(LEVELS))
 # The movement, relative to its place: whether a law is claimed now, at which share of the time, and
 # elsewhere's law: centre, scale matrix, tail; the mixture that is written when somebody asks for it.
 CLAIMED, TIME, ELSEWHERE, ASKED, STATES = offsets(1, 1, 6, MIXTURE)
@@ -61,10 +61,10 @@ def write_part(
     memory: FloatArray, part: int, share: float, centre: tuple[float, float], spread: float
 ) -> None:
     """Write a place: a normal law of a standard deviation in px."""
-    memory[part + density.SHARE] = share
-    memory[part + density.X], memory[part + density.Y] = centre
-    memory[part + density.SXX], memory[part + density.SXY] = spread * spread, 0.0
-    memory[part + density.SYY], memory[part + density.TAIL] = spread * spread, 0.0
+    memory[part + mixture.SHARE] = share
+    memory[part + mixture.X], memory[part + mixture.Y] = centre
+    memory[part + mixture.SXX], memory[part + mixture.SXY] = spread * spread, 0.0
+    memory[part + mixture.SYY], memory[part + mixture.TAIL] = spread * spread, 0.0
 
 
 @law
@@ -90,13 +90,13 @@ def write(
         x, y = memory[place + places.X], memory[place + places.Y]
         spread = max(destination.spread_of(memory, going, start, x, y), LEAST_SPREAD)
         centre = x + origin[0], y + origin[1]
-        write_part(memory, at + PARTS + density.WIDTH * count, below, centre, spread)
+        write_part(memory, at + PARTS + mixture.WIDTH * count, below, centre, spread)
         rest -= below
         count += 1
         number = likeliest(memory, place_memory, going, below)
-    memory[at + COUNT], memory[at + PARTS + density.SHARE] = count, max(rest, 0.0)
+    memory[at + COUNT], memory[at + PARTS + mixture.SHARE] = count, max(rest, 0.0)
     for i in range(ASKED - ELSEWHERE):
-        memory[at + PARTS + density.X + i] = memory[now + ELSEWHERE + i]
+        memory[at + PARTS + mixture.X + i] = memory[now + ELSEWHERE + i]
     for which in range(len(LEVELS)):
         memory[at + OFFSETS + which] = levels.offset(memory, person, memory[now + TIME], which)
 
@@ -107,12 +107,12 @@ def judge(
 ) -> None:
     """Learn whether the end lay inside the regions that were stated at a share of the time."""
     count = int(memory[at + COUNT])
-    parts = np.empty((MOST_PLACES + 1, density.WIDTH))
+    parts = np.empty((MOST_PLACES + 1, mixture.WIDTH))
     for k in range(count):
-        for i in range(density.WIDTH):
-            parts[k, i] = memory[at + PARTS + density.WIDTH * k + i]
-    within = density.content(parts, count, end[0], end[1], POINTS)
-    tail, near, far = parts[0, density.TAIL], memory[at + OFFSETS], memory[at + OFFSETS + 1]
+        for i in range(mixture.WIDTH):
+            parts[k, i] = memory[at + PARTS + mixture.WIDTH * k + i]
+    within = mixture.content(parts, count, end[0], end[1], POINTS)
+    tail, near, far = parts[0, mixture.TAIL], memory[at + OFFSETS], memory[at + OFFSETS + 1]
     for which in range(len(LEVELS)):
-        inside = within <= probability(LEVELS[which], tail, near, far)
+        inside = within <= corrected_probability(LEVELS[which], tail, near, far)
         levels.learn(memory, person, share, which, inside, step)

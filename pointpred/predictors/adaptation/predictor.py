@@ -8,16 +8,15 @@ from typing import Any, Self
 import numpy as np
 
 from pointpred.compiled import law, layout
-from pointpred.mixtures import density
-from pointpred.mixtures.mixture import Mixture, Part
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction, known_places, mixed_region, places
+from pointpred.predictors.adaptation import correction, destination, mixed_region, places
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
-from pointpred.predictors.kinematic import observation, track
+from pointpred.predictors.kinematic import features, track
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
+from pointpred.predictors.mixture import WIDTH, Mixture, Part
 from pointpred.records import FloatArray, MotionRow, Place, Row, TenFloats
 from pointpred.scene import SCREEN, Scene
 from pointpred.stage import offsets
@@ -26,8 +25,11 @@ from pointpred.stage import offsets
 # person, the movement of the learned predictor and that of the adaptation.
 ADAPT, DISTANCES, SHORTEST_PX, PLACES, SEQUENCE, KEY, ORIGIN_X, ORIGIN_Y = range(8)
 _, NEXT, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
-    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, observation.STATES, correction.STATES
+    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, features.STATES, correction.STATES
 )
+# A row of known places: position in px, shares now and before the movement, visits, the number of the place,
+# the standard deviation of its visits in px.
+X, Y, P, BEFORE, VISITS, NUMBER, SPREAD, FIELDS = range(8)
 
 
 @layout
@@ -67,9 +69,9 @@ def adapt(memory: FloatArray, answer: TenFloats, pace: Pace) -> TenFloats:
 @law
 def pace_of(own: FloatArray, m: MotionRow) -> Pace:
     """The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`."""
-    peak = own[observation.TRACK + track.PEAK]
+    peak = own[features.TRACK + track.PEAK]
     of_peak = hypot(m.vx, m.vy) / peak if peak > 0.0 else 0.0
-    return Pace(of_peak, m.t - own[movement.T0] - own[observation.TRACK + track.FAST_T])
+    return Pace(of_peak, m.t - own[movement.T0] - own[features.TRACK + track.FAST_T])
 
 
 @law
@@ -96,12 +98,48 @@ def enter_scene(memory: FloatArray, scene: Scene) -> None:
 
 
 @law
+def last_end(memory: FloatArray, known: int, key: float) -> tuple[float, float]:
+    """Where the last movement to a place of this key ended, px from the origin; the origin if none did."""
+    for age in range(places.MOVEMENTS):
+        number = places.visited(memory, known, age)
+        place = known + places.PLACES + places.WIDTH * max(number, 0)
+        if number >= 0 and memory[place + places.KEY] == key:
+            return float(memory[place + places.X]), float(memory[place + places.Y])
+    return 0.0, 0.0
+
+
+@law
 def list_places(memory: FloatArray, out: FloatArray) -> int:
-    """Fill a row for each place of the window that the cursor is in; returns how many there are."""
+    """Fill a row for each place of the window that the cursor is in, by their numbers; returns how many.
+
+    ``out``: ``places.CAPACITY`` rows of FIELDS. Before a movement has begun the shares are those of a
+    movement from where the last one in this window ended.
+    """
     if memory[ADAPT] == 0.0 or memory[PLACES] == 0.0:
         return 0
     parts, scene = parts_of(memory), scene_of(memory)
-    return int(known_places.list_places(memory, PERSON, MOVEMENT, parts, scene, out))
+    known, going = PERSON + correction.KNOWN, MOVEMENT + correction.DESTINATION
+    waits = memory[going + destination.READY] == 0.0
+    start = memory[MOVEMENT + correction.X0] - scene.x, memory[MOVEMENT + correction.Y0] - scene.y
+    if waits:
+        if memory[MOVEMENT + correction.STARTED] == 0.0:
+            start = last_end(memory, known, scene.key)
+        correction.prepare(memory, PERSON, going, parts, scene, start)
+    count, returns = 0, memory[going + destination.RETURNS]
+    for i in range(int(memory[known + places.COUNT])):
+        place = known + places.PLACES + places.WIDTH * i
+        if memory[place + places.KEY] == scene.key:
+            x, y = memory[place + places.X], memory[place + places.Y]
+            before = returns * memory[going + destination.BEFORE + i]
+            out[count, X], out[count, Y] = x + scene.x, y + scene.y
+            out[count, P] = before if waits else memory[going + destination.NOW + i]
+            out[count, BEFORE], out[count, VISITS] = before, memory[place + places.WEIGHT]
+            out[count, NUMBER] = i
+            out[count, SPREAD] = destination.spread_of(memory, going, start, x, y)
+            count += 1
+    if waits:  # the movement lays them out for where it starts
+        memory[going : going + destination.STATES] = 0.0
+    return count
 
 
 @law
@@ -112,12 +150,6 @@ def write_mixture(memory: FloatArray) -> int:
         return -1
     correction.write_mixture(memory, PERSON, MOVEMENT, scene_of(memory), now + mixed_region.ASKED)
     return now + mixed_region.ASKED
-
-
-def part_of(row: list[float]) -> Part:
-    """A part of a mixture from its row."""
-    share, x, y, sxx, sxy, syy, tail = row
-    return Part(share, x, y, (sxx, sxy, syy), tail or None)
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -249,7 +281,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     @property
     def known_places(self) -> tuple[Place, ...]:
         """The places of the window that the cursor is in, the likeliest destination first."""
-        rows = np.empty((places.CAPACITY, known_places.FIELDS))
+        rows = np.empty((places.CAPACITY, FIELDS))
         count = list_places(self._memory, rows)
         listed = (
             Place(x, y, p, before, visits, int(number), spread)
@@ -264,7 +296,10 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         at = write_mixture(memory)
         if at < 0:
             return None
-        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, density.WIDTH)
-        parts = [part_of(row) for row in rows[: int(memory[at + mixed_region.COUNT])].tolist()]
+        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, WIDTH)
+        parts = tuple(
+            Part(share, x, y, (sxx, sxy, syy), tail or None)
+            for share, x, y, sxx, sxy, syy, tail in rows[: int(memory[at + mixed_region.COUNT])].tolist()
+        )
         near, far = memory[at + mixed_region.OFFSETS : at + mixed_region.MIXTURE].tolist()
-        return Mixture(tuple(parts), (near, far))
+        return Mixture(parts, (near, far))

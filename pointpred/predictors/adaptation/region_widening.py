@@ -11,8 +11,8 @@ from __future__ import annotations
 from math import exp, log
 
 from pointpred.compiled import law
-from pointpred.mixtures.levels import LEVELS, corrected_radius, heaviness, squared_radius
 from pointpred.predictors.adaptation import levels, mixed_region, moments
+from pointpred.predictors.mixture import LEVELS, corrected_radius, heaviness, squared_radius_over_tail
 from pointpred.records import FloatArray
 from pointpred.stage import Slot, offsets
 
@@ -58,12 +58,13 @@ def widen(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float
     ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
     for _ in range(HALVINGS):
         heavy = 0.5 * (low + high)
-        if squared_radius(LEVELS[1], heavy) < ratio * squared_radius(LEVELS[0], heavy):
+        if squared_radius_over_tail(LEVELS[1], heavy) < ratio * squared_radius_over_tail(LEVELS[0], heavy):
             low = heavy
         else:
             high = heavy
     heavy = 0.5 * (low + high)
-    both = squared_radius(LEVELS[0], heavy) * squared_radius(LEVELS[1], heavy) * (2.0 / heavy) ** 2
+    half, most = squared_radius_over_tail(LEVELS[0], heavy), squared_radius_over_tail(LEVELS[1], heavy)
+    both = half * most * (2.0 / heavy) ** 2
     return exp(0.5 * (near + far - log(both))), 2.0 / heavy
 
 

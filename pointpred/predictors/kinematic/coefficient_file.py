@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from pointpred.errors import ParameterError
 from pointpred.files import beside
-from pointpred.predictors.kinematic import calibration, features, network
+from pointpred.predictors.kinematic import features, network
 from pointpred.records import FloatArray
 
 VERSION = 2
@@ -194,7 +194,7 @@ def _parts(arrays: dict[str, Any]) -> list[Any]:
             (f"weights{number}", (rows, width), LARGEST_WEIGHT),
             (f"offset{number}", (width,), LARGEST_WEIGHT),
         ]
-    wanted.append(("table", (calibration.KNOTS, calibration.FACTORS), LARGEST_LOG))
+    wanted.append(("table", (network.KNOTS, network.FACTORS), LARGEST_LOG))
     for name, shape, most in wanted:
         _check(name, arrays[name], shape, most)
     if not (arrays["scale"] > 0.0).all():

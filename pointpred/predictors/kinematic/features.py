@@ -1,7 +1,8 @@
 """The features of a movement, independent of rotation and of the screen's scale.
 
 Lengths on the screen count in ``reach``, the px travelled and what the cursor's peak speed adds; lengths of
-the hand in the hand's own reach. How large a movement is stands only in what is measured in metres.
+the hand in the hand's own reach. How large a movement is stands only in what is measured in metres. Events of
+one time are one event: the state goes back to where it was before that time.
 """
 
 from __future__ import annotations
@@ -10,10 +11,10 @@ from math import hypot, log
 from typing import NamedTuple
 
 from pointpred.compiled import law
-from pointpred.predictors import minimum_jerk
+from pointpred.predictors import minimum_jerk, movement
 from pointpred.predictors.kinematic import history, submovements, track
 from pointpred.predictors.kinematic.history import Point
-from pointpred.records import FloatArray, MotionRow
+from pointpred.records import FINE, BoolArray, FloatArray, MotionRow, row_at
 from pointpred.stage import offsets
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)
@@ -150,3 +151,69 @@ def fill_lags(memory: FloatArray, at: int, point: Point, frame: Frame, out: Floa
         lag_x, lag_y = point.x - past_x, point.y - past_y
         out[LAG_ALONG + i] = (lag_x * ux + lag_y * uy) / reach
         out[LAG_ACROSS + i] = (lag_y * ux - lag_x * uy) / reach
+
+
+# State, relative to `at`: the movement; the track and the head of the history, and both as they were before
+# the last time; the history.
+_, TRACK, TRACK_BEFORE, HEAD_BEFORE, HISTORY, STATES = offsets(
+    movement.STATES, track.STATES, track.STATES, history.HEAD, history.STATES
+)
+
+
+@law
+def rewind(memory: FloatArray, at: int, again: bool) -> None:
+    """Copy the track before a new time; go back to the copy where a sample of the same time comes again."""
+    source, head = (TRACK_BEFORE, HEAD_BEFORE) if again else (TRACK, HISTORY)
+    target, head_target = (TRACK, HISTORY) if again else (TRACK_BEFORE, HEAD_BEFORE)
+    for i in range(track.STATES):
+        memory[at + target + i] = memory[at + source + i]
+    for i in range(history.HEAD):
+        memory[at + head_target + i] = memory[at + head + i]
+
+
+@law
+def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[int, Point]:
+    """Take one motion in: its fault, and where the cursor is."""
+    started, last_t = memory[at + movement.KNOWN], memory[at + movement.T]
+    fault, new, _ = movement.follow(memory, at, m)
+    if fault != FINE:
+        return fault, Point(0.0, 0.0, 0.0, 0.0)
+    if new or m.t == memory[at + movement.T0]:
+        memory[at + TRACK : at + HISTORY] = 0.0
+        history.begin(memory, at + HISTORY)
+    else:
+        rewind(memory, at, started == 1.0 and m.t == last_t)
+    here = at + TRACK
+    last = memory[here + track.T], memory[here + track.X], memory[here + track.Y]
+    t0, x0, y0 = memory[at + movement.T0], memory[at + movement.X0], memory[at + movement.Y0]
+    point = history.extend(memory, at + HISTORY, last, (m.t - t0, m.x - x0, m.y - y0))
+    _, _, path_before = history.past(memory, at + HISTORY, point, track.SPAN_S)
+    track.advance(memory, here, point, m, (point.path - path_before) / track.SPAN_S)
+    return FINE, point
+
+
+@law
+def observe(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple[int, Frame]:
+    """Take one motion in and compute the features: its fault, and their frame."""
+    fault, point = follow(memory, at, m)
+    if fault != FINE:
+        return fault, Frame(0.0, 0.0, 0.0, 0.0)
+    here = at + TRACK
+    frame = frame_of(memory, here, point, m)
+    if frame.reach > 0.0:
+        fill_shape(memory, here, point, frame, out)
+        fill_pace(memory, here, point, m, frame, out)
+        fill_lags(memory, at + HISTORY, point, frame, out)
+    return FINE, frame
+
+
+@law
+def observe_all(
+    memory: FloatArray, begin: BoolArray, rows: FloatArray, out: FloatArray, frames: FloatArray
+) -> None:
+    """The features of a whole table of motions, as training needs them; frames: reach and direction."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[:] = 0.0
+        _, frame = observe(memory, 0, MotionRow(*row_at(rows, i)), out[i])
+        frames[i, 0], frames[i, 1], frames[i, 2] = frame.reach, frame.ux, frame.uy

@@ -1,6 +1,8 @@
-"""The small network of the learned predictor: features in, parameters of the answer out."""
+"""The small network of the learned predictor: features in, parameters of the answer out; its calibration."""
 
 from __future__ import annotations
+
+from math import exp, floor
 
 import numpy as np
 
@@ -107,3 +109,20 @@ def evaluate(coefficients: FloatArray, values: FloatArray, out: FloatArray) -> i
     at = layer(coefficients, at, first, second)
     activate(second)
     return layer(coefficients, at, second, out)
+
+
+# The calibration: factors on the network's regions, fitted to held-out people.
+KNOTS = 10
+"""Of the share of the time that has passed, as predicted: 0.05, 0.15 ... 0.95."""
+WIDTH_FACTOR, TAIL_FACTOR, SPREAD_FACTOR, FACTORS = range(4)
+"""Logarithms of what the widths, the tail, the spread of the time left are multiplied by."""
+
+
+@law
+def factor(coefficients: FloatArray, at: int, share: float, which: int) -> float:
+    """A factor at a share of the time, on lines between the knots."""
+    place = min(max(share * KNOTS - 0.5, 0.0), KNOTS - 1.0)
+    knot = min(floor(place), KNOTS - 2)
+    low = coefficients[at + FACTORS * knot + which]
+    high = coefficients[at + FACTORS * (knot + 1) + which]
+    return exp(low + (place - knot) * (high - low))

@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.parameter import option
 from pointpred.predictors import movement
-from pointpred.predictors.kinematic import calibration, coefficient_file, features, network, observation
+from pointpred.predictors.kinematic import coefficient_file, features, network
 from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
 
@@ -30,7 +30,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
     values = np.empty(features.FEATURES)
-    fault, frame = observation.observe(memory, AT, m, values)
+    fault, frame = features.observe(memory, AT, m, values)
     if fault != FINE:
         return movement.refuse(memory, AT, m, fault)
     phase = movement.phase(memory, AT, m)
@@ -46,7 +46,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     since = m.t - memory[AT + movement.T0]
     left = (since + network.HEAD_START_S) * bounded_exp(out[network.LEFT], network.LEFT_LOGS)
     share = since / (since + left)
-    scale = reach * calibration.factor(coefficients, calibration_at, share, calibration.WIDTH)
+    scale = reach * network.factor(coefficients, calibration_at, share, network.WIDTH_FACTOR)
     wide = (scale * bounded_exp(out[network.WIDE], network.WIDTH_LOGS)) ** 2
     broad = (scale * bounded_exp(out[network.BROAD], network.WIDTH_LOGS)) ** 2
     tail = bounded_exp(out[network.TAIL], network.TAIL_LOGS)
@@ -60,15 +60,15 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
         wide * uy * uy + broad * ux * ux,
         left,
         phase,
-        tail * calibration.factor(coefficients, calibration_at, share, calibration.TAIL),
-        spread * calibration.factor(coefficients, calibration_at, share, calibration.SPREAD),
+        tail * network.factor(coefficients, calibration_at, share, network.TAIL_FACTOR),
+        spread * network.factor(coefficients, calibration_at, share, network.SPREAD_FACTOR),
     )
 
 
 @law
 def follow(memory: FloatArray, motion: Row, coefficients: FloatArray) -> bool:
     """Take one motion in without an answer: the network remembers nothing."""
-    fault, _ = observation.follow(memory, AT, MotionRow(*motion))
+    fault, _ = features.follow(memory, AT, MotionRow(*motion))
     return fault == FINE
 
 
@@ -112,7 +112,7 @@ class KinematicPredictor(Predictor):
     )
     step = staticmethod(step)
     follow: ClassVar[Callable[..., bool] | None] = staticmethod(follow)
-    states = observation.STATES
+    states = features.STATES
 
     def declare(self, **values: Any) -> None:
         """Check the values and read the coefficients: those of the package for ``None``."""

@@ -1,9 +1,16 @@
 // Written by `make page` from switched_direction.py: change that and run it again.
 import { hypot } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
-import * as $submovement from "./submovement.js";
 import * as $records from "../records.js";
 import * as $stage from "../stage.js";
+export const PEAK = 0;
+export const PEAK_X = 1;
+export const PEAK_Y = 2;
+export const VALLEY = 3;
+export const VALLEY_X = 4;
+export const VALLEY_Y = 5;
+export const START_X = 6;
+export const START_Y = 7;
 export const RISE = 0;
 export const TYPICAL_S = 1;
 export const OWN = 2;
@@ -19,6 +26,40 @@ export const HAND_Y = 26;
 export const CROSS = 27;
 export const SQUARE = 28;
 export const END = 29;
+export function begin_submovement(memory, at, x, y) {
+  memory[at + PEAK] = 0;
+  memory[at + VALLEY] = 0;
+  memory[at + PEAK_X] = x;
+  memory[at + PEAK_Y] = y;
+  memory[at + VALLEY_X] = x;
+  memory[at + VALLEY_Y] = y;
+  memory[at + START_X] = x;
+  memory[at + START_Y] = y;
+}
+export function follow_submovement(memory, at, rise, x, y, speed) {
+  const peak = memory[at + PEAK];
+  const valley = memory[at + VALLEY];
+  if (speed < peak && speed <= valley + rise * peak) {
+    if (speed <= valley) {
+      memory[at + VALLEY] = speed;
+      memory[at + VALLEY_X] = x;
+      memory[at + VALLEY_Y] = y;
+    }
+    return;
+  }
+  if (speed < peak) {
+    const value_1 = memory[at + VALLEY_X];
+    const value_2 = memory[at + VALLEY_Y];
+    memory[at + START_X] = value_1;
+    memory[at + START_Y] = value_2;
+  }
+  memory[at + PEAK] = speed;
+  memory[at + VALLEY] = speed;
+  memory[at + PEAK_X] = x;
+  memory[at + PEAK_Y] = y;
+  memory[at + VALLEY_X] = x;
+  memory[at + VALLEY_Y] = y;
+}
 export function gain(memory, dt, away_x, away_y, vx, vy) {
   memory[HAND_X] += 0.5 * dt * (vx + memory[VX]);
   memory[HAND_Y] += 0.5 * dt * (vy + memory[VY]);
@@ -40,10 +81,10 @@ export function time_constant(own, typical_s, done, peak) {
   return Math.pow(done / peak, own) * Math.pow(typical_s, 1 - own);
 }
 export function approach(memory, px_m, x, y, speed) {
-  const peak = memory[UNIT + $submovement.PEAK];
-  const peak_x = memory[UNIT + $submovement.PEAK_X];
-  const peak_y = memory[UNIT + $submovement.PEAK_Y];
-  const done = hypot(peak_x - memory[UNIT + $submovement.START_X], peak_y - memory[UNIT + $submovement.START_Y]);
+  const peak = memory[UNIT + PEAK];
+  const peak_x = memory[UNIT + PEAK_X];
+  const peak_y = memory[UNIT + PEAK_Y];
+  const done = hypot(peak_x - memory[UNIT + START_X], peak_y - memory[UNIT + START_Y]);
   if (done === 0) {
     return 0;
   }
@@ -66,10 +107,10 @@ export function step(memory, motion) {
     memory.fill(0, VX, END);
   }
   if (new_ || m[0] === memory[AT + $predictors_movement.T0]) {
-    $submovement.begin(memory, UNIT, m[1], m[2]);
+    begin_submovement(memory, UNIT, m[1], m[2]);
   }
   const speed = hypot(m[3], m[4]);
-  $submovement.follow(memory, UNIT, memory[RISE], m[1], m[2], speed);
+  follow_submovement(memory, UNIT, memory[RISE], m[1], m[2], speed);
   const phase = $predictors_movement.phase(memory, AT, m);
   const px_m = gain(memory, dt, m[1] - memory[AT + $predictors_movement.X0], m[2] - memory[AT + $predictors_movement.Y0], m[3], m[4]);
   const rate = px_m > 0 && speed > $predictors_movement.STILL_M_S ? approach(memory, px_m, m[1], m[2], speed) : 0;

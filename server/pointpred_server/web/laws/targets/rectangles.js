@@ -1,7 +1,6 @@
 // Written by `make page` from rectangles.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 export const MOST_TARGETS = 1000;
-export const SMALLEST_PX = 0.001;
 export const CENTRE_X = 0;
 export const CENTRE_Y = 1;
 export const WIDTH = 2;

@@ -1,10 +1,9 @@
 // Written by `make page` from mixed_region.py: change that and run it again.
 import { larger, matrix } from "../../arithmetic.js";
-import * as $density from "../../mixtures/density.js";
-import * as $mixtures_levels from "../../mixtures/levels.js";
 import * as $destination from "./destination.js";
-import * as $adaptation_levels from "./levels.js";
+import * as $levels from "./levels.js";
 import * as $places from "./places.js";
+import * as $mixture from "../mixture.js";
 export const MOST_PLACES = 4;
 export const LEAST = 0.02;
 export const LEAST_SPREAD = 0.5;
@@ -36,13 +35,13 @@ export function claim(memory, now, share, elsewhere) {
   }
 }
 export function write_part(memory, part, share, centre, spread) {
-  memory[part + $density.SHARE] = share;
-  memory[part + $density.X] = centre[0];
-  memory[part + $density.Y] = centre[1];
-  memory[part + $density.SXX] = spread * spread;
-  memory[part + $density.SXY] = 0;
-  memory[part + $density.SYY] = spread * spread;
-  memory[part + $density.TAIL] = 0;
+  memory[part + $mixture.SHARE] = share;
+  memory[part + $mixture.X] = centre[0];
+  memory[part + $mixture.Y] = centre[1];
+  memory[part + $mixture.SXX] = spread * spread;
+  memory[part + $mixture.SXY] = 0;
+  memory[part + $mixture.SYY] = spread * spread;
+  memory[part + $mixture.TAIL] = 0;
 }
 export function write(memory, known, now, at, origin, start) {
   const person = known[0];
@@ -59,34 +58,34 @@ export function write(memory, known, now, at, origin, start) {
     const y = memory[place + $places.Y];
     const spread = larger($destination.spread_of(memory, going, start, x, y), LEAST_SPREAD);
     const centre = [x + origin[0], y + origin[1]];
-    write_part(memory, at + PARTS + $density.WIDTH * count, below, centre, spread);
+    write_part(memory, at + PARTS + $mixture.WIDTH * count, below, centre, spread);
     rest -= below;
     count += 1;
     number = likeliest(memory, place_memory, going, below);
   }
   memory[at + COUNT] = count;
-  memory[at + PARTS + $density.SHARE] = larger(rest, 0);
+  memory[at + PARTS + $mixture.SHARE] = larger(rest, 0);
   for (let i = 0, end_1 = ASKED - ELSEWHERE; i < end_1; i++) {
-    memory[at + PARTS + $density.X + i] = memory[now + ELSEWHERE + i];
+    memory[at + PARTS + $mixture.X + i] = memory[now + ELSEWHERE + i];
   }
-  for (let which = 0, end_2 = $mixtures_levels.LEVELS.length; which < end_2; which++) {
-    memory[at + OFFSETS + which] = $adaptation_levels.offset(memory, person, memory[now + TIME], which);
+  for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
+    memory[at + OFFSETS + which] = $levels.offset(memory, person, memory[now + TIME], which);
   }
 }
 export function judge(memory, person, at, end, share, step) {
   const count = Math.trunc(memory[at + COUNT]);
-  const parts = matrix(MOST_PLACES + 1, $density.WIDTH);
+  const parts = matrix(MOST_PLACES + 1, $mixture.WIDTH);
   for (let k = 0; k < count; k++) {
-    for (let i = 0; i < $density.WIDTH; i++) {
-      parts[k][i] = memory[at + PARTS + $density.WIDTH * k + i];
+    for (let i = 0; i < $mixture.WIDTH; i++) {
+      parts[k][i] = memory[at + PARTS + $mixture.WIDTH * k + i];
     }
   }
-  const within = $density.content(parts, count, end[0], end[1], POINTS);
-  const tail = parts[0][$density.TAIL];
+  const within = $mixture.content(parts, count, end[0], end[1], POINTS);
+  const tail = parts[0][$mixture.TAIL];
   const near = memory[at + OFFSETS];
   const far = memory[at + OFFSETS + 1];
-  for (let which = 0, end_1 = $mixtures_levels.LEVELS.length; which < end_1; which++) {
-    const inside = within <= $mixtures_levels.probability($mixtures_levels.LEVELS[which], tail, near, far);
-    $adaptation_levels.learn(memory, person, share, which, inside, step);
+  for (let which = 0, end_1 = $mixture.LEVELS.length; which < end_1; which++) {
+    const inside = within <= $mixture.corrected_probability($mixture.LEVELS[which], tail, near, far);
+    $levels.learn(memory, person, share, which, inside, step);
   }
 }

@@ -1,8 +1,9 @@
 // Written by `make page` from predictor.py: change that and run it again.
-import { hypot, view } from "../../arithmetic.js";
+import { hypot, larger, view } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
-import * as $known_places from "./known_places.js";
-import * as $observation from "../kinematic/observation.js";
+import * as $destination from "./destination.js";
+import * as $places from "./places.js";
+import * as $features from "../kinematic/features.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
 import * as $track from "../kinematic/track.js";
 import * as $predictors_movement from "../movement.js";
@@ -20,6 +21,13 @@ export const PERSON = 11;
 export const OBSERVATION = 639;
 export const MOVEMENT = 912;
 export const LENGTH = 3949;
+export const X = 0;
+export const Y = 1;
+export const P = 2;
+export const BEFORE = 3;
+export const VISITS = 4;
+export const NUMBER = 5;
+export const SPREAD = 6;
 export function sizes(values) {
   const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
   return [PERSON, learned, LENGTH - PERSON - learned];
@@ -47,9 +55,9 @@ export function adapt(memory, answer, pace) {
   return $correction.adapt(memory, PERSON, MOVEMENT, parts_of(memory), scene_of(memory), answer, pace);
 }
 export function pace_of(own, m) {
-  const peak = own[$observation.TRACK + $track.PEAK];
+  const peak = own[$features.TRACK + $track.PEAK];
   const of_peak = peak > 0 ? hypot(m[3], m[4]) / peak : 0;
-  return [of_peak, m[0] - own[$predictors_movement.T0] - own[$observation.TRACK + $track.FAST_T]];
+  return [of_peak, m[0] - own[$predictors_movement.T0] - own[$features.TRACK + $track.FAST_T]];
 }
 export function step(memory, motion, coefficients) {
   const m = motion;
@@ -75,13 +83,54 @@ export function enter_scene(memory, scene) {
     memory[ORIGIN_Y] = scene[2];
   }
 }
+export function last_end(memory, known, key) {
+  for (let age = 0; age < $places.MOVEMENTS; age++) {
+    const number = $places.visited(memory, known, age);
+    const place = known + $places.PLACES + $places.WIDTH * larger(number, 0);
+    if (number >= 0 && memory[place + $places.KEY] === key) {
+      return [memory[place + $places.X], memory[place + $places.Y]];
+    }
+  }
+  return [0, 0];
+}
 export function list_places(memory, out) {
   if (memory[ADAPT] === 0 || memory[PLACES] === 0) {
     return 0;
   }
   const parts = parts_of(memory);
   const scene = scene_of(memory);
-  return Math.trunc($known_places.list_places(memory, PERSON, MOVEMENT, parts, scene, out));
+  const known = PERSON + $correction.KNOWN;
+  const going = MOVEMENT + $correction.DESTINATION;
+  const waits = memory[going + $destination.READY] === 0;
+  let start = [memory[MOVEMENT + $correction.X0] - scene[1], memory[MOVEMENT + $correction.Y0] - scene[2]];
+  if (waits) {
+    if (memory[MOVEMENT + $correction.STARTED] === 0) {
+      start = last_end(memory, known, scene[0]);
+    }
+    $correction.prepare(memory, PERSON, going, parts, scene, start);
+  }
+  let count = 0;
+  const returns = memory[going + $destination.RETURNS];
+  for (let i = 0, end_1 = Math.trunc(memory[known + $places.COUNT]); i < end_1; i++) {
+    const place = known + $places.PLACES + $places.WIDTH * i;
+    if (memory[place + $places.KEY] === scene[0]) {
+      const x = memory[place + $places.X];
+      const y = memory[place + $places.Y];
+      const before = returns * memory[going + $destination.BEFORE + i];
+      out[count][X] = x + scene[1];
+      out[count][Y] = y + scene[2];
+      out[count][P] = waits ? before : memory[going + $destination.NOW + i];
+      out[count][BEFORE] = before;
+      out[count][VISITS] = memory[place + $places.WEIGHT];
+      out[count][NUMBER] = i;
+      out[count][SPREAD] = $destination.spread_of(memory, going, start, x, y);
+      count += 1;
+    }
+  }
+  if (waits) {
+    memory.fill(0, going, going + $destination.STATES);
+  }
+  return count;
 }
 export const AdaptiveKinematicPredictor = {
   step: step,

@@ -1,9 +1,9 @@
 // Written by `make page` from region_widening.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
-import * as $mixtures_levels from "../../mixtures/levels.js";
-import * as $adaptation_levels from "./levels.js";
+import * as $levels from "./levels.js";
 import * as $mixed_region from "./mixed_region.js";
 import * as $moments from "./moments.js";
+import * as $mixture from "../mixture.js";
 export const JUDGED = 9;
 export const LIGHTEST = 0.02;
 export const HEAVIEST = 4;
@@ -26,25 +26,27 @@ export function widen(memory, at, share, tail) {
   if (memory[at + MOVEMENTS] === 0) {
     return [1, tail];
   }
-  const heavy_now = $mixtures_levels.heaviness(tail);
+  const heavy_now = $mixture.heaviness(tail);
   const own = at + OFFSETS;
-  const first = $adaptation_levels.offset(memory, own, share, 0);
-  const second = $adaptation_levels.offset(memory, own, share, 1);
-  const near = Math.log($mixtures_levels.corrected_radius($mixtures_levels.LEVELS[0], heavy_now, first) * 2 / heavy_now);
-  const far = Math.log($mixtures_levels.corrected_radius($mixtures_levels.LEVELS[1], heavy_now, second) * 2 / heavy_now);
+  const first = $levels.offset(memory, own, share, 0);
+  const second = $levels.offset(memory, own, share, 1);
+  const near = Math.log($mixture.corrected_radius($mixture.LEVELS[0], heavy_now, first) * 2 / heavy_now);
+  const far = Math.log($mixture.corrected_radius($mixture.LEVELS[1], heavy_now, second) * 2 / heavy_now);
   const ratio = Math.exp(far - near);
   let low = LIGHTEST;
   let high = HEAVIEST;
   for (let _ = 0; _ < HALVINGS; _++) {
     heavy = 0.5 * (low + high);
-    if ($mixtures_levels.squared_radius($mixtures_levels.LEVELS[1], heavy) < ratio * $mixtures_levels.squared_radius($mixtures_levels.LEVELS[0], heavy)) {
+    if ($mixture.squared_radius_over_tail($mixture.LEVELS[1], heavy) < ratio * $mixture.squared_radius_over_tail($mixture.LEVELS[0], heavy)) {
       low = heavy;
     } else {
       high = heavy;
     }
   }
   heavy = 0.5 * (low + high);
-  const both = $mixtures_levels.squared_radius($mixtures_levels.LEVELS[0], heavy) * $mixtures_levels.squared_radius($mixtures_levels.LEVELS[1], heavy) * square(2 / heavy);
+  const half = $mixture.squared_radius_over_tail($mixture.LEVELS[0], heavy);
+  const most = $mixture.squared_radius_over_tail($mixture.LEVELS[1], heavy);
+  const both = half * most * square(2 / heavy);
   return [Math.exp(0.5 * (near + far - Math.log(both))), 2 / heavy];
 }
 export function record(memory, at, t, cursor_x, cursor_y, stated) {
@@ -78,15 +80,15 @@ export function learn(memory, person, at, place_of_end, span) {
   const x = place_of_end[0];
   const y = place_of_end[1];
   memory[person + MOVEMENTS] = smaller(memory[person + MOVEMENTS] + 1, MOVEMENTS_MOST);
-  const step = $adaptation_levels.step_after(memory[person + MOVEMENTS]);
+  const step = $levels.step_after(memory[person + MOVEMENTS]);
   let k = 0;
   for (let judged = 1, end_1 = JUDGED + 1; judged < end_1; judged++) {
     const share = judged / (JUDGED + 1);
     k = $moments.moment_at(memory, at, k, span, share, MOMENT);
     const moment = at + $moments.FIRST + MOMENT * k;
     const within = probability_within(memory, moment, x, y);
-    for (let which = 0, end_2 = $mixtures_levels.LEVELS.length; which < end_2; which++) {
-      $adaptation_levels.learn(memory, person + OFFSETS, share, which, within <= $mixtures_levels.LEVELS[which], step);
+    for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
+      $levels.learn(memory, person + OFFSETS, share, which, within <= $mixture.LEVELS[which], step);
     }
     $mixed_region.judge(memory, person + MIXED, moment + MIXTURE, place_of_end, share, step);
   }

@@ -25,6 +25,11 @@ export const GATE_SLOPE = 0.16666666666666666;
 export const FIRST = 0;
 export const SECOND = 1;
 export const HEAD = 2;
+export const KNOTS = 10;
+export const WIDTH_FACTOR = 0;
+export const TAIL_FACTOR = 1;
+export const SPREAD_FACTOR = 2;
+export const FACTORS = 3;
 export function side(values) {
   const bent = values[SIDES[0]] + values[SIDES[1]];
   return bent / Math.pow(bent * bent + SIDE_SOFT * SIDE_SOFT, 0.5);
@@ -90,4 +95,11 @@ export function evaluate(coefficients, values, out) {
   at = layer(coefficients, at, first, second);
   activate(second);
   return layer(coefficients, at, second, out);
+}
+export function factor(coefficients, at, share, which) {
+  const place = smaller(larger(share * KNOTS - 0.5, 0), KNOTS - 1);
+  const knot = smaller(Math.floor(place), KNOTS - 2);
+  const low = coefficients[at + FACTORS * knot + which];
+  const high = coefficients[at + FACTORS * (knot + 1) + which];
+  return Math.exp(low + (place - knot) * (high - low));
 }

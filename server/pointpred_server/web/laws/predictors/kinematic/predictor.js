@@ -1,9 +1,7 @@
 // Written by `make page` from predictor.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
-import * as $kinematic_calibration from "./calibration.js";
 import * as $features from "./features.js";
 import * as $network from "./network.js";
-import * as $observation from "./observation.js";
 import * as $predictors_movement from "../movement.js";
 import * as $records from "../../records.js";
 import * as $stage from "../../stage.js";
@@ -14,7 +12,7 @@ export function bounded_exp(logarithm, bounds) {
 export function step(memory, motion, coefficients) {
   const m = motion;
   const values = new Float64Array($features.FEATURES);
-  const values_1 = $observation.observe(memory, AT, m, values);
+  const values_1 = $features.observe(memory, AT, m, values);
   const fault = values_1[0];
   const frame = values_1[1];
   if (fault !== $records.FINE) {
@@ -38,12 +36,12 @@ export function step(memory, motion, coefficients) {
   const since = m[0] - memory[AT + $predictors_movement.T0];
   const left = (since + $network.HEAD_START_S) * bounded_exp(out[$network.LEFT], $network.LEFT_LOGS);
   const share = since / (since + left);
-  const scale = reach * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.WIDTH);
+  const scale = reach * $network.factor(coefficients, calibration_at, share, $network.WIDTH_FACTOR);
   const wide = square(scale * bounded_exp(out[$network.WIDE], $network.WIDTH_LOGS));
   const broad = square(scale * bounded_exp(out[$network.BROAD], $network.WIDTH_LOGS));
   const tail = bounded_exp(out[$network.TAIL], $network.TAIL_LOGS);
   const spread = bounded_exp(out[$network.SPREAD], $network.SPREAD_LOGS);
-  return [m[0], m[1] + reach * (along * ux - across * uy), m[2] + reach * (along * uy + across * ux), wide * ux * ux + broad * uy * uy, (wide - broad) * ux * uy, wide * uy * uy + broad * ux * ux, left, phase, tail * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.TAIL), spread * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.SPREAD)];
+  return [m[0], m[1] + reach * (along * ux - across * uy), m[2] + reach * (along * uy + across * ux), wide * ux * ux + broad * uy * uy, (wide - broad) * ux * uy, wide * uy * uy + broad * ux * ux, left, phase, tail * $network.factor(coefficients, calibration_at, share, $network.TAIL_FACTOR), spread * $network.factor(coefficients, calibration_at, share, $network.SPREAD_FACTOR)];
 }
 export const KinematicPredictor = {
   step: step,

@@ -1,0 +1,372 @@
+"""Kinematic template matching (KTM): the movement that began most like this one says how far it goes.
+
+A speed profile is sampled at 20 Hz and begins with a zero. What is compared are smoothed profiles; smoothing
+is linear, so that the difference of two profiles is smoothed instead, one sample at a time: a new sample
+changes the last 21 smoothed values and adds one, and what lies farther back is final.
+"""
+
+from __future__ import annotations
+
+import copy
+from math import exp, hypot, nan
+from typing import Any
+
+import numpy as np
+
+from pointpred.compiled import law, layout
+from pointpred.errors import ParameterError
+from pointpred.parameter import option, parameter
+from pointpred.predictors import movement
+from pointpred.predictors.predictor import Predictor
+from pointpred.recording import Recording
+from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
+
+RATE_HZ = 20.0
+STEP_S = 1.0 / RATE_HZ
+STAMP_S = 1e-6
+"""A sample is due a microsecond early: no clock hits a multiple of 50 ms exactly."""
+SIGMA = 7.0
+TAPS = 22
+"""The kernel's taps from its middle to one end: 43 in all."""
+KERNEL = tuple(exp(-0.5 * (i / SIGMA) ** 2) for i in range(TAPS))
+"""Half of it. Its sum is not 1: a factor on every score alike decides nothing."""
+POINTS_LEAST = 4
+
+# Settings, the kernel, then the templates: those of the library, those learned, and how many were learned.
+LEARNED_MOST, LIBRARY, LONGEST, SHORTEST_PX, HALF, STORE = offsets(1, 1, 1, 1, TAPS)
+# A template: samples of its profile (0: an empty place), straight distance px, speeds px/s.
+LENGTH, DISTANCE, SPEEDS = range(3)
+# After the templates: how many were learned, and the place of the next.
+COUNT, NEXT, LEARNED = range(3)
+# The movement, after `movement`'s own state: its points, its samples, the last of them, the last 22 speeds,
+# the whole profile; then for each template the running sum, the final part of its score, its score and the
+# last 22 smoothed differences.
+_, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.STATES, 1, 1, 1, 1, TAPS)
+SUM, FINAL, SCORE, SMOOTH, MATCH = offsets(1, 1, 1, TAPS)
+
+
+# The values of the parameters.
+TEMPLATES_OF, LONGEST_OF, SHORTEST_OF = range(3)
+
+
+@layout
+def samples_of(longest_s: float) -> int:
+    """Samples in the profile of the longest movement: one for each 50 ms, and the zero before them."""
+    return int((longest_s + STAMP_S) / STEP_S) + 1
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The settings and the kernel, without a library."""
+    memory[LEARNED_MOST], memory[LIBRARY] = values[TEMPLATES_OF], 0.0
+    memory[LONGEST], memory[SHORTEST_PX] = samples_of(values[LONGEST_OF]), values[SHORTEST_OF]
+    for k in range(TAPS):
+        memory[HALF + k] = KERNEL[k]
+
+
+@layout
+def sizes(values: FloatArray) -> tuple[int, int, int]:
+    """How many settings, learned floats and states of a movement there are without a library."""
+    templates, longest = int(values[TEMPLATES_OF]), samples_of(values[LONGEST_OF])
+    states = PROFILE + longest + templates * MATCH
+    if templates == 0:
+        return STORE, 0, states + LEARNED
+    return STORE, templates * (SPEEDS + longest) + LEARNED, states
+
+
+@law
+def template(memory: FloatArray, k: int) -> int:
+    """Place of the k-th template."""
+    return STORE + k * (SPEEDS + int(memory[LONGEST]))
+
+
+@law
+def counts(memory: FloatArray) -> int:
+    """Place of the counts of learned templates: after the last of them."""
+    return template(memory, int(memory[LIBRARY]) + int(memory[LEARNED_MOST]))
+
+
+@law
+def template_count(memory: FloatArray) -> int:
+    """How many templates there are to compare with."""
+    return int(memory[LIBRARY]) + int(memory[counts(memory) + COUNT])
+
+
+@law
+def score(memory: FloatArray, n: int, speed: float, own: float, place: int, match: int) -> None:
+    """One template's mean absolute smoothed difference over samples 0 to n."""
+    length, smooth = int(memory[place + LENGTH]), match + SMOOTH
+    difference = speed - memory[place + SPEEDS + n] if n < length else speed
+    memory[match + FINAL] += abs(memory[smooth])
+    total = memory[match + FINAL]
+    oldest = max(0, TAPS - 1 - n)
+    for k in range(oldest, TAPS - 1):
+        memory[smooth + k] = memory[smooth + k + 1] + memory[HALF + TAPS - 1 - k] * difference
+        total += abs(memory[smooth + k])
+    newest = own
+    if n < length:  # a template's smoothed speed is 0 after its end: there the movement's own stands alone
+        for k in range(oldest, TAPS):
+            newest -= memory[HALF + TAPS - 1 - k] * memory[place + SPEEDS + n - (TAPS - 1) + k]
+    memory[smooth + TAPS - 1] = newest
+    memory[match + SCORE] = (total + abs(newest)) / (n + 1)
+
+
+@law
+def sample(memory: FloatArray, at: int, speed: float) -> None:
+    """Take in the next sample of the movement's speed, and score every template."""
+    n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
+    for k in range(TAPS - 1):
+        memory[recent + k] = memory[recent + k + 1]
+    memory[recent + TAPS - 1] = speed
+    if n < longest:
+        memory[at + PROFILE + n] = speed
+    own = 0.0
+    for k in range(TAPS):
+        own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
+    for j in range(template_count(memory)):
+        place, match = template(memory, j), at + PROFILE + longest + j * MATCH
+        score(memory, n, speed, own, place, match)
+    memory[at + SAMPLES] = n + 1.0
+
+
+@law
+def winner(memory: FloatArray, at: int, times: float) -> int:
+    """Add each score that many times to its running sum; the first with the lowest sum, -1 without any."""
+    first, best = at + PROFILE + int(memory[LONGEST]), -1
+    for j in range(template_count(memory)):
+        match = first + j * MATCH
+        memory[match + SUM] += times * memory[match + SCORE]
+        if best < 0 or memory[match + SUM] < memory[first + best * MATCH + SUM]:
+            best = j
+    return best
+
+
+@law
+def keep(memory: FloatArray, at: int, distance: float) -> None:
+    """Store the movement as a template, replacing the oldest learned one, if its length is within bounds."""
+    most, samples = int(memory[LEARNED_MOST]), int(memory[at + SAMPLES])
+    if most == 0 or memory[at + POINTS] < POINTS_LEAST or not 2 <= samples <= memory[LONGEST]:
+        return
+    if not distance >= memory[SHORTEST_PX]:
+        return
+    place_of_counts = counts(memory)
+    place = template(memory, int(memory[LIBRARY]) + int(memory[place_of_counts + NEXT]))
+    memory[place + LENGTH], memory[place + DISTANCE] = samples, distance
+    for k in range(int(memory[LONGEST])):
+        memory[place + SPEEDS + k] = memory[at + PROFILE + k]  # zeros behind the last sample
+    memory[place_of_counts + NEXT] = (memory[place_of_counts + NEXT] + 1.0) % most
+    memory[place_of_counts + COUNT] = min(memory[place_of_counts + COUNT] + 1.0, most)
+
+
+TEMPLATES_MOST = 1000
+
+
+@law
+def distance(memory: FloatArray, at: int) -> float:
+    """How far the cursor is from the movement's start, px."""
+    away_x = memory[at + movement.X] - memory[at + movement.X0]
+    return hypot(away_x, memory[at + movement.Y] - memory[at + movement.Y0])
+
+
+@law
+def conclude(memory: FloatArray) -> None:
+    """The movement has ended: keep it as a template."""
+    at = counts(memory) + LEARNED
+    keep(memory, at, distance(memory, at))
+
+
+@law
+def resample(memory: FloatArray, at: int, since: float, x_before: float, y_before: float) -> None:
+    """Take in the samples that have fallen due since the motion before the last one."""
+    most = memory[LONGEST] + TAPS
+    now = memory[at + movement.T] - memory[at + movement.T0]
+    x, y = memory[at + movement.X], memory[at + movement.Y]
+    due = memory[at + SAMPLES] * STEP_S
+    while due <= now + STAMP_S and memory[at + SAMPLES] < most:
+        back = min(max((now - due) / since, 0.0), 1.0)
+        grid_x, grid_y = x + back * (x_before - x), y + back * (y_before - y)
+        way = hypot(grid_x - memory[at + GRID_X], grid_y - memory[at + GRID_Y])
+        memory[at + GRID_X], memory[at + GRID_Y] = grid_x, grid_y
+        sample(memory, at, way * RATE_HZ)
+        due = memory[at + SAMPLES] * STEP_S
+
+
+@law
+def step(memory: FloatArray, motion: Row) -> TenFloats:
+    """Follow the speed profile and go as far as the template that is most like it."""
+    m = MotionRow(*motion)
+    at = counts(memory) + LEARNED
+    last_distance = distance(memory, at)
+    x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
+    fault, new, dt = movement.follow(memory, at, m)
+    if fault != FINE:
+        return movement.refuse(memory, at, m, fault)
+    phase = movement.phase(memory, at, m)
+    if new:
+        keep(memory, at, last_distance)
+        memory[at + movement.STATES :] = 0.0
+        memory[at + POINTS] = 1.0
+        sample(memory, at, 0.0)
+    if new or m.t == memory[at + movement.T0]:
+        memory[at + GRID_X], memory[at + GRID_Y] = m.x, m.y
+    if dt > 0.0:
+        memory[at + POINTS] += 1.0
+        resample(memory, at, dt, x_before, y_before)
+    away = distance(memory, at)
+    best = -1
+    if memory[at + POINTS] >= POINTS_LEAST:
+        best = winner(memory, at, 1.0 if dt > 0.0 else 0.0)
+    if best < 0 or not away > 0.0:
+        return endpoint(m.t, nan, nan, phase)
+    ahead = memory[template(memory, best) + DISTANCE] / away - 1.0
+    x0, y0 = memory[at + movement.X0], memory[at + movement.Y0]
+    return endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase)
+
+
+class TemplatePredictor(Predictor):
+    """Kinematic template matching (KTM): as far as the earlier movement whose speed profile is most alike.
+
+    Assumes that a person repeats movements: it can only name distances that it has seen, and the direction
+    is where the cursor has gone so far. Where distances vary it is worse than no prediction until the library
+    is large. Profiles are smoothed so much (350 ms) that in a short movement little but the mean speed
+    remains.
+    In the first 50 ms every score is 0, so the first template answers.
+
+    Speeds v of cursor px at 20 Hz, the first one 0; G smooths with 43 taps of a Gaussian, sigma 7 samples,
+    both profiles cut to the samples 0 .. n so far. Score of template k = mean over 0 .. n of
+    abs((G v)_i - (G v_k)_i), with (G v_k)_i = 0 after the template's end; from the 4th point on it is added
+    to the template's running sum at every motion; endpoint = start + d_k in the direction start -> cursor,
+    with d_k the straight distance of the template whose sum is lowest.
+
+    ``library``: templates given for good, as ``templates_of`` makes them of a recording. Besides, the last
+    ``templates`` movements of the session are learned as they end (by ``reset``, a row marked ``begin`` or
+    ``Motion.start``): those of at least ``shortest_px`` and at most ``longest_s``; ``fresh`` forgets them.
+    ``None`` without any template, before the 4th point, and where the cursor is at its start. A movement
+    longer than ``longest_s`` by 1.1 s is followed no further. A second motion of the same time moves the
+    cursor, but changes neither profile nor sums.
+
+    Parameters: ``templates`` 0 to 1000 with those of the library, ``longest_s`` 0.2 to 30 s, ``shortest_px``.
+    Memory: 5756 floats; 87 for each template and 188 more, with the defaults. A sample costs time in
+    proportion to the templates, a motion between two samples hardly anything. Claims neither region nor time.
+    Raises ParameterError, and EventError from ``update``.
+
+    Reference: Pasqual, Wobbrock 2014, with the constants of their program.
+
+    >>> from pointpred import Motion
+    >>> predictor = TemplatePredictor()
+    >>> for trial in range(2):
+    ...     for i in range(21):  # 300 px to the right, then 300 px down
+    ...         way, t = 15.0 * i, trial + i / 40
+    ...         x, y = (way, 0.0) if trial == 0 else (300.0, way)
+    ...         motion = Motion(t, x, y, 0.0, 0.0, 0.0, 0.0, True, start=i == 0)
+    ...         prediction = predictor.update(motion)
+    ...         if i == 10:
+    ...             print(prediction and (round(prediction.x, 6), round(prediction.y, 6)))
+    None
+    (300.0, 300.0)
+    """
+
+    templates: int = parameter(
+        "", 0, TEMPLATES_MOST, "movements of the session that are remembered", default=64, whole=True
+    )
+    longest_s: float = parameter("s", 0.2, 30.0, "longest movement that becomes a template", default=3.0)
+    shortest_px: float = parameter("px", 0.0, 1e6, "straight distance of the shortest", default=10.0)
+    library: FloatArray | None = option("templates that stay, as `templates_of` makes them", default=None)
+    step = staticmethod(step)
+    claims_time = False
+    conclude = staticmethod(conclude)
+    fill = staticmethod(fill)
+    sizes = staticmethod(sizes)
+
+    def declare(self, **values: Any) -> None:
+        """Check the values, and the templates of the library; raises ParameterError."""
+        super().declare(**values)
+        self._library = _checked(values.get("library"), self.longest_s)
+
+    def settings(self) -> FloatArray:
+        """The numbers, the kernel and the library; how much is learned and remembered follows from them."""
+        library, longest = self._library, samples_of(self.longest_s)
+        templates = int(self.templates)
+        if templates + len(library) > TEMPLATES_MOST:
+            raise ParameterError(
+                f"at most {TEMPLATES_MOST} templates, received {len(library)} in the library and {templates}",
+                field="templates",
+                value=templates,
+            )
+        wide = np.zeros((len(library), SPEEDS + longest))
+        wide[:, : library.shape[1]] = library
+        count, self.learned, states = sizes(self.values())
+        self.states = states + len(library) * MATCH
+        settings = self.filled(count)
+        settings[LIBRARY] = len(library)
+        return np.concatenate([settings, wide.ravel()])
+
+    def template_table(self) -> FloatArray:
+        """The templates it would compare with after a reset, in the order in which ties are decided."""
+        twin = copy.copy(self)
+        twin.reset()
+        first = template(twin._memory, 0)
+        wide = SPEEDS + int(twin._memory[LONGEST])
+        count = template_count(twin._memory)
+        return twin._memory[first : first + count * wide].reshape(count, wide).copy()
+
+
+def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
+    """The library, checked."""
+    if library is None:
+        return np.empty((0, SPEEDS))
+    most = samples_of(longest_s)
+    try:
+        table = np.asarray(library, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise ParameterError(
+            f"library must be a table of numbers: {error}", field="library", value=library
+        ) from error
+    if table.ndim != 2 or not SPEEDS < table.shape[1] <= SPEEDS + most:
+        raise ParameterError(
+            f"library needs a row a template with at most {most} samples (longest_s is {longest_s:g} s), "
+            f"received shape {table.shape}",
+            field="library",
+        )
+    lengths = table[:, LENGTH]
+    longest = table.shape[1] - SPEEDS
+    if not (np.isfinite(table).all() and (lengths >= 1.0).all() and (lengths <= longest).all()):
+        raise ParameterError(
+            f"library needs finite numbers and templates of 1 to {longest} samples", field="library"
+        )
+    return table
+
+
+def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
+    """A template for each trial, in order: the number of its samples, its straight distance, its profile.
+
+    Raises ParameterError for more than 1000 trials, and where a trial has fewer than 4 points of different
+    time, takes less than 50 ms, or takes longer than ``longest_s``.
+
+    >>> from pointpred.records import EventColumns
+    >>> from pointpred.recording import Trial
+    >>> path = EventColumns.of(t=[0.0, 0.04, 0.08, 0.12], x=[0, 4, 8, 12], y=[0, 0, 0, 0])
+    >>> templates_of(Recording.of("one", [path], [Trial("ann", "1")]), longest_s=0.2).tolist()
+    [[3.0, 12.0, 0.0, 100.0, 100.0, 0.0, 0.0]]
+    """
+    if not 1 <= len(recording.trials) <= TEMPLATES_MOST:
+        raise ParameterError(
+            f"a library needs 1 to {TEMPLATES_MOST} trials, received {len(recording.trials)}"
+        )
+    templates = np.empty((len(recording.trials), SPEEDS + samples_of(longest_s)))
+    for k, trial in enumerate(recording.trials):
+        rows = recording.rows(k)
+        pupil = TemplatePredictor(templates=1, longest_s=longest_s, shortest_px=0.0)
+        motions = np.zeros((len(rows), len(MotionRow._fields)))
+        motions[:, :3] = rows.table[:, :3]
+        pupil.walk(np.zeros(len(rows), np.bool_), motions)
+        learned = pupil.template_table()
+        if not len(learned):
+            seconds = np.ptp(rows.t) if len(rows) else 0.0
+            raise ParameterError(
+                f"trial {trial.trial!r} of {trial.user!r} is no template: it needs {POINTS_LEAST} "
+                f"points and 0.05 to {longest_s:g} s, received {len(rows)} points in {seconds:g} s"
+            )
+        templates[k] = learned[0]
+    return templates
