@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
-from rich.console import Console
+from rich.console import Console, JustifyMethod, OverflowMethod
+from rich.table import Table
 from rich.text import Text
 
 WIDE = 160
@@ -26,7 +28,7 @@ def plain(text: str) -> str:
     return text.translate(CONTROLS)
 
 
-class Screen(Console):
+class PlainConsole(Console):
     """A console that shows control characters instead of obeying them."""
 
     def render_str(self, text: str, **options: Any) -> Text:
@@ -36,17 +38,38 @@ class Screen(Console):
 
 def results() -> Console:
     """The console for results; plain and wide when it is not a terminal."""
-    return Screen(width=None if sys.stdout.isatty() else WIDE, highlight=False)
+    return PlainConsole(width=None if sys.stdout.isatty() else WIDE, highlight=False)
 
 
 def remarks() -> Console:
     """The console for progress, remarks and errors."""
-    return Screen(stderr=True, highlight=False, soft_wrap=True)
+    return PlainConsole(stderr=True, highlight=False, soft_wrap=True)
 
 
 def remark(text: str) -> None:
     """Print a remark as it is, without markup."""
     remarks().print(text, markup=False)
+
+
+def table(
+    headings: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    whole: Collection[str] = (),
+    right: Collection[str] = (),
+    overflow: OverflowMethod = "ellipsis",
+) -> Table:
+    """A table without lines; without headings none are shown.
+
+    By their headings: ``whole`` columns are not broken into lines, ``right`` ones are aligned there.
+    """
+    made = Table(box=None, pad_edge=False, show_header=bool(headings))
+    for heading in headings:
+        justify: JustifyMethod = "right" if heading in right else "left"
+        made.add_column(heading, justify=justify, no_wrap=heading in whole, overflow=overflow)
+    for row in rows:
+        made.add_row(*row)
+    return made
 
 
 def counted(number: int, noun: str) -> str:

@@ -13,7 +13,7 @@ from functools import partial
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.machine import machine
-from pointpred.hid.report_descriptor import parse_descriptor
+from pointpred.devices.hid import parse_descriptor
 from tests.devices.live_mouse import Live, measure
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing

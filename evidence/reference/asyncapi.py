@@ -29,12 +29,14 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.live_messages import LIVE_MESSAGES, Attached, Curve, Status
-from pointpred.protocol.packed import EVENT, NO_COUNTS, PREDICTION, pack_predictions
+from pointpred.protocol.frames import EVENT, NO_COUNTS, PREDICTION, pack_predictions
 from pointpred.protocol.server_messages import (
+    LIVE_MESSAGES,
     SERVER_MESSAGES,
+    Attached,
     ChoiceMessage,
     Cursor,
+    Curve,
     EndpointLaw,
     ErrorMessage,
     KnownPerson,
@@ -43,6 +45,7 @@ from pointpred.protocol.server_messages import (
     PlaceSquare,
     PredictionMessage,
     Score,
+    Status,
     TargetsTaken,
     Welcome,
 )

@@ -26,9 +26,9 @@ def test_it_has_the_version_of_the_library() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "name"),
     [
-        ("pointpred_observers", "pointpred_observers", "Persidskii"),
-        ("pointpred_observers.examples", "pointpred_observers.examples", "two_masses"),
-        ("pointpred_observers.camera", "pointpred_observers.camera", "DepthObserver"),
+        ("pointpred.observers", "pointpred_observers", "Persidskii"),
+        ("pointpred.observers.examples", "pointpred_observers.examples", "two_masses"),
+        ("pointpred.camera", "pointpred_observers.camera", "DepthObserver"),
     ],
 )
 def test_the_names_of_version_0_1_load_with_a_warning(old: str, new: str, name: str) -> None:
@@ -48,7 +48,7 @@ def test_the_old_name_gives_the_same_things() -> None:
 def test_without_the_distribution_the_old_name_says_what_to_install(
     old: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(f"pointpred.{old}.find_spec", lambda name: None)
+    monkeypatch.setattr("pointpred.extras.find_spec", lambda name: None)
     with pytest.raises(MissingExtraError) as refused:
         exec(f"from pointpred.{old} import simulate")
     assert str(refused.value).endswith(extras.install_command(of="pointpred-observers"))

@@ -13,13 +13,13 @@ from typing import Annotated, NoReturn
 import typer
 
 import pointpred
+from pointpred.cli import INTERRUPTED
 from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
-from pointpred.cli.help_text import add_help
+from pointpred.cli.help_text import add_help, bad_value
 from pointpred.cli.live import live
-from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
@@ -31,7 +31,7 @@ from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.extras import missing_distribution
 
-DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+DONE, NOTHING, WRONG_USE = 0, 1, 2
 ELSEWHERE = {
     **dict.fromkeys(("demo", "serve"), "pointpred-server"),
     **dict.fromkeys(("camera", "observers"), "pointpred-observers"),
@@ -104,7 +104,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         if not isinstance(left if isinstance(left, OSError) else left.__context__, BrokenPipeError):
             raise
         code = DONE
-        _abandon_output()
+        # The reader of our output has closed it (``| head``); this is no error.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except typer.Abort:  # Ctrl-C, or the end of what was asked for
         print("pointpred: interrupted", file=sys.stderr)
         code = INTERRUPTED
@@ -125,11 +126,6 @@ def _open_streams() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-
-
-def _abandon_output() -> None:
-    """The reader of our output has closed it (``| head``); this is not an error."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _sentence(error: Exception) -> str:

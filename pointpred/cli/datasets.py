@@ -5,12 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any
 
-import msgspec
 import typer
-from rich.table import Table
 
-from pointpred.cli.output_files import write_json
-from pointpred.console import WIDE, remarks, results
+from pointpred.cli.output_files import AsJson, print_json
+from pointpred.console import WIDE, remark, results, table
 
 BOUNDLESS = 1000
 """Columns of the list where nobody looks at it: no address is cut."""
@@ -22,7 +20,7 @@ app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, an
 
 @app.command("list")
 def list_sets(
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the public sets of the catalogue, with licence and how to get each.
 
@@ -36,21 +34,20 @@ def list_sets(
 
     sets = listing()
     if as_json:
-        write_json({"version": 1, "sets": msgspec.to_builtins(sets)}, Path("-"))
+        print_json("sets", sets)
         return
-    table = Table(box=None, pad_edge=False)
     screen = results()
     if not screen.is_terminal:  # a line a set, however long, for whoever cuts it up
         screen.width = BOUNDLESS
     wide = screen.width >= WIDE
     by_hand = [one for one in sets if not one.fetchable]
-    for column in ("name", "people", "trials", *(("sampling", "licence") if wide else ()), "to get it"):
-        table.add_column(column, no_wrap=column == "name", overflow="fold")
+    headings = ("name", "people", "trials", *(("sampling", "licence") if wide else ()), "to get it")
+    rows = []
     for one in sets:
         way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page if wide else BY_HAND
         more = (one.sampling, one.licence) if wide else ()
-        table.add_row(one.name, _count(one.users), _count(one.trials), *more, way)
-    screen.print(table, markup=False)
+        rows.append((one.name, _count(one.users), _count(one.trials), *more, way))
+    screen.print(table(headings, rows, whole=("name",), overflow="fold"), markup=False)
     for one in () if wide else by_hand:
         screen.print(f"{one.name}: {one.page}", markup=False, soft_wrap=True)
     if not wide:
@@ -83,15 +80,11 @@ def fetch_set(
     entry = find(name)
     into = folder / entry.name
     with following() as progress:
-        fetched = fetch(entry, into, accept_unverified=accept_unverified, progress=progress, say=_say)
+        fetched = fetch(entry, into, accept_unverified=accept_unverified, progress=progress, say=remark)
     for file in fetched:
         typer.echo(file.path)
     if entry.importer is not None:
-        remarks().print(f"Then:  pointpred score {into}", markup=False)
-
-
-def _say(sentence: str) -> None:
-    remarks().print(sentence, markup=False)
+        remark(f"Then:  pointpred score {into}")
 
 
 def _count(value: Any) -> str:

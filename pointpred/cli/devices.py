@@ -5,21 +5,17 @@ from __future__ import annotations
 import sys
 import time
 from contextlib import suppress
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
-import msgspec
 import typer
 from rich.live import Live
-from rich.table import Table
 
-from pointpred.cli.output_files import write_json
-from pointpred.console import plain, remark, remarks, results
+from pointpred.cli.output_files import AsJson, print_json
+from pointpred.console import counted, plain, remark, results, table
+from pointpred.devices.cursor import CursorSource
+from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
-
-if TYPE_CHECKING:
-    from pointpred.cli.device_watch import DeviceWatch
-    from pointpred.devices.source import DeviceInfo, DeviceSource
+from pointpred.live.session import ReportRate
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -35,7 +31,7 @@ def list_devices(
     everything: Annotated[
         bool, typer.Option("--all", help="Also list HID devices that are not mice, with the reason.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the mice: path, name, whether each can be opened, and what to do if not.
 
@@ -50,24 +46,21 @@ def list_devices(
     """
     listed = _devices(everything)
     if as_json:
-        write_json({"version": 1, "devices": msgspec.to_builtins(listed)}, Path("-"))
+        print_json("devices", listed)
         return
     if not listed:
-        from pointpred.devices.hidraw.nodes import BROWSER
+        from pointpred.devices.source import BROWSER
 
         raise SourceError(
             "no mouse found; plug one in and list again. Virtual machines and containers have none of their "
             f"own: {BROWSER}"
         )
-    table = Table(box=None, pad_edge=False)
-    for column in ("device", "by", "name", "can be opened"):
-        table.add_column(column, no_wrap=column == "device")
-    for one in listed:
-        table.add_row(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}")
-    results().print(table, markup=False)
+    rows = [(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}") for one in listed]
+    headings = ("device", "by", "name", "can be opened")
+    results().print(table(headings, rows, whole=("device",)), markup=False)
     for one in listed:
         if one.advice:
-            remarks().print(f"{one.path} ({one.name}): {one.advice}", markup=False)
+            remark(f"{one.path} ({one.name}): {one.advice}")
 
 
 @app.command("udev")
@@ -83,14 +76,14 @@ def udev() -> None:
 
       sudo udevadm control --reload && sudo udevadm trigger
     """
-    from pointpred.devices.hidraw.nodes import hid_devices, is_mouse_interface, not_a_mouse, udev_rule
+    from pointpred.devices.hidraw import hid_devices, is_mouse_interface, not_a_mouse, udev_rule
     from pointpred.devices.udev import RELOAD, RULES_FILE, shipped_rules
 
     typer.echo(shipped_rules(), nl=False)
     try:
         mice = [device for device in hid_devices() if not_a_mouse(device) is None]
     except SourceError as error:
-        remarks().print(f"no line for mice plugged in now: {error}", markup=False)
+        remark(f"no line for mice plugged in now: {error}")
         mice = []
     for device in mice:
         if not is_mouse_interface(device):
@@ -98,7 +91,7 @@ def udev() -> None:
                 " ".join(device.name.split())
             )  # a device may be called anything, a line of rules too
             typer.echo(f"\n# {name} (opens every interface of this device)\n{udev_rule(device)}")
-    remarks().print(f"write this into {RULES_FILE}, then run: {RELOAD}", markup=False)
+    remark(f"write this into {RULES_FILE}, then run: {RELOAD}")
 
 
 @app.command("watch")
@@ -123,7 +116,6 @@ def watch(
 
       pointpred devices watch /dev/hidraw2 --for 10
     """
-    from pointpred.cli.device_watch import DeviceWatch
     from pointpred.devices.selection import choose
 
     with choose(device, warn=remark) as source:
@@ -137,14 +129,14 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
     """Take reports and show them: a table in a terminal, lines elsewhere."""
     until = None if seconds is None else time.monotonic() + seconds
     pictured = sys.stdout.isatty()
-    remarks().print(f"{source.name} at {source.path}; {source.clock}. Ctrl-C ends.", markup=False)
+    remark(f"{source.name} at {source.path}; {source.clock}. Ctrl-C ends.")
     with Live(console=results(), auto_refresh=False, transient=True) as screen:
         shown = time.monotonic()
         while until is None or time.monotonic() < until:
             watched.add(source.take(AGAIN_S))
             now = time.monotonic()
             if pictured and now - shown >= AGAIN_S:
-                screen.update(watched.table(), refresh=True)
+                screen.update(table((), watched.rows()), refresh=True)
                 shown = now
             elif not pictured and now - shown >= 1:
                 screen.console.print(watched.line(), markup=False)
@@ -153,10 +145,64 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
 
 def _devices(everything: bool) -> list[DeviceInfo]:
     """Mice by hidraw, then by evdev; the cursor on systems that let no program read mice."""
-    from pointpred.devices.cursor.source import cursor_info
+    from pointpred.devices.cursor import cursor_info
     from pointpred.devices.selection import list_mice
 
     if sys.platform != "linux":
         return [cursor_info()]
     mice = list_mice(everything, remark)
     return sorted(mice, key=lambda one: one.kind != "hid")
+
+
+class DeviceWatch:
+    """Totals over the reports of a source, and its counters. Memory is bounded."""
+
+    def __init__(self, source: DeviceSource) -> None:
+        self.reports = 0
+        self.x = self.y = self.wheel = self.pan = 0.0
+        self._source = source
+        self._unit = "px" if isinstance(source, CursorSource) else "counts"
+        self._buttons = 0
+        self._pace = ReportRate()
+
+    def add(self, reports: list[Report]) -> None:
+        """Count some reports."""
+        self.reports += len(reports)
+        self._pace.add(time.monotonic(), len(reports))
+        for report in reports:
+            self.x += report.dx
+            self.y += report.dy
+            self.wheel += report.wheel
+            self.pan += report.pan
+            self._buttons = report.buttons
+
+    def rows(self) -> list[tuple[str, str]]:
+        """Name and value of everything known now."""
+        source = self._source
+        pressed = [name for bit, name in BUTTON_NAMES.items() if self._buttons & bit]
+        return [
+            ("device", f"{source.path} ({source.name})" + ("" if source.plugged else ": unplugged, waiting")),
+            ("reports", f"{self.reports}"),
+            ("a second", f"{self._pace.rate(time.monotonic()):.0f}"),
+            ("x, y", f"{self.x:+.0f}, {self.y:+.0f} {self._unit}"),
+            ("wheel, pan", f"{self.wheel:+.0f}, {self.pan:+.0f} steps"),
+            ("pressed", ", ".join(pressed) or "none"),
+            ("lost", f"{source.lost} in the queue, {source.resynchronised} times in the kernel"),
+            ("unreadable", f"{source.unreadable}"),
+        ]
+
+    def line(self) -> str:
+        """Everything, in one line for a pipe or a file."""
+        return "; ".join(f"{name} {value}" for name, value in self.rows()[1:])
+
+    def summary(self) -> str:
+        """The totals in a sentence."""
+        source = self._source
+        if not self.reports:
+            return (
+                f"{source.path} sent nothing: move the mouse, or look at another of 'pointpred devices list'"
+            )
+        return (
+            f"{source.path}: {counted(self.reports, 'report')}, {source.lost} lost, "
+            f"{source.unreadable} unreadable, {self.x:+.0f} and {self.y:+.0f} {self._unit}"
+        )

@@ -13,11 +13,10 @@ from typing import Annotated, Literal
 
 import msgspec
 import typer
-from rich.table import Table
 
 from pointpred import compiled
-from pointpred.cli.output_files import write_json
-from pointpred.console import counted, results
+from pointpred.cli.output_files import print_json
+from pointpred.console import counted, results, table
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
 
@@ -49,7 +48,7 @@ def doctor(
     findings = [finding for check in CHECKS for finding in run_check(check)]
     broken = [one for one in findings if one.state == "broken"]
     if as_json:
-        write_json({"version": 1, "findings": msgspec.to_builtins(findings)}, Path("-"))
+        print_json("findings", findings)
     else:
         show(findings)
     raise typer.Exit(1 if broken else 0)
@@ -57,13 +56,13 @@ def doctor(
 
 def show(findings: list[Finding]) -> None:
     """Print a table; advice with lines to copy stands below it, where nothing wraps them."""
-    table = Table(box=None, pad_edge=False, show_header=False)
     below = [one for one in findings if one.advice and "\n" in one.advice]
+    rows: list[tuple[str, str, str]] = []
     for one in findings:
-        table.add_row(one.state, one.name, one.found)
+        rows.append((one.state, one.name, one.found))
         if one.advice:
-            table.add_row("", "", "-> see below" if one in below else f"-> {one.advice}")
-    results().print(table, markup=False)
+            rows.append(("", "", "-> see below" if one in below else f"-> {one.advice}"))
+    results().print(table((), rows), markup=False)
     for one in below:
         results().print(f"\n{one.name}: {one.advice}", markup=False, soft_wrap=True)
 
@@ -131,8 +130,8 @@ def extras() -> list[Finding]:
 
 def devices() -> list[Finding]:
     """Mice by both ways of reading them."""
-    from pointpred.devices.evdev.nodes import list_evdev
-    from pointpred.devices.hidraw.nodes import list_hid
+    from pointpred.devices.evdev import list_evdev
+    from pointpred.devices.hidraw import list_hid
 
     findings = []
     if sys.platform != "linux":
@@ -159,7 +158,7 @@ def devices() -> list[Finding]:
 
 def cursor() -> list[Finding]:
     """The screen's cursor."""
-    from pointpred.devices.cursor.source import RATE_HZ, UNTRIED, system_cursor
+    from pointpred.devices.cursor import RATE_HZ, UNTRIED, system_cursor
 
     try:
         with closing(system_cursor()) as screen:

@@ -1,9 +1,9 @@
-"""Help from docstrings: paragraphs that flow into the terminal's width, examples that can be copied."""
+"""Help from docstrings that flow into the terminal's width, and plain words for a wrong option."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, get_args
 
 import typer
@@ -13,6 +13,21 @@ EXAMPLES = "\n\nTry:\n\n"
 """Where the examples of a docstring begin; they are its end."""
 VALUES = {str: "TEXT", int: "INTEGER", float: "NUMBER"}
 """What stands for a value of each type."""
+
+BOUNDS = {
+    "greater_than_equal": "must be at least {ge:g}",
+    "less_than_equal": "must be at most {le:g}",
+    "greater_than": "must be above {gt:g}",
+    "less_than": "must be below {lt:g}",
+    "int_parsing": "must be a whole number",
+    "int_from_float": "must be a whole number",
+    "float_parsing": "must be a number",
+    "finite_number": "must be a finite number",
+    "bool_parsing": "must be true or false",
+    "literal_error": "must be {expected}",
+    "string_too_short": "must have at least {min_length} characters",
+}
+"""By pydantic's type of an error: what was expected, with the details that come with it."""
 
 
 def flowing(words: str) -> str:
@@ -81,3 +96,22 @@ def add_help(app: typer.Typer) -> None:
     for group in app.registered_groups:
         if group.typer_instance is not None:
             add_help(group.typer_instance)
+
+
+def option_error(name: str, problem: Mapping[str, Any]) -> str:
+    """A sentence on the option ``name``, from one entry of a ``ValidationError``'s ``errors()``.
+
+    >>> option_error("--threads", {"type": "greater_than_equal", "ctx": {"ge": 1}, "input": "0"})
+    "--threads must be at least 1, received '0'"
+    """
+    if problem["type"] == "value_error":  # our own words
+        return f"{name}: {problem['ctx']['error']}"
+    words = BOUNDS.get(problem["type"], "is refused: {msg}")
+    received = "" if "token" in name else f", received {problem['input']!r}"
+    return f"{name} {words.format(msg=problem.get('msg'), **problem.get('ctx', {}))}{received}"
+
+
+def bad_value(error: BaseException, name: str, message: str) -> str:
+    """The same for an error of the command line, whose cause may be a ``ValidationError``."""
+    problems = getattr(error.__cause__, "errors", None)
+    return option_error(name, problems()[0]) if problems is not None else f"{name}: {message}"

@@ -7,10 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.output_files import check_target
-from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import as_given, options_in, to_read, with_reading
+from pointpred.cli.reading_options import (
+    SPEED,
+    TRIAL,
+    as_given,
+    one_recording,
+    options_in,
+    print_skipped,
+    speed_of,
+    to_read,
+    with_reading,
+)
+from pointpred.cli.shared_options import Coefficients, with_coefficients
 from pointpred.errors import ParameterError
 from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
@@ -127,7 +136,8 @@ def live(
     """
     if record is not None:
         _check_new("--record", record)
-        _check_new("--record", _predictions_beside(record))
+        stem = record.stem.removesuffix("_samples") or record.stem
+        _check_new("--record", record.with_name(f"{stem}_predictions.csv"))
     if save_transfer is not None:
         _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
@@ -136,7 +146,7 @@ def live(
     parameters = with_coefficients([predictor], coefficients).get(predictor, {})
     page = None
     if serve:
-        from pointpred.live.page import page_opener
+        from pointpred.live.run import page_opener
 
         page = page_opener(host, port)
 
@@ -153,7 +163,7 @@ def live(
             if value is not None and name not in ("cpi", "dpi"):
                 raise ParameterError(f"--{name.replace('_', '-')} needs --replay", field=name)
         from pointpred.cli.counts_per_inch import counts_per_inch
-        from pointpred.live.device import DeviceOptions, follow_device
+        from pointpred.live.follow import DeviceOptions, follow_device
 
         follow_device(
             DeviceOptions(device, lsl, cursor, transfer, display, measure_cpi, person),
@@ -174,8 +184,8 @@ def live(
             raise ParameterError(
                 f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
+    from pointpred.live.playback import playable_trials
     from pointpred.live.replay import follow_replay
-    from pointpred.live.replay_trials import playable_trials
 
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)
@@ -193,8 +203,3 @@ def _check_new(option: str, file: Path) -> None:
         raise ParameterError(
             f"{option} makes a new file, and {file} is there already; name another", code="file_exists"
         )
-
-
-def _predictions_beside(samples: Path) -> Path:
-    """Where a recording's predictions go."""
-    return samples.with_name(f"{samples.stem.removesuffix('_samples') or samples.stem}_predictions.csv")

@@ -17,9 +17,15 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import write_whole
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")]
+Numbers = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
+]
+"""Where the numbers that are printed go as JSON."""
 PLANTS_AND_DESIGNS = "pointpred observers"
 """The "format" of the files of pointpred-observers, which no result replaces."""
-Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
 def write_json(value: object, target: Path) -> None:
@@ -31,6 +37,11 @@ def write_json(value: object, target: Path) -> None:
         sys.stdout.buffer.flush()
     else:
         write_whole(target, encoded)
+
+
+def print_json(name: str, value: object) -> None:
+    """Print a document of version 1 that holds one thing."""
+    write_json({"version": 1, name: msgspec.to_builtins(value)}, Path("-"))
 
 
 def check_target(target: Path | None) -> None:

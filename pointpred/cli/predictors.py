@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.table import Table
 
-from pointpred.cli.output_files import write_json
-from pointpred.console import NARROW, results
+from pointpred.cli.output_files import print_json
+from pointpred.console import NARROW, results, table
 from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
 
@@ -31,7 +29,7 @@ def predictors(
         build(name)
     descriptions = [describe(one) for one in ([name] if name else REGISTRY)]
     if as_json:
-        write_json({"version": 1, "predictors": descriptions}, Path("-"))
+        print_json("predictors", descriptions)
     elif name is None:
         _print_all(descriptions)
     else:
@@ -40,13 +38,9 @@ def predictors(
 
 def _print_all(descriptions: list[dict[str, Any]]) -> None:
     wide = results().width >= NARROW
-    table = Table(box=None, pad_edge=False)
-    for column in ("name", "what it does", *(("differentiator", "reference") if wide else ())):
-        table.add_column(column, no_wrap=column == "name")
-    for one in descriptions:
-        more = (one["differentiator"], one["reference"]) if wide else ()
-        table.add_row(one["name"], one["title"], *more)
-    results().print(table)
+    more = ("differentiator", "reference") if wide else ()
+    rows = [(one["name"], one["title"], *(one[name] for name in more)) for one in descriptions]
+    results().print(table(("name", "what it does", *more), rows, whole=("name",)))
     results().print(f"\nFor a live person: {RECOMMENDED}. Parameters of one: pointpred predictors NAME")
 
 
@@ -54,14 +48,12 @@ def _print_one(one: dict[str, Any]) -> None:
     screen = results()
     screen.print(f"{one['name']}: {one['title']} ({one['reference']})")
     screen.print(f"differentiator: {one['differentiator']}\n")
-    table = Table(box=None, pad_edge=False)
     wide = screen.width >= NARROW
-    for column in ("parameter", *(("of", "unit") if wide else ()), "bounds", "default", "meaning"):
-        table.add_column(column, no_wrap=column != "meaning")
+    whole, rows = ("parameter", *(("of", "unit") if wide else ()), "bounds", "default"), []
     for p in one["parameters"]:
         unit = p["unit"] or "-"
         last = p["meaning"] if wide or unit == "-" else f"{p['meaning']} ({unit})"
         bounds = f"[{p['low']:g}, {p['high']:g}]"
-        table.add_row(p["name"], *((p["of"], unit) if wide else ()), bounds, f"{p['default']}", last)
-    screen.print(table, markup=False)
+        rows.append((p["name"], *((p["of"], unit) if wide else ()), bounds, f"{p['default']}", last))
+    screen.print(table((*whole, "meaning"), rows, whole=whole), markup=False)
     screen.print(f"\nIn Python:  build({one['name']!r}, parameter=value)", markup=False)

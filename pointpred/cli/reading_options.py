@@ -1,30 +1,38 @@
-"""What the command line can be told about foreign recordings, where their files do not say it."""
+"""The recordings that a command is given: what it is told about them, and each read under its own name."""
 
 from __future__ import annotations
 
+import math
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args, get_origin, get_type_hints, overload
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Literal,
+    TypeVar,
+    get_args,
+    get_origin,
+    get_type_hints,
+    overload,
+)
 
+import msgspec
 import typer
 
-from pointpred.errors import ParameterError, PointpredError
-from pointpred.recordings.reading import (
-    AS_IS,
-    Reading,
-    columns_of,
-    px_per_unit_of,
-)
+from pointpred.console import remark, remarks
+from pointpred.errors import ParameterError, PointpredError, RecordingError
+from pointpred.recording import Recording
+from pointpred.recordings.reading import AS_IS, Reading, columns_of, px_per_unit_of
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
-    from pointpred.recording import Recording
     from pointpred.recordings import StoredRecording
 
 SAMPLE = "sample"
@@ -36,6 +44,13 @@ TABLES = "For a table of your own"
 
 PARSED: dict[str, Callable[[str], Any]] = {"columns": columns_of, "px_per_unit": px_per_unit_of}
 """What reads the text of an option that is neither a word nor a number."""
+
+Reasons = dict[str, str]
+"""Files that could not be read and recordings that could not be scored, and why."""
+Source = TypeVar("Source", "Recording", "Recording | StoredRecording")
+
+SPEED = "1 as recorded, 2 twice as fast, max without waiting."
+TRIAL = "USER-TRIAL, or its number counted from 1; repeatable. Not given: all."
 
 
 def check_exists(value: Any) -> Any:
@@ -200,3 +215,92 @@ def _parameters(function: Callable[..., Any]) -> dict[str, Parameter]:
     """The parameters with their types."""
     types = get_type_hints(function, localns={"Reading": Reading}, include_extras=True)
     return {name: one.replace(annotation=types[name]) for name, one in signature(function).parameters.items()}
+
+
+def in_memory(files: list[Path], reading: Reading, reasons: Reasons) -> Iterator[Recording]:
+    """The recordings of files, so that only one is in memory; complains where a file cannot be read."""
+    return _named(files, lambda file: recordings_in(file, reading), reasons)
+
+
+def in_memory_or_stored(
+    files: list[Path], reading: Reading, reasons: Reasons
+) -> Iterator[Recording | StoredRecording]:
+    """The same, but long files of pointpred's own stay where they are."""
+    return _named(files, lambda file: recordings_in(file, reading, stored=True), reasons)
+
+
+def _named(
+    files: list[Path], open_one: Callable[[Path], Sequence[Source]], reasons: Reasons
+) -> Iterator[Source]:
+    names: dict[str, Path] = {}
+    for file in files:
+        try:
+            for recording in open_one(file):
+                name = _free_name(recording.name, file, names)
+                if name != recording.name:
+                    first = shown(names[recording.name])
+                    note = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
+                    remark(note)
+                names[name] = file
+                yield _called(recording, name)
+        except (PointpredError, OSError) as error:
+            leave_out(reasons, shown(file), error)
+
+
+def _called(recording: Source, name: str) -> Source:
+    if isinstance(recording, Recording):
+        return msgspec.structs.replace(recording, name=name)
+    about = msgspec.structs.replace(recording.about, name=name)
+    return msgspec.structs.replace(recording, about=about)
+
+
+def _free_name(name: str, file: Path, names: Mapping[str, Path]) -> str:
+    """A name that no other recording has: with its folder before it where it is taken, then with a number."""
+    free, count = name, 1
+    while free in names:
+        folder = file.absolute() if file.is_dir() else file.absolute().parent
+        free = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
+        count += 1
+    return free
+
+
+def leave_out(reasons: Reasons, name: str, error: Exception) -> None:
+    """Complain about a file that cannot be read or a recording that cannot be scored, and remember it."""
+    expected = isinstance(error, PointpredError | OSError)
+    reason = str(error) if expected else f"{type(error).__name__}: {error}"
+    reasons[name] = reason
+    message = reason if name in reason else f"{name}: {reason}"
+    remarks().print(f"left out: {message}", style="red", markup=False)
+
+
+def one_recording(file: Path | None, reading: Any) -> Recording:
+    """The recording to play; the embedded sample where no file is named."""
+    if file is None:
+        from pointpred.datasets import sample
+
+        remarks().print("No recording given: playing the embedded sample of simulated people.")
+        return sample()
+    from pointpred.cli.progress import following
+
+    with following() as progress:
+        recordings = recordings_in(file, reading, progress)
+    if len(recordings) != 1:
+        raise RecordingError(f"{file} holds {len(recordings)} recordings; name a file with one")
+    return recordings[0]
+
+
+def speed_of(text: str) -> float:
+    """A number above 0, or infinity for ``max``; raises ParameterError."""
+    try:
+        value = math.inf if text == "max" else float(text)
+    except ValueError:
+        value = math.nan
+    if not value > 0.0:
+        raise ParameterError(f"speed must be a positive number or 'max', received {text!r}")
+    return value
+
+
+def print_skipped(skips: tuple[Any, ...]) -> None:
+    """Say which trials are left out, and why."""
+    for skip in skips:
+        remarks().print(f"left out: {skip.user}-{skip.trial} {skip.reason}", style="red", markup=False)

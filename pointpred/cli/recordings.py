@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import write_json
-from pointpred.console import counted, remarks, results
+from pointpred.cli.output_files import AsJson, print_json
+from pointpred.console import counted, remark, remarks, results, table
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class RecordingRow(msgspec.Struct, frozen=True):
 @app.command("list")
 def list_recordings(
     folder: Folder = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the recorded sessions: when they began, events, trials, size on disk.
 
@@ -58,11 +58,25 @@ def list_recordings(
 
     recordings = listing(_chosen(folder))
     if as_json:
-        write_json({"version": 1, "recordings": [_row(one) for one in recordings]}, Path("-"))
+        rows = [
+            RecordingRow(
+                one.name,
+                one.begun.isoformat(),
+                one.events,
+                one.trials,
+                one.skipped,
+                one.size,
+                [str(path) for path in one.files],
+                one.notes,
+                one.problem,
+            )
+            for one in recordings
+        ]
+        print_json("recordings", rows)
     elif recordings:
         _show(recordings)
     else:
-        remarks().print(f"nothing is recorded in {_chosen(folder)}", markup=False)
+        remark(f"nothing is recorded in {_chosen(folder)}")
 
 
 @app.command("delete")
@@ -94,7 +108,7 @@ def delete_recordings(
     wanted = list(there) if everything else list(dict.fromkeys(names or ()))
     size = sum(there[name].size for name in wanted if name in there)
     if not wanted:
-        remarks().print(f"nothing is recorded in {chosen}", markup=False)
+        remark(f"nothing is recorded in {chosen}")
         return
     present = all(name in there for name in wanted)
     many = counted(len(wanted), "recording")
@@ -102,7 +116,7 @@ def delete_recordings(
         remarks().print("nothing was deleted")
         raise typer.Exit(1)
     gone = delete(chosen, wanted)
-    remarks().print(f"deleted {counted(len(gone), 'recording')}, {_size(size)}", markup=False)
+    remark(f"deleted {counted(len(gone), 'recording')}, {_size(size)}")
 
 
 def _chosen(folder: Path | None) -> Path:
@@ -120,31 +134,14 @@ def _sure(question: str) -> bool:
 
 
 def _show(recordings: list[Recorded]) -> None:
-    from rich.table import Table
-
-    table = Table(box=None, pad_edge=False)
-    for column in ("name", "begun (UTC)", "events", "trials", "skipped", "size", "remark"):
-        number = column in ("events", "trials", "skipped", "size")
-        table.add_column(column, no_wrap=column == "name", justify="right" if number else "left")
+    numbers = ("events", "trials", "skipped", "size")
+    rows = []
     for one in recordings:
         counts = (str(one.events), str(one.trials), str(one.skipped)) if one.problem is None else ("-",) * 3
-        remark = one.problem or "; ".join(one.notes)
-        table.add_row(one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark)
-    results().print(table, markup=False)
-
-
-def _row(one: Recorded) -> RecordingRow:
-    return RecordingRow(
-        one.name,
-        one.begun.isoformat(),
-        one.events,
-        one.trials,
-        one.skipped,
-        one.size,
-        [str(path) for path in one.files],
-        one.notes,
-        one.problem,
-    )
+        notes = one.problem or "; ".join(one.notes)
+        rows.append((one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), notes))
+    headings = ("name", "begun (UTC)", *numbers, "remark")
+    results().print(table(headings, rows, whole=("name",), right=numbers), markup=False)
 
 
 def _size(size: float) -> str:

@@ -9,11 +9,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from msgspec import structs
 
-from pointpred.cli.coefficients import named_file, with_coefficients
-from pointpred.cli.output_files import check_target, write_json
-from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
-from pointpred.cli.reading_options import as_given, to_read, with_reading
-from pointpred.console import remarks, results
+from pointpred.cli.output_files import Numbers, check_target, write_json
+from pointpred.cli.reading_options import (
+    SPEED,
+    TRIAL,
+    as_given,
+    one_recording,
+    print_skipped,
+    speed_of,
+    to_read,
+    with_reading,
+)
+from pointpred.cli.shared_options import named_file, with_coefficients
+from pointpred.console import remark, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
 
@@ -57,10 +65,7 @@ def replay(
     speed: Annotated[str, typer.Option(help=SPEED)] = "1",
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
-    json: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
-    ] = None,
+    json: Numbers = None,
     coefficients: Annotated[
         str | None,
         typer.Option(
@@ -137,9 +142,8 @@ def _drive(
     devtools: str, url: str | None, recording: Recording, names: list[str], **options: Any
 ) -> dict[str, Any]:
     """Play as the mouse of a page, with the options of ``drive_mouse``; prints and returns what was done."""
-    from pointpred.live.devtools import open_page
-    from pointpred.live.mouse import drive_mouse
-    from pointpred.live.replay_trials import playable_trials
+    from pointpred.live.devtools import drive_mouse, open_page
+    from pointpred.live.playback import playable_trials
 
     played, skipped = playable_trials(recording, names)
     print_skipped(skipped)
@@ -148,10 +152,9 @@ def _drive(
         for one in played:
             driven = drive_mouse(page, one.events, **options)
             trials.append({"trial": one.name, **structs.asdict(driven)})
-            remarks().print(
+            remark(
                 f"{one.name}: {driven.moves} moves, {driven.presses} presses, "
-                f"{driven.releases} releases in {driven.seconds:.2f} s",
-                markup=False,
+                f"{driven.releases} releases in {driven.seconds:.2f} s"
             )
     return {"version": 1, "recording": recording.name, "trials": trials, "skipped": skipped}
 

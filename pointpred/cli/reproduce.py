@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import msgspec
 import typer
-from rich.table import Table
 
 from pointpred.cli.output_files import Force, check_free, check_targets, write_json
-from pointpred.console import remarks, results
+from pointpred.console import remark, remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
@@ -79,11 +78,13 @@ def reproduce(
     if made.draw is not None and target is not None:
         write_whole(target, made.draw().svg.encode())
     if json is not None:
-        write_json(_document(entry, made), json)
+        values = tuple(ValueDocument(v.name, v.printed, v.ours, v.unit, v.agrees) for v in made.values)
+        about = entry.number, entry.source, entry.shows, made.data, entry.differs
+        write_json(ReproductionDocument(1, *about, values), json)
     if json is None or str(json) != "-":
         _print(entry, made)
     if target is not None:
-        remarks().print(f"drawn: {target}", markup=False)
+        remark(f"drawn: {target}")
 
 
 def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path | None:
@@ -109,25 +110,23 @@ def _title(entry: Entry) -> str:
 
 
 def _print_list(entries: list[Entry]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("number", "shows", "reads"):
-        table.add_column(heading, no_wrap=heading == "number")
+    rows = []
     for one in entries:
         note = "diagram" if one.make is None else one.reads and f"--recordings: {one.reads}"
-        table.add_row(one.number, one.shows, note)
-    results().print(table)
+        rows.append((one.number, one.shows, note))
+    results().print(table(("number", "shows", "reads"), rows, whole=("number",)))
 
 
 def _print(entry: Entry, made: Reproduction) -> None:
     screen = results()
     screen.print(_title(entry), style="bold", markup=False)
     screen.print(f"from: {made.data}", markup=False)
-    table = Table(box=None, pad_edge=False)
-    for heading in ("value", "printed", "ours", "unit", ""):
-        table.add_column(heading, justify="right" if heading in ("printed", "ours") else "left")
-    for value in made.values:
-        table.add_row(value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
-    screen.print(table)
+    rows = [
+        (value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
+        for value in made.values
+    ]
+    headings = ("value", "printed", "ours", "unit", "")
+    screen.print(table(headings, rows, right=("printed", "ours")))
     screen.print(f"What differs: {entry.differs}", markup=False, soft_wrap=True)
 
 
@@ -156,8 +155,3 @@ class ReproductionDocument(msgspec.Struct, frozen=True):
     data: str
     differs: str
     values: tuple[ValueDocument, ...]
-
-
-def _document(entry: Entry, made: Reproduction) -> ReproductionDocument:
-    values = tuple(ValueDocument(v.name, v.printed, v.ours, v.unit, v.agrees) for v in made.values)
-    return ReproductionDocument(1, entry.number, entry.source, entry.shows, made.data, entry.differs, values)

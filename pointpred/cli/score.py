@@ -8,12 +8,25 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.executor_options import PANEL, ClusterAddress, Processes, Threads
-from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import as_given, to_read, with_reading
-from pointpred.cli.score_inputs import Reasons, in_memory, in_memory_or_stored, leave_out
-from pointpred.console import remarks
+from pointpred.cli.output_files import Numbers, check_targets, write_json
+from pointpred.cli.reading_options import (
+    Reasons,
+    as_given,
+    in_memory,
+    in_memory_or_stored,
+    leave_out,
+    to_read,
+    with_reading,
+)
+from pointpred.cli.shared_options import (
+    PANEL,
+    ClusterAddress,
+    Coefficients,
+    Processes,
+    Threads,
+    with_coefficients,
+)
+from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.registry import REGISTRY, build
@@ -43,10 +56,7 @@ def score(
     predictors: Annotated[
         str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
     ] = "all",
-    json: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
-    ] = None,
+    json: Numbers = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
     ] = None,
@@ -144,11 +154,11 @@ def score(
     if json is not None:
         write_json(scores, json)
     if json is None or str(json) != "-":
-        from pointpred.cli.tables import print_sets
+        from pointpred.cli.score_tables import print_sets
 
         print_sets(scores.sets, drawn=report is not None)
     if report is not None and drawn:
-        remarks().print(f"report written: {report}", markup=False)
+        remark(f"report written: {report}")
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 
@@ -173,15 +183,19 @@ def _score_targets(
     if report is not None:
         message = "--report draws errors, not choices: leave it out with --targets"
         raise ParameterError(message, field="report", value=str(report))
-    from pointpred.cli.targets import print_targets, target_summaries
+    from pointpred.cli.score_tables import print_targets
     from pointpred.scoring.summary.document import VERSION
-    from pointpred.scoring.target_choice import TargetDocument
+    from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
 
     reasons: Reasons = {}
-    recordings = in_memory(files, reading, reasons) if files else _sample()
-    sets = target_summaries(
-        recordings, names, lambda one, error: leave_out(reasons, one.name, error), **settings
-    )
+    sets = []
+    for recording in in_memory(files, reading, reasons) if files else _sample():
+        try:
+            scored = score_targets(recording, tuple(names), **settings)
+        except Exception as error:  # as in ``score``: the other recordings are scored all the same
+            leave_out(reasons, recording.name, error)
+            continue
+        sets += [summarise_targets(one) for one in scored]
     if json is not None:
         write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(reasons))), json)
     if json is None or str(json) != "-":

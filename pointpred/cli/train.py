@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING, Annotated
 
 import msgspec
 import typer
-from rich.table import Table
 
-from pointpred.cli.executor_options import ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import as_given, to_read, with_reading
-from pointpred.cli.score_inputs import in_memory
-from pointpred.console import counted, plain, results
+from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
+from pointpred.cli.shared_options import ClusterAddress, Processes, Threads
+from pointpred.console import counted, plain, results, table
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
     from pointpred.recordings import Reading
-    from pointpred.training.train import SetComparison, TrainingResult
+    from pointpred.training.train import TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
 VERDICT = {
@@ -169,12 +167,12 @@ def _print(trained: TrainingResult, out: Path) -> None:
     screen.print(
         f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
     )
-    table = Table(box=None, pad_edge=False)
-    for i, heading in enumerate(HEADINGS):
-        table.add_column(heading, justify="left" if i == 0 else "right", no_wrap=i == 0)
+    rows = []
     for one in trained.held_out:
-        table.add_row(plain(one.name), *_row(one))
-    screen.print(table)
+        ratio, low, high = one.ratio
+        means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
+        rows.append((plain(one.name), str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"))
+    screen.print(table(HEADINGS, rows, whole=HEADINGS[:1], right=HEADINGS[1:]))
     screen.print(
         "Time-averaged error, px, of movements that were held out; hold predicts nothing.", style="dim"
     )
@@ -183,9 +181,3 @@ def _print(trained: TrainingResult, out: Path) -> None:
         words = f"The shipped coefficients were fitted to {', '.join(seen)}: their error there is too small."
         screen.print(words, style="red", markup=False)
     screen.print(f"written: {out}", markup=False, soft_wrap=True)
-
-
-def _row(one: SetComparison) -> tuple[str, ...]:
-    ratio, low, high = one.ratio
-    means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
-    return str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"

@@ -4,8 +4,7 @@ from pointpred.extras import require
 
 require("client", "the client of a service")
 
-from pointpred.client.async_connection import AsyncConnection, connect_async  # noqa: E402
-from pointpred.client.connection import Connection, connect  # noqa: E402
+from pointpred.client.connection import AsyncConnection, Connection, connect, connect_async  # noqa: E402
 from pointpred.client.session import ServiceError  # noqa: E402
 
 __all__ = ["AsyncConnection", "Connection", "ServiceError", "connect", "connect_async"]

@@ -15,7 +15,6 @@ import numpy as np
 from websockets.exceptions import ConnectionClosed
 from websockets.typing import Subprotocol
 
-from pointpred.client.unanswered import UnansweredFrames
 from pointpred.errors import EventError, ParameterError, PointpredError, SourceError
 from pointpred.protocol.client_messages import (
     SUBPROTOCOL,
@@ -35,9 +34,17 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.decoding import decode_server_message
-from pointpred.protocol.frames import Frame, event_frames, message_of, row_of_prediction
-from pointpred.protocol.packed import NONE, PREDICTION, unpack_predictions
+from pointpred.protocol.decoding import check_numbers, decode_server_message
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import (
+    NONE,
+    PREDICTION,
+    Frame,
+    event_frames,
+    message_of,
+    row_of_prediction,
+    unpack_predictions,
+)
 from pointpred.protocol.server_messages import (
     ChoiceMessage,
     Cursor,
@@ -48,7 +55,7 @@ from pointpred.protocol.server_messages import (
     Welcome,
     encode,
 )
-from pointpred.records import PHASES, EventColumns, PointerEvent, PredictionColumns
+from pointpred.records import PHASES, EventColumns, FloatArray, PointerEvent, PredictionColumns
 from pointpred.registry import RECOMMENDED
 
 Row = Sequence[float | None]
@@ -62,6 +69,8 @@ KEPT_NOTICES = 100
 """The newest notices that are kept; ``noticed`` counts them all."""
 KEPT_CHOICES = 1000
 """The newest choices that are kept until they are taken."""
+
+NEVER = float("-inf")
 
 
 class ServiceError(PointpredError, ValueError):
@@ -367,3 +376,118 @@ def _fit(kind: type[Any], fields: dict[str, Any]) -> Any:
         return msgspec.convert(fields, kind)
     except msgspec.ValidationError as error:
         raise ParameterError(f"{fields['type']}: {error}", field=str(fields["type"])) from None
+
+
+class _Frame:
+    """One frame as sent; ``update`` determines the answers to expect."""
+
+    def __init__(self, table: FloatArray, *, begins: bool, each: bool) -> None:
+        self.table = table
+        self.times: list[float] = table[:, 0].tolist()
+        self.begins = begins
+        self.each = each
+        self.newest = NEVER
+        self.expected: deque[float] = deque()
+        """Times of the predictions to expect."""
+        self.late = False
+        """Whether to expect an error, because events run backwards."""
+
+    def usable(self) -> bool:
+        """Whether the service's own check accepts every number."""
+        try:
+            check_numbers(self.table)
+        except ProtocolError:
+            return False
+        return True
+
+    def update(self, newest: float) -> float:
+        """Expect that events before ``newest`` are dropped; returns the newest time after this frame."""
+        newest, used = NEVER if self.begins else newest, []
+        for t in self.times:
+            if t >= newest:
+                newest = t
+                used.append(t)
+        self.expected = deque(used if self.each else used[-1:])
+        self.late = len(used) < len(self.times)
+        self.newest = newest
+        return newest
+
+
+class UnansweredFrames:
+    """The frames of a session that are not answered yet, oldest first.
+
+    Answers come in the order of the frames, but newer predictions may replace older ones: then errors come
+    before the newest. Holds what was sent since the last answer, which is as much as the service takes
+    before it ends the session of a client that does not read.
+    """
+
+    def __init__(self) -> None:
+        self._frames: deque[_Frame] = deque()
+        self._taken = NEVER  # the newest time the service had taken in before the oldest frame
+        self._begins = False
+        self._skipped = False
+
+    def __bool__(self) -> bool:
+        return bool(self._frames)
+
+    def add(self, table: FloatArray, *, each: bool) -> None:
+        """A frame is sent; ``each``: one prediction an event, otherwise one for the newest."""
+        frame = _Frame(table, begins=self._begins, each=each)
+        frame.update(self._frames[-1].newest if self._frames else self._taken)
+        self._frames.append(frame)
+        self._begins = False
+
+    def restart(self) -> None:
+        """The service forgets its events: the next one may have any time."""
+        self._begins = True
+
+    def skip(self) -> None:
+        """The predictions that come next have replaced older ones."""
+        self._skipped = True
+
+    def answer(self, t: float) -> None:
+        """A prediction came: nothing more is expected for the frames before its own."""
+        frames = self._frames
+        if self._skipped or not (frames and frames[0].expected and frames[0].expected[0] == t):
+            place = self._index_of(t)
+            self._skipped = False
+            if place is None:
+                return
+            self._remove(place)
+            if t not in frames[0].expected:  # taken for late, because of an event that the service refused
+                frames[0].begins = True
+                self._update()
+        expected = frames[0].expected
+        while expected and expected.popleft() != t:
+            pass
+        if not expected and not frames[0].late:
+            self._remove(1)
+
+    def refuse(self, error: ErrorMessage) -> None:
+        """An error came; one about events answers a frame, others and the end of a session do not."""
+        if not (error.recoverable and error.path is not None and error.path.startswith("$.events")):
+            return
+        if error.code == "out_of_order":
+            late = next((k for k, frame in enumerate(self._frames) if frame.late), None)
+            self._remove(0 if late is None else late + 1)
+        elif self._frames:  # dropped whole: the service is as if it had not been sent
+            # refused for its numbers: the oldest, unless predictions before it were replaced
+            self._remove(next((k for k, frame in enumerate(self._frames) if not frame.usable()), 0))
+            if self._frames.popleft().begins:
+                self._taken = NEVER
+            self._update()
+
+    def _index_of(self, t: float) -> int | None:
+        """Which frame a prediction answers; of equal times the newest one, where some were replaced."""
+        holding = [k for k, frame in enumerate(self._frames) if t in frame.times]
+        places = [k for k in holding if t in self._frames[k].expected] or holding
+        return places[-1 if self._skipped else 0] if places else None
+
+    def _remove(self, count: int) -> None:
+        for _ in range(count):
+            self._taken = self._frames.popleft().newest
+
+    def _update(self) -> None:
+        newest = self._taken
+        for frame in self._frames:
+            newest = frame.update(newest)

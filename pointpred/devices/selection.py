@@ -8,12 +8,12 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from pointpred.devices.cursor.source import NAME, CursorSource, system_cursor
-from pointpred.devices.evdev.nodes import list_evdev
+from pointpred.devices.cursor import NAME, CursorSource, system_cursor
+from pointpred.devices.evdev import EvdevSource, list_evdev
 from pointpred.devices.first_moving import Candidate, FirstMoving
-from pointpred.devices.hidraw.nodes import BROWSER, list_hid
+from pointpred.devices.hidraw import HidSource, list_hid
 from pointpred.devices.lsl import LslInlet
-from pointpred.devices.source import DeviceInfo, DeviceSource
+from pointpred.devices.source import BROWSER, DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
 
 LINKS = (Path("/dev/input/by-id"), Path("/dev/input/by-path"))
@@ -44,7 +44,10 @@ def choose(
     devices = [mice]  # the first call of candidates need not list them again
 
     def candidates() -> list[Candidate]:
-        return [_candidate(one) for one in once_each(devices.pop() if devices else list_mice())]
+        return [
+            Candidate(one.path, partial(_source, one.path))
+            for one in once_each(devices.pop() if devices else list_mice())
+        ]
 
     source = FirstMoving(candidates)
     source.closed = tuple(one for one in mice if not one.openable)
@@ -121,14 +124,7 @@ def _is_path(name: str) -> bool:
     return name.startswith("/") or name.rstrip("0123456789") in ("event", "hidraw")
 
 
-def _candidate(one: DeviceInfo) -> Candidate:
-    return Candidate(one.path, lambda: _source(one.path))
-
-
 def _source(path: str) -> DeviceSource:
-    from pointpred.devices.evdev.source import EvdevSource
-    from pointpred.devices.hidraw.source import HidSource
-
     return EvdevSource(path) if "/input/" in path else HidSource(path)
 
 

@@ -1,19 +1,23 @@
-"""A tab of a running browser, controlled through its DevTools protocol."""
+"""A tab of a running browser, controlled through its DevTools protocol, and its mouse moved along a path."""
 
 from __future__ import annotations
 
-from collections import deque
+import math
+import time
+from collections import Counter, deque
 from contextlib import ExitStack
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 from urllib.error import HTTPError, URLError
 from urllib.parse import quote, urlsplit
 from urllib.request import Request, urlopen
 
 import msgspec
 
+from pointpred.devices.source import BUTTON_NAMES, ClosedOnExit
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import require
+from pointpred.live.playback import Pacing
+from pointpred.records import EventColumns
 
 require("client", "a replay to a page")
 
@@ -25,7 +29,7 @@ IN_FLIGHT = 512
 """Commands sent before one waits for a result: the browser merges them as those of a real mouse."""
 
 
-class Page:
+class Page(ClosedOnExit):
     """One tab of a running browser; made by ``open_page``. Not safe for threads."""
 
     def __init__(self, socket: Any, timeout_s: float) -> None:
@@ -107,14 +111,6 @@ class Page:
             raise SourceError(f"the browser refused a command: {answer['error'].get('message')}")
         return answer
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
-
 
 def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0) -> Page:
     """A tab of the browser whose DevTools answer at ``devtools``: a new one at ``url``, else the first.
@@ -148,3 +144,65 @@ def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0)
 def _request(address: str, method: str = "GET") -> Any:
     with urlopen(Request(address, method=method), timeout=10) as answer:
         return msgspec.json.decode(answer.read())
+
+
+class Driven(msgspec.Struct, frozen=True):
+    """How often the mouse was moved, pressed and released."""
+
+    moves: int
+    presses: int
+    releases: int
+    seconds: float
+
+
+def drive_mouse(
+    page: Page,
+    events: EventColumns,
+    *,
+    speed: float = 1.0,
+    offset: tuple[float, float] = (0.0, 0.0),
+    scale: float = 1.0,
+) -> Driven:
+    """Move a page's mouse along events, pressing and releasing its buttons where they say so.
+
+    A point goes to ``scale * (x, y) + offset``, CSS px of the viewport. ``speed``: 1 as recorded, infinity
+    as fast as the browser takes it (some 2,000 a second). No command waits for the last one's result, so
+    that the browser merges moves within a frame as it does for a real mouse. A button still held at the end
+    is released there. Raises SourceError where the browser refuses a command or goes away, ParameterError
+    for a speed or a scale that is not positive.
+    """
+    if not scale > 0.0:
+        raise ParameterError(f"scale must be positive, received {scale!r}")
+    pacing = Pacing(events.t, speed)
+    counts: Counter[str] = Counter()
+    rows, held, x, y, began = events.table.tolist(), 0, 0.0, 0.0, time.perf_counter()
+    while due := pacing.take():
+        for row in rows[due.start : due.stop]:
+            x, y = (scale * value + shift for value, shift in zip(row[1:3], offset, strict=True))
+            buttons = 0 if math.isnan(row[5]) else int(row[5])
+            for command in _commands(x, y, held, buttons):
+                counts[command["type"]] += 1
+                page.send("Input.dispatchMouseEvent", **command)
+            held = buttons
+    if held:
+        for command in _commands(x, y, held, 0):
+            counts[command["type"]] += 1
+            page.send("Input.dispatchMouseEvent", **command)
+    page.wait_for_results()
+    moves, presses, releases = (counts[kind] for kind in ("mouseMoved", "mousePressed", "mouseReleased"))
+    return Driven(moves, presses, releases, time.perf_counter() - began)
+
+
+def _commands(x: float, y: float, held: int, buttons: int) -> list[dict[str, Any]]:
+    """The commands for a move, or for a change of buttons."""
+    place = {"x": x, "y": y, "pointerType": "mouse"}
+    drag = next((name for bit, name in BUTTON_NAMES.items() if held & bit), "none")
+    commands: list[dict[str, Any]] = []
+    if buttons == held:
+        return [{"type": "mouseMoved", "button": drag, "buttons": held, **place}]
+    for bit, name in BUTTON_NAMES.items():
+        if (held ^ buttons) & bit:
+            kind = "mousePressed" if buttons & bit else "mouseReleased"
+            held ^= bit
+            commands.append({"type": kind, "button": name, "buttons": held, "clickCount": 1, **place})
+    return commands

@@ -1,4 +1,4 @@
-"""``pointpred live --replay``: a recording in the place of a mouse."""
+"""``pointpred live --replay``: a recording in the place of a mouse; nothing that reads devices is loaded."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
+from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import RecordingError
 from pointpred.garbage import tune_collector
-from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource
-from pointpred.live.replay_trials import PlayedTrial
+from pointpred.live.playback import PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording
@@ -30,7 +30,7 @@ def follow_replay(
     simulated = recording.provenance.simulated
     outputs = replace(outputs, simulated=simulated)
     name = f"replay of {file.name}" + (" (simulated people)" if simulated else "")
-    path = PlayedPath("the recorded cursor" + (", simulated" if simulated else ""))
+    path = PositionPath("the recorded cursor" + (", simulated" if simulated else ""), counts=True)
     pipeline = PlayedPipeline(outputs.pipeline())
     with PlayedSource(name, str(file), trials, speed=speed, words=recording.provenance.clock) as source:
         run = LiveRun(LiveSession(source, path, pipeline), outputs)

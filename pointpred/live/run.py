@@ -1,32 +1,85 @@
-"""Running a session: it is shown in the terminal, recorded, served and sent until something ends it."""
+"""Running a session: it is shown in the terminal, recorded, served and sent until something ends it.
+
+One thread drives the session, one draws the view, the main one waits.
+"""
 
 from __future__ import annotations
 
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
+from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any
+from types import FrameType
+from typing import Any, Protocol
 
 import msgspec
 
-from pointpred.console import counted, remarks, results
-from pointpred.devices.cursor.source import CursorSource
+from pointpred.console import counted, remark, results
+from pointpred.devices.cursor import CursorSource
+from pointpred.devices.lsl import OUTLET, LslOutlet
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.curve_learner import CurveLearner, curve_learner
-from pointpred.live.lsl_outlet import NAME, LslOutlet
-from pointpred.live.page import OpenPage
+from pointpred.extras import missing_distribution
+from pointpred.live.outputs import CurveLearner, LiveRecording, curve_learner
 from pointpred.live.playback import PlayedSource
-from pointpred.live.recording import LiveRecording
 from pointpred.live.session import LiveSession
 from pointpred.live.terminal import DASH, TerminalLog, show, summary
-from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wait
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
-from pointpred.protocol.live_messages import Curve
+from pointpred.protocol.server_messages import Curve
 from pointpred.records import PointerEvent
 from pointpred.registry import build
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
 
 PAGE_FIRST = "; begins when the page is opened"
+SWITCH_S = 0.0005
+"""How long a thread may keep the interpreter while a report waits: drawing a view takes milliseconds."""
+LOOK_S = 0.1
+"""How often the main thread looks whether the end has come."""
+
+
+class LivePage(Protocol):
+    """A page that shows a session."""
+
+    @property
+    def address(self) -> str:
+        """Where it is opened, with the token where that is shown."""
+
+    @property
+    def watched(self) -> bool:
+        """Whether there are viewers."""
+
+    def show_curve(self, curve: Curve) -> None:
+        """Show the newest transfer function; from any thread."""
+
+    def fail(self, reason: str) -> None:
+        """The device has failed: tell the viewers why; from any thread."""
+
+    def run(self, stopping: threading.Event, *, announce: bool) -> None:
+        """Serve until interrupted or until ``stopping`` is set, which it is afterwards.
+
+        ``announce``: print the address once the page can be opened.
+        """
+
+
+OpenPage = Callable[[LiveSession, str, float | None, float], LivePage]
+"""Opens the page of a session, from its predictor, counts per inch and dpi."""
+
+
+def page_opener(host: str | None, port: int | None) -> OpenPage:
+    """What opens the page, on an address or port that may be given.
+
+    It is the entry point ``page`` of the group ``pointpred.live``. Raises MissingExtraError where no
+    distribution has one, ParameterError for settings that are wrong.
+    """
+    for entry in entry_points(group="pointpred.live", name="page"):
+        opener: OpenPage = entry.load()(host, port)
+        return opener
+    raise missing_distribution("pointpred-server", "the page of a device")
 
 
 class OutputOptions(msgspec.Struct, frozen=True):
@@ -88,7 +141,7 @@ class LiveRun:
                 self._start_learning()
                 if not console.is_terminal:
                     for name, words in heading:
-                        remarks().print(f"{name}: {words}", markup=False)
+                        remark(f"{name}: {words}")
                 view = ViewThread(
                     partial(show, self.session, heading, stopping, console, self._view_rows), stopping
                 )
@@ -140,7 +193,7 @@ class LiveRun:
             console.quiet = quiet
             console.print(summary(self.session), markup=False, soft_wrap=True)
             for entry in self._log.problems if self._log else ():
-                remarks().print(entry, markup=False)
+                remark(entry)
             for name, words in self._output_rows():
                 console.print(f"{name}: {words}", markup=False, soft_wrap=True)
         if self.options.save_transfer is not None and isinstance(self.learner, CurveLearner):
@@ -162,7 +215,7 @@ class LiveRun:
             ("clock", source.clock),
             ("positions", self.session.words),
             ("predictor", self.options.predictor),
-            *([("sent", f"as the stream {NAME!r} of Lab Streaming Layer")] if self.options.lsl else []),
+            *([("sent", f"as the stream {OUTLET!r} of Lab Streaming Layer")] if self.options.lsl else []),
         ]
 
     def _output_rows(self) -> list[tuple[str, str]]:
@@ -202,3 +255,92 @@ def compile_for(predictor: str) -> None:
         pipeline.update(event)
         learner.update(event)
         transfer.update((event.t, 4.0, 2.0))
+
+
+class SessionThread:
+    """Drives a session until it is stopped or fails; ``stop`` then raises the error."""
+
+    def __init__(self, session: LiveSession, failed: Callable[[str], None] = lambda why: None) -> None:
+        self.session = session
+        self.stopping = threading.Event()
+        self._failed = failed
+        self._error: Exception | None = None
+        self._thread = threading.Thread(target=self._run, name="device", daemon=True)
+        self._timer: threading.Timer | None = None
+
+    def start(self, seconds: float | None) -> None:
+        """Begin; end by itself after ``seconds``, unless they are ``None`` or more than a clock can count."""
+        self._thread.start()
+        if seconds is not None and seconds < threading.TIMEOUT_MAX:
+            self._timer = threading.Timer(seconds, self.stopping.set)
+            self._timer.daemon = True
+            self._timer.start()
+
+    def stop(self) -> None:
+        """End, and raise the error that ended it before."""
+        self.stopping.set()
+        if self._timer is not None:
+            self._timer.cancel()
+        self._thread.join()
+        if self._error is not None:
+            raise self._error
+
+    def _run(self) -> None:
+        try:
+            self.session.run(self.stopping)
+        except Exception as error:  # raised by stop(), on the main thread
+            self._error = error
+            self._failed("the session of the attached device ended with an error")
+        finally:
+            self.stopping.set()
+
+
+class ViewThread:
+    """Draws the view; an error ends the session and is kept in ``error``."""
+
+    def __init__(self, show: Callable[[], None], stopping: threading.Event) -> None:
+        self.error: BaseException | None = None
+        self._show, self._stopping = show, stopping
+        self._thread = threading.Thread(target=self._run, name="view")
+        self._thread.start()
+
+    def join(self) -> None:
+        """Wait for its end."""
+        self._thread.join()
+
+    def _run(self) -> None:
+        try:
+            self._show()
+        except BaseException as error:  # SystemExit too: rich raises it where a pipe was closed
+            self.error = error
+        finally:
+            self._stopping.set()
+
+
+def wait(stopping: threading.Event) -> None:
+    """Wait for the end on the main thread, where Python runs the handlers of signals.
+
+    It does not wait for the event itself: a handler may run while the event's lock is held, and it sets the
+    event.
+    """
+    while not stopping.is_set():
+        time.sleep(LOOK_S)
+
+
+@contextmanager
+def end_on_signal(stopping: threading.Event) -> Iterator[None]:
+    """End in order at SIGTERM; threads take turns quickly meanwhile."""
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(SWITCH_S)
+
+    def end(number: int, frame: FrameType | None) -> None:
+        stopping.set()
+
+    main = threading.current_thread() is threading.main_thread()
+    before = signal.signal(signal.SIGTERM, end) if main else None
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(interval)
+        if main:
+            signal.signal(signal.SIGTERM, before or signal.SIG_DFL)

@@ -14,7 +14,7 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.client import Connection, connect
-from pointpred.live.replay_trials import Pacing, PlayedTrial, playable_trials
+from pointpred.live.playback import Pacing, PlayedTrial, playable_trials
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable

@@ -14,7 +14,7 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-from pointpred.console import counted, plain, remarks
+from pointpred.console import counted, plain, remark
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.logs import OWN, PlainLines
@@ -41,7 +41,7 @@ def show(
         while not stopping.wait(LINE_S):
             state = session.state()
             if state.note != shown and state.note is not None:
-                remarks().print(f"note: {state.note}", markup=False)
+                remark(f"note: {state.note}")
             shown = state.note
             console.print(line(state, session.newest, timed=timed(session)), markup=False, soft_wrap=True)
         return

@@ -15,7 +15,7 @@ from msgspec import Meta, Struct
 
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.packed import EVENT, NONE, unpack_event, unpack_events
+from pointpred.protocol.frames import EVENT, NONE, unpack_event, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
 from pointpred.records import EVENT_FIELDS, FloatArray, SixFloats
 

@@ -1,27 +1,99 @@
-"""Frames on the wire: events to the service, predictions back, as JSON text or as packed records."""
+"""Frames on the wire: events to the service, predictions back, as JSON text or as packed records.
+
+A packed event takes 30 bytes, a prediction 65, little-endian, no padding.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from struct import Struct
 
 import numpy as np
 from msgspec import UNSET, UnsetType
 
 from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Encoding
-from pointpred.protocol.packed import (
-    EVENT,
-    NO_COUNTS,
-    NONE,
-    pack_events,
-    pack_prediction,
-    pack_predictions,
-)
 from pointpred.protocol.server_messages import EndpointLaw, Likely, Limits, PredictionMessage, encode
-from pointpred.records import PHASES, EventColumns, FloatArray
+from pointpred.records import (
+    EVENT_FIELDS,
+    PHASES,
+    EventColumns,
+    EventRow,
+    FloatArray,
+    PredictionColumns,
+    SixFloats,
+)
+
+EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
+"""A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
+PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1"), ("tail", "<f8")])
+"""A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, NaN where null; the phase's code; tail, NaN where
+the region's law is normal or there is no region."""
+NO_COUNTS = -32768
+
+NONE = float("nan")
+_one_event = Struct("<" + "".join(np.dtype(field.packed).char for field in EVENT_FIELDS))
+_one_prediction = Struct("<dddddddBd")
 
 Frame = str | bytes
+
+
+def unpack_events(frame: bytes) -> FloatArray:
+    """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
+    records = np.frombuffer(frame, EVENT)
+    table = np.column_stack([records[name].astype(np.float64) for name in EventRow._fields])
+    counts = table[:, 3:5]
+    counts[(counts == NO_COUNTS).any(axis=1)] = np.nan
+    return table
+
+
+def unpack_event(frame: bytes) -> SixFloats:
+    """The only event of a frame, as a row of the same table."""
+    t, x, y, dx, dy, buttons = _one_event.unpack(frame)
+    if dx == NO_COUNTS or dy == NO_COUNTS:
+        return t, x, y, NONE, NONE, float(buttons)
+    return t, x, y, float(dx), float(dy), float(buttons)
+
+
+def pack_events(table: FloatArray) -> bytes:
+    """Rows of ``EventColumns`` as records."""
+    packed = np.empty(len(table), EVENT)
+    none = np.isnan(table[:, 3:5]).any(axis=1)
+    for column, field in enumerate(EVENT_FIELDS):
+        values = table[:, column]
+        packed[field.name] = np.where(none, NO_COUNTS, values) if field.optional else values
+    return packed.tobytes()
+
+
+def pack_predictions(table: FloatArray) -> bytes:
+    """The rows of ``PredictionColumns`` as records."""
+    packed = np.empty(len(table), PREDICTION)
+    none = np.isnan(table[:, 1])
+    packed["numbers"] = table[:, :7]
+    packed["phase"] = np.where(none, 0.0, table[:, 7])
+    packed["numbers"][none, 1:] = NONE
+    packed["tail"] = np.where(none | np.isnan(table[:, 3]), NONE, table[:, 8])
+    return packed.tobytes()
+
+
+def pack_prediction(row: Sequence[float]) -> bytes:
+    """One row of ``PredictionColumns`` as a record."""
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
+    if x != x:
+        return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0, NONE)
+    return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase), tail if sxx == sxx else NONE)
+
+
+def unpack_predictions(frame: bytes) -> list[list[float]]:
+    """The records of a frame as rows of ``PredictionColumns``."""
+    packed = np.frombuffer(frame, PREDICTION)
+    table = np.full((len(packed), len(PredictionColumns.names)), NONE)
+    table[:, :7] = packed["numbers"]
+    table[:, 7] = np.where(np.isnan(table[:, 1]), NONE, packed["phase"])
+    table[:, 8] = packed["tail"]
+    rows: list[list[float]] = table.tolist()
+    return rows
 
 
 def event_frames(

@@ -15,8 +15,6 @@ import msgspec
 
 from pointpred.errors import ParameterError, PointpredError, SourceError
 
-PARTS = ("samples", "trials", "predictions")
-"""The files of a session: ``<name>_samples.csv`` and so on."""
 STAMP = "%Y%m%dT%H%M%SZ"
 _file = re.compile(
     r"(?P<name>(?P<stamp>[0-9]{8}T[0-9]{6}Z)-[A-Za-z0-9_-]{1,40}?)_(?P<part>samples|trials|predictions)\.csv"

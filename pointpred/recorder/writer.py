@@ -10,20 +10,24 @@ import logging
 import os
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from pointpred.logs import place_of
-from pointpred.protocol.client_messages import Hello, cpi_of, dpi_of
-from pointpred.recorder.files import SessionFiles, Write, warm_rows
+from pointpred.protocol.client_messages import Goal, Hello, cpi_of, dpi_of
+from pointpred.recorder.files import SessionFiles, Write, prediction_rows, sample_rows, trial_row, warm_rows
 from pointpred.recorder.recordings import name_of, prepare
-from pointpred.recorder.session_recorder import Item, SessionRecorder, rows_of
 from pointpred.recording import Provenance
 from pointpred.recordings.appended import FORMAT
+from pointpred.records import EventColumns, FloatArray, PredictionColumns
+
+NOTHING: FloatArray = np.empty((0, 6))
 
 WRITE_S = 0.1
 SYNC_S = 0.3
@@ -33,6 +37,112 @@ with their predictions where each event came alone, 25 MB where many came togeth
 CLOCK = "the client's clock, s"
 
 log = logging.getLogger("pointpred.recorder")
+
+
+class Item(msgspec.Struct, frozen=True):
+    """Events with their predictions, or the start or end of a trial, or the end of the session."""
+
+    events: FloatArray = NOTHING
+    predictions: FloatArray = NOTHING
+    trial: str | None = None
+    """The trial the events belong to, or the one that has ended."""
+    predictor: str = ""
+    parameters: str | None = None
+    starts: bool = False
+    ends: bool = False
+    target: tuple[float, float, float] | None = None
+    samples: int = 0
+    closes: bool = False
+
+    def __len__(self) -> int:
+        """How many events it holds."""
+        return len(self.events)
+
+
+class SessionRecorder:
+    """A ``SessionObserver`` whose methods neither wait nor raise."""
+
+    def __init__(self, put: Put, files: SessionFiles, hello: Hello) -> None:
+        self.name = files.name
+        self.files = files
+        self.lost = 0
+        """Events that were not recorded."""
+        self.failed = False
+        self.due = 0.0
+        """When the files must be synced next; 0 while nothing is unsynced."""
+        self._put = put
+        self._trials = 0
+        self._running: str | None = None
+        self._goal: Goal | None = None
+        self._samples = 0
+        self.configure(hello)
+
+    def configure(self, hello: Hello) -> None:
+        """The predictor, its parameters and the assistance from now on."""
+        self._predictor = hello.predictor
+        settings = {**hello.parameters, "assist": hello.assist} if hello.assist else hello.parameters
+        self._parameters = msgspec.json.encode(settings).decode() if settings else None
+
+    def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
+        """Record events and the prediction after each."""
+        self._samples += len(table)
+        item = Item(
+            table.table.copy(), predictions.table.copy(), self._running, self._predictor, self._parameters
+        )
+        self._put(self, item)
+
+    def trial(self, action: str, target: Goal | None = None) -> None:
+        """A trial starts, which drops one that was running, or it ends."""
+        if action == "start":
+            self._trials += 1
+            self._running, self._goal, self._samples = str(self._trials), target, 0
+            self._put(self, Item(starts=True))
+        elif self._running is not None:
+            goal = target or self._goal
+            place = (goal.x, goal.y, goal.width) if goal else None
+            self._put(self, Item(trial=self._running, ends=True, target=place, samples=self._samples))
+            self._running = None
+
+    def close(self) -> None:
+        """The session has ended."""
+        self._put(self, Item(closes=True))
+
+
+Put = Callable[[SessionRecorder, Item], None]
+
+
+def rows_of(user: str, items: Sequence[Item]) -> Iterator[tuple[str, bytes]]:
+    """The rows to append, file by file: a trial comes after its samples."""
+    with_events = [item for item in items if len(item)]
+    if with_events:
+        marks = [(item.trial, len(item)) for item in with_events]
+        yield (
+            "samples",
+            sample_rows(user, merged(marks), np.concatenate([item.events for item in with_events])),
+        )
+    marked = [item for item in items if item.starts or item.ends]
+    if marked:
+        ended = [item for item in marked if item.ends]
+        yield (
+            "trials",
+            b"".join(trial_row(user, item.trial or "", item.target, item.samples) for item in ended),
+        )
+    if with_events:
+        predictors = merged([(item.predictor, len(item)) for item in with_events])
+        parameters = merged([(item.parameters, len(item)) for item in with_events])
+        table = np.concatenate([item.predictions for item in with_events])
+        yield "predictions", prediction_rows(predictors, parameters, table)
+
+
+def merged(words: Sequence[tuple[str | None, int]]) -> list[tuple[str | None, int]]:
+    """Runs of the same word as one.
+
+    >>> merged([("a", 2), ("a", 1), (None, 4)])
+    [('a', 3), (None, 4)]
+    """
+    return [
+        (word, sum(count for _, count in run)) for word, run in groupby(words, key=lambda entry: entry[0])
+    ]
 
 
 class Recorder:
@@ -153,7 +263,10 @@ class Recorder:
                     self._dirty.append(session)
         except Exception as error:  # the service goes on without this recording, whatever broke
             self._fail(session, error)
-        self._lose(session, max(0, sum(left.values()) - (session.files.rows - before)))
+        lost = max(0, sum(left.values()) - (session.files.rows - before))
+        with self._lock:
+            session.lost += lost
+            self.lost += lost
         if items[-1].closes:
             self._finish(session)
 
@@ -184,12 +297,6 @@ class Recorder:
         self._open.discard(session)
         if session.lost:
             log.warning("recording %s: %d events and ends of trials were lost", session.name, session.lost)
-
-    def _lose(self, session: SessionRecorder, count: int) -> None:
-        """Count what is in no file."""
-        with self._lock:
-            session.lost += count
-            self.lost += count
 
     def _fail(self, session: SessionRecorder, error: Exception) -> None:
         """Stop the recording of a session, and log that once; the session itself goes on."""

@@ -28,8 +28,8 @@ USUAL_TIMES_S = (0.001, 0.1)
 """``period_s`` and ``gap_s`` unless they are set."""
 
 
-class Report(NamedTuple):
-    """A report of the device: ``t`` s, ``dx dy`` counts."""
+class CountsRow(NamedTuple):
+    """What moves the cursor: at ``t`` s, ``dx dy`` counts of the device."""
 
     t: float
     dx: float
@@ -70,8 +70,8 @@ def turn(memory: FloatArray, at: int, t: float, dt: float, dx: float, dy: float)
 
 @law
 def step(memory: FloatArray, report: Row) -> tuple[float, float, float]:
-    """One ``Report``: (t, dx in px, dy in px); NaN for a report that is refused."""
-    t, dx, dy = Report(*report)
+    """One ``CountsRow``: (t, dx in px, dy in px); NaN for a report that is refused."""
+    t, dx, dy = CountsRow(*report)
     usable, dt = accept(memory, AT, t, dx, dy)
     if not usable:
         return nan, nan, nan

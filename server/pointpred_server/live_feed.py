@@ -10,8 +10,7 @@ from itertools import islice
 
 from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
-from pointpred.protocol.live_messages import Attached, Curve, Status
-from pointpred.protocol.server_messages import EndpointLaw, PredictionMessage, encode
+from pointpred.protocol.server_messages import Attached, Curve, EndpointLaw, PredictionMessage, Status, encode
 from pointpred.records import Pair, PointerEvent, Prediction
 from pointpred_server.sessions.viewing import ViewingSession
 

@@ -14,10 +14,6 @@ from tests.architecture.tree import module_of, package_files
 from translation.javascript import Law
 from translation.source import UntranslatableError, module, parse
 
-EXEMPT = {
-    "pointpred.protocol.packed": "it reads numpy records off the wire; another language has its own way"
-}
-"""Modules whose laws are not translated, and why."""
 WITH_LAWS = [
     name for name in map(module_of, package_files()) if not name.endswith("__main__") and module(name).laws
 ]
@@ -26,12 +22,8 @@ WITH_LAWS = [
 @pytest.mark.parametrize("name", WITH_LAWS)
 def test_laws_are_written_in_the_law_language(name: str) -> None:
     reader = module(name)
-    if name in EXEMPT:
-        with pytest.raises(UntranslatableError):
-            [Law(reader, function) for function in reader.laws.values()]
-    else:
-        for function in reader.laws.values():
-            Law(reader, function)
+    for function in reader.laws.values():
+        Law(reader, function)
 
 
 @pytest.mark.parametrize(

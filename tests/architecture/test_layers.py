@@ -51,9 +51,9 @@ MAY_IMPORT = {
     "targets": GROUND,
     "scoring": PIPELINE | {"targets"},
     "reproduction": PIPELINE | {"drawing", "simulation", "scoring", "recordings"},
-    "hid": {"errors"},
-    "recordings": {"errors", "extras", "files", "records", "recording", "hid"},
-    "devices": MATHS | {"hid", "recordings"},
+    "devices.hid": {"errors"},
+    "recordings": {"errors", "extras", "files", "records", "recording", "devices.hid"},
+    "devices": MATHS | {"devices.hid", "recordings"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "recordings"},
     "training": PIPELINE | {"scoring", "recordings", "pointpred"},
@@ -97,6 +97,8 @@ MAY_IMPORT = {
 }
 """What each layer may import beside itself; ``pointpred`` is the library's own ``__init__``.
 
+``devices.hid`` stands apart from ``devices``: recordings of reports are read by it, too.
+
 ``observers`` and ``camera`` are the names of version 0.1, which load ``pointpred_observers`` when asked.
 """
 
@@ -112,7 +114,8 @@ FILES = package_files()
 def layer_of(module: str) -> str:
     package, *rooms = module.split(".")
     if package == "pointpred":
-        return rooms[0] if rooms else package
+        room = ".".join(rooms[:2])
+        return room if room in MAY_IMPORT else rooms[0] if rooms else package
     room = ".".join([package, *rooms[:1]])
     return room if room in MAY_IMPORT else package
 

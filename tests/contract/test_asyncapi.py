@@ -20,7 +20,7 @@ from evidence.reference.asyncapi import EVENT_ROWS, EXAMPLES, document, keys, sc
 from pointpred.protocol import client_messages, server_messages
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, CLIENT_TYPES, ClientMessage
 from pointpred.protocol.decoding import decode_client_message, table_of_bytes
-from pointpred.protocol.packed import EVENT, PREDICTION
+from pointpred.protocol.frames import EVENT, PREDICTION
 from pointpred.protocol.server_messages import SERVER_MESSAGES, Code, ServerMessage
 
 DOCUMENT: dict[str, Any] = yaml.safe_load((ROOT / "docs/reference/asyncapi.yaml").read_text(encoding="utf-8"))

@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 import pytest
 
-from pointpred.protocol.live_messages import LIVE_MESSAGES, Attached, Curve, Status
+from pointpred.protocol.server_messages import LIVE_MESSAGES, Attached, Curve, Status
 from pointpred_server.endpoints import NO_DEVICE
 from tests.contract.test_asyncapi import DOCUMENT, MESSAGES, OPERATIONS, at, refs
 from tests.server.live_attached import attached

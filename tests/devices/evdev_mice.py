@@ -156,8 +156,7 @@ class Reader:
 
 def child() -> None:
     """What the child does: questions come as lines of JSON, the end of them closes the source."""
-    from pointpred.devices.evdev.nodes import list_evdev
-    from pointpred.devices.evdev.source import EvdevSource
+    from pointpred.devices.evdev import EvdevSource, list_evdev
     from pointpred.errors import SourceError
 
     def answer(said: Any) -> None:

@@ -74,13 +74,13 @@ def child() -> None:
 
     import msgspec
 
-    from pointpred.devices.cursor.pairing import Pairing
-    from pointpred.devices.cursor.x11 import ScreenCursor
-    from pointpred.devices.evdev import clock
-    from pointpred.devices.evdev.source import EvdevSource
+    from pointpred.devices import evdev
+    from pointpred.devices.cursor import ScreenCursor
+    from pointpred.devices.cursor_paths import Pairing
+    from pointpred.devices.evdev import EvdevSource
     from pointpred.transfer import TransferLearner
 
-    clock._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock
+    evdev._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock
     done = threading.Event()
 
     def answer(said: Any) -> None:

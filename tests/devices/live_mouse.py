@@ -105,7 +105,7 @@ def write(rate_hz: float, number: int, notes: str, hand: int) -> None:
 def read(rate_hz: float, number: int, notes: str, predictor: str) -> None:
     """The reader: predicts at every report, then says what came and how long it took."""
     from pointpred import PointerEvent, build
-    from pointpred.devices.hidraw.source import HidSource
+    from pointpred.devices.hidraw import HidSource
     from pointpred.live.session import LiveSession
 
     _keep_to(0)

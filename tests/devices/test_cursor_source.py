@@ -10,13 +10,18 @@ from typing import Any
 import pytest
 
 from pointpred.devices import selection
-from pointpred.devices.cursor.macos import MacCursor
-from pointpred.devices.cursor.source import CursorSource, cursor_info, system_cursor
-from pointpred.devices.cursor.windows import SCALED, WindowsCursor
-from pointpred.devices.cursor.x11 import ScreenCursor
+from pointpred.devices.cursor import (
+    SCALED,
+    CursorSource,
+    MacCursor,
+    ScreenCursor,
+    WindowsCursor,
+    cursor_info,
+    system_cursor,
+)
 from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.curve_learner import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
+from pointpred.live.outputs import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
 from pointpred.live.run import compile_for
 from pointpred.registry import RECOMMENDED
 from tests.devices.screens import Screen

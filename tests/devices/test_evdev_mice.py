@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.devices.evdev.frame_decoder import FrameDecoder
+from pointpred.devices.evdev import FrameDecoder
 from pointpred.recordings.formats.evdev_frames import Frames, frames
 from pointpred.records import EventColumns
 from tests.devices import evdev_mice

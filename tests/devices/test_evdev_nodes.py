@@ -1,4 +1,4 @@
-"""Lists, refusals, dropped events and a forged clock, on emulated input nodes."""
+"""Lists, refusals, dropped events and a forged clock, on emulated input evdev."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.devices.evdev import nodes
-from pointpred.devices.evdev.source import EvdevSource
+from pointpred.devices import evdev
+from pointpred.devices.evdev import EvdevSource
 from pointpred.errors import SourceError
 from tests.devices import evdev_mice
 from tests.devices.evdev_mice import KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
@@ -62,7 +62,7 @@ def test_what_only_has_a_node_s_name_is_refused(tmp_path: Path) -> None:
     for path in (str(file), str(folder)):
         with pytest.raises(SourceError, match="no character device"), EvdevSource(path):
             raise AssertionError("it opened")
-        listed = nodes.device_info(nodes.node(path))
+        listed = evdev.device_info(evdev.node(path))
         assert (listed.openable, listed.why) == (False, "it is no character device, expected an input node")
 
 

@@ -13,7 +13,7 @@ from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.first_moving import SILENCE_S, Candidate, FirstMoving
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
-from pointpred.live.notes import device_note
+from pointpred.live.follow import device_note
 from pointpred.live.session import LiveSession
 from tests.devices.live_fakes import FakeMouse, reach
 

@@ -13,7 +13,7 @@ from tests.devices.umockdev import Testbed, missing
 
 READER = """
 import json, sys, time
-from pointpred.devices.hidraw.source import HidSource
+from pointpred.devices.hidraw import HidSource
 from pointpred.errors import SourceError
 
 for line in sys.stdin:

@@ -11,7 +11,7 @@ from tests.devices.umockdev import Testbed
 
 FOLLOWER = """
 import json, sys, threading, time
-from pointpred.devices.hidraw.source import HidSource
+from pointpred.devices.hidraw import HidSource
 
 with HidSource() as source:
     print("open", flush=True)

@@ -12,7 +12,7 @@ from pointpred.cli import counts_per_inch
 from pointpred.devices import selection
 from pointpred.devices.first_moving import FirstMoving
 from pointpred.devices.source import DeviceInfo
-from pointpred.live import device
+from pointpred.live import follow
 from pointpred.live.run import compile_for
 from pointpred.pipeline import Pipeline
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, save_transfer
@@ -68,7 +68,7 @@ def test_predictions_beside_a_recording_are_never_written_over(
     def choose(*asked: str | None) -> None:
         raise AssertionError("a device was looked for")
 
-    monkeypatch.setattr(device, "choose", choose)
+    monkeypatch.setattr(follow, "choose", choose)
     (tmp_path / "kept_predictions.csv").write_text("precious")
     left = command("live", "--record", tmp_path / asked)
     assert left.code == 2
@@ -127,7 +127,7 @@ def test_a_screen_asked_for_is_an_error_where_there_is_none(monkeypatch: pytest.
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     with pytest.raises(OSError, match="DISPLAY is not set"):
-        device.mouse_path("screen", None, 800.0, 96.0)
+        follow.mouse_path("screen", None, 800.0, 96.0)
 
 
 @pytest.mark.parametrize(
@@ -144,14 +144,14 @@ def test_the_cursor_is_known_from_what_there_is(
 ) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    opened = device.mouse_path(where, function, cpi, 96.0)
+    opened = follow.mouse_path(where, function, cpi, 96.0)
     opened.close()
     assert opened.path.space == space
 
 
 def test_a_transfer_function_without_a_resolution_is_wrong_use() -> None:
     with pytest.raises(ValueError, match="--transfer and --cpi"):
-        device.mouse_path("transfer", ConstantGain(4.0), None, 96.0)
+        follow.mouse_path("transfer", ConstantGain(4.0), None, 96.0)
 
 
 def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
@@ -171,7 +171,7 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
         asked.append(cpi)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(device, "choose", lambda *asked: Opened())
+    monkeypatch.setattr(follow, "choose", lambda *asked: Opened())
     monkeypatch.setattr(counts_per_inch, "counts_per_inch", resolution)
     assert command("live", "--transfer", tmp_path / "desk.json").code == 130
     assert asked == [1234.0]

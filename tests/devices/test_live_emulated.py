@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
-from pointpred.devices.hidraw.source import HidSource
+from pointpred.devices.hidraw import HidSource
 from pointpred.devices.source import Report
 from pointpred.recordings import read
 from tests.devices.live_fakes import reach

@@ -9,8 +9,8 @@ import threading
 import pytest
 
 from pointpred import build
+from pointpred.live.run import SessionThread, ViewThread
 from pointpred.live.session import LiveSession
-from pointpred.live.threads import SessionThread, ViewThread
 from tests.devices.live_fakes import FakeMouse
 
 
@@ -75,7 +75,7 @@ def test_a_view_that_breaks_ends_the_session(error: BaseException) -> None:
 
 HANDED_ELSEWHERE = """
 import signal, threading
-from pointpred.live.threads import end_on_signal, wait
+from pointpred.live.run import end_on_signal, wait
 
 stopping, waiting = threading.Event(), threading.Event()
 other = threading.Thread(target=waiting.wait, daemon=True)

@@ -12,8 +12,8 @@ from pointpred import Pipeline, build
 from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
-from pointpred.live import device
-from pointpred.live.person_file import read_person, save_person
+from pointpred.live import follow
+from pointpred.live.follow import read_person, save_person
 from tests.devices.live_fakes import reach
 from tests.devices.test_live_outlets import LateMouse
 
@@ -22,7 +22,7 @@ REPORTS = [[*reach(1.0, (400.0, 90.0)), *reach(4.0, (-600.0, 40.0))], [*reach(9.
 
 
 def live(command: Any, monkeypatch: pytest.MonkeyPatch, reports: list[Report], *options: str | Path) -> Any:
-    monkeypatch.setattr(device, "choose", lambda *asked: LateMouse(*reports))
+    monkeypatch.setattr(follow, "choose", lambda *asked: LateMouse(*reports))
     return command("live", "--cursor", "motor", "--cpi", "800", "--seconds", "0.3", *options)
 
 

@@ -17,9 +17,9 @@ import pytest
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
+from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError
-from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource
-from pointpred.live.replay_trials import PlayedTrial
+from pointpred.live.playback import GAP_S, PlayedPipeline, PlayedSource, PlayedTrial
 from pointpred.live.run import PAGE_FIRST
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
@@ -69,7 +69,7 @@ def played(trials: Sequence[PlayedTrial], speed: float = 1.0, **more: Any) -> tu
 def pairs_of(trials: Sequence[PlayedTrial], speed: float = math.inf) -> list[Pair]:
     """What a session makes of trials."""
     source, _ = played(trials, speed)
-    session = LiveSession(source, PlayedPath("recorded"), PlayedPipeline(build(NAME)))
+    session = LiveSession(source, PositionPath("recorded", counts=True), PlayedPipeline(build(NAME)))
     pairs: list[Pair] = []
     while not source.ended:
         pairs += session.advance()
@@ -150,7 +150,7 @@ def file(tmp_path: Path) -> Path:
 def test_the_command_plays_all_of_it_and_ends_with_0(
     command: Callable[..., Any], file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in ("hid", "evdev", "pointpred.devices.hidraw.nodes", "pointpred.devices.evdev.nodes"):
+    for module in ("hid", "evdev", "pointpred.devices.hidraw", "pointpred.devices.evdev"):
         monkeypatch.setitem(sys.modules, module, None)  # an import of these fails
     back = file.with_name("back_samples.csv")
     left = command("live", "--replay", file, "--speed", "max", "--record", back)

@@ -11,8 +11,7 @@ import pytest
 from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
-from pointpred.live.session import LiveSession
-from pointpred.live.statistics import Delays, Pace
+from pointpred.live.session import DelayHistogram, LiveSession, ReportRate
 from pointpred.records import Pair
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain
 from tests.devices.live_fakes import FakeMouse, reach
@@ -153,7 +152,7 @@ def test_what_waits_at_the_stop_is_taken_too() -> None:
 
 
 def test_percentiles_bound_the_share_they_name() -> None:
-    delays = Delays()
+    delays = DelayHistogram()
     values = [1e-5 * 1.01**i for i in range(1000)]
     for value in values:
         delays.add(value)
@@ -163,11 +162,11 @@ def test_percentiles_bound_the_share_they_name() -> None:
         below = sum(value <= bound for value in values) / len(values)
         assert share <= below <= share + 0.006
     assert delays.longest == values[-1]
-    assert Delays().percentile(0.5) is None
+    assert DelayHistogram().percentile(0.5) is None
 
 
 def test_a_rate_forgets_what_is_older_than_a_second() -> None:
-    pace = Pace()
+    pace = ReportRate()
     for i in range(8000):
         pace.add(i / 8000, 1)
     assert pace.rate(1.0) == pytest.approx(8000, rel=0.03)

@@ -15,10 +15,9 @@ from typer.testing import CliRunner
 from pointpred import PointerEvent, build
 from pointpred.cli.app import app
 from pointpred.devices.cursor_paths import PositionPath
-from pointpred.devices.lsl import Channels, LslInlet, ahead_s, channels_of
+from pointpred.devices.lsl import CHANNELS, Channels, LslInlet, LslOutlet, ahead_s, channels_of
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.lsl_outlet import CHANNELS, LslOutlet
-from pointpred.live.notes import silence
+from pointpred.live.follow import silence
 from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession
 

@@ -22,7 +22,7 @@ from websockets.typing import Subprotocol
 from pointpred import EventColumns, build, run
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
+from pointpred.protocol.frames import PREDICTION, pack_events, pack_predictions
 from pointpred.recordings import read
 from pointpred.records import FloatArray
 from tests.server.running import PATIENCE_S

@@ -16,7 +16,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 
 from evidence.costs.soak.sessions import PING, PONG, TEXT, frame, split, upgrade
-from pointpred.protocol.packed import PREDICTION
+from pointpred.protocol.frames import PREDICTION
 from tests.faults.service import Client, service, wait_until_ready
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S

@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-from pointpred.devices.evdev.clock import Clock
-from pointpred.devices.evdev.frame_decoder import EVENT, FrameDecoder
-from pointpred.recordings.formats.evdev_frames import (
-    EV_KEY,
-    EV_REL,
-    EV_SYN,
-    SYN_DROPPED,
-    SYN_REPORT,
-)
+from pointpred.devices.evdev import EVENT, Clock, FrameDecoder
+from pointpred.recordings.formats.evdev_frames import EV_KEY, EV_REL, EV_SYN, SYN_DROPPED, SYN_REPORT
 
 
 def check(data: bytes) -> str:

@@ -5,8 +5,8 @@ An input is two bytes with the length of the descriptor, the descriptor, and a r
 
 from __future__ import annotations
 
+from pointpred.devices.hid import parse_descriptor
 from pointpred.errors import RecordingError
-from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.fuzz import naive
 

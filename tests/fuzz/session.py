@@ -21,7 +21,7 @@ from pointpred.protocol.decoding import (
     table_of_rows,
 )
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.packed import PREDICTION, pack_events, pack_predictions
+from pointpred.protocol.frames import PREDICTION, pack_events, pack_predictions
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import build
 from pointpred_server.compiling.parts import parts_for

@@ -31,7 +31,7 @@ PROTOCOL = ("pointpred.protocol", "pointpred_server.sessions")
 TARGETS = {
     target.name: target
     for target in (
-        Target("hid", hid.check, hid.seeds, ("pointpred.hid",), 600),
+        Target("hid", hid.check, hid.seeds, ("pointpred.devices.hid",), 600),
         Target("evdev", evdev.check, evdev.seeds, ("pointpred.devices.evdev",)),
         Target("messages", session.check_message, session.message_seeds, ("pointpred.protocol",)),
         Target("session", session.check_session, session.session_seeds, PROTOCOL),

@@ -19,7 +19,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
-from pointpred.protocol.packed import PREDICTION, unpack_predictions
+from pointpred.protocol.frames import PREDICTION, unpack_predictions
 
 FOLDER = Path(__file__).parent / "sessions"
 NEAR = 1e-9

@@ -18,7 +18,7 @@ from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
 from pointpred.datasets import sample
-from pointpred.protocol.packed import pack_events
+from pointpred.protocol.frames import pack_events
 from pointpred.records import FloatArray
 from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read, write
 

@@ -12,7 +12,7 @@ from pointpred import build
 from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.source import Report
 from pointpred.live.session import LiveSession
-from pointpred.protocol.live_messages import Attached
+from pointpred.protocol.server_messages import Attached
 from pointpred_server.cli.live_page import status_of
 from pointpred_server.live_feed import LiveFeed
 from pointpred_server.service import Service

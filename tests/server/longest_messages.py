@@ -21,7 +21,7 @@ from evidence.costs.load.generator import resampled, tables
 from evidence.data import Table, keep
 from evidence.machine import machine
 from pointpred import build
-from pointpred.protocol.packed import EVENT, pack_events
+from pointpred.protocol.frames import EVENT, pack_events
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.sessions.pointing import PointingSession
 

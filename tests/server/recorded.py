@@ -10,8 +10,7 @@ import numpy as np
 from pointpred import build, run
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
-from pointpred.recorder.session_recorder import SessionRecorder
-from pointpred.recorder.writer import Recorder
+from pointpred.recorder.writer import Recorder, SessionRecorder
 from pointpred.recording import Recording
 from pointpred.records import EventColumns, PredictionColumns
 

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Error, Page
 
 from pointpred.live.devtools import Page as DevTools
-from pointpred.live.mouse import drive_mouse
+from pointpred.live.devtools import drive_mouse
 from pointpred.protocol.server_messages import Limits
 from pointpred.records import EventColumns
 from tests.server import browser

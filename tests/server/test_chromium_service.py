@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns
-from pointpred.live.mouse import drive_mouse
+from pointpred.live.devtools import drive_mouse
 from tests.server import browser, page_browser
 from tests.server.listener import soon
 

@@ -12,8 +12,7 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError, SourceError
-from pointpred.live.devtools import Page, open_page
-from pointpred.live.mouse import drive_mouse
+from pointpred.live.devtools import Page, drive_mouse, open_page
 from tests.server import browser
 from tests.server.listener import Listener
 

@@ -74,7 +74,7 @@ def test_an_error_of_no_file_is_told_by_its_place(
     def broken(*rows: object) -> bytes:
         raise ValueError("at 7315.25")
 
-    monkeypatch.setattr("pointpred.recorder.session_recorder.sample_rows", broken)
+    monkeypatch.setattr("pointpred.recorder.writer.sample_rows", broken)
     with running(record=tmp_path / "kept") as here, here.greeted() as socket:
         socket.send(event(1.0))
         assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0

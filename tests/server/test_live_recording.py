@@ -12,7 +12,7 @@ import pytest
 
 from pointpred import build
 from pointpred.devices.cursor_paths import MotorPath
-from pointpred.live.recording import LiveRecording
+from pointpred.live.outputs import LiveRecording
 from pointpred.live.session import LiveSession
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.recordings import read

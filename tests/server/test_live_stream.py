@@ -18,7 +18,7 @@ from websockets.typing import Subprotocol
 
 import pointpred_server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.live_messages import Curve
+from pointpred.protocol.server_messages import Curve
 from pointpred.transfer import TransferLearner
 from pointpred_server.live_feed import MOST_WAITING
 from tests.server.listener import soon

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent
-from pointpred.live.notes import silence
-from pointpred.protocol.live_messages import Curve
+from pointpred.live.follow import silence
+from pointpred.protocol.server_messages import Curve
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
 from tests.devices.live_fakes import reach
 from tests.server import browser, page_browser

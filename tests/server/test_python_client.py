@@ -15,8 +15,7 @@ from pointpred.client import ServiceError
 from pointpred.client.session import service_address
 from pointpred.datasets import sample
 from pointpred.errors import EventError, ParameterError, SourceError
-from pointpred.protocol.frames import packable
-from pointpred.protocol.packed import pack_events, unpack_predictions
+from pointpred.protocol.frames import pack_events, packable, unpack_predictions
 from pointpred.protocol.server_messages import Limits, PredictionMessage, Score
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S

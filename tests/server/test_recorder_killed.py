@@ -21,7 +21,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from pointpred.protocol.packed import EVENT
+from pointpred.protocol.frames import EVENT
 from pointpred.recorder.recordings import listing
 from pointpred.recordings import read
 from tests.server.listener import soon

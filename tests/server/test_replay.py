@@ -16,7 +16,7 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
-from pointpred.live.replay_trials import Pacing, select_trials
+from pointpred.live.playback import Pacing, select_trials
 from pointpred.live.socket import replay_to, unlike
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial

@@ -138,7 +138,7 @@ def test_a_look_that_fails_is_a_finding() -> None:
 def test_mice_are_counted_and_closed_ones_say_what_to_do(
     monkeypatch: pytest.MonkeyPatch, mice: list[DeviceInfo], state: str, found: str, advice: str | None
 ) -> None:
-    monkeypatch.setattr("pointpred.devices.hidraw.nodes.list_hid", lambda: mice)
+    monkeypatch.setattr("pointpred.devices.hidraw.list_hid", lambda: mice)
     one = DOCTOR.devices()[0]
     assert (one.name, one.state, one.found) == ("mice, hidraw", state, found)
     assert (one.advice or "").startswith(advice or "")

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from pointpred import console
-from pointpred.cli import tables
+from pointpred.cli import score_tables
 from pointpred.cli.doctor import Finding
 from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
@@ -29,7 +29,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Results go to a terminal of 80 columns, wherever they really go."""
 
     def narrow() -> console.Console:
-        return console.Screen(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
+        return console.PlainConsole(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
 
     for name, module in list(sys.modules.items()):
         if name.startswith(("pointpred.cli.", "pointpred.console")) and hasattr(module, "results"):
@@ -52,7 +52,7 @@ def lines_of(text: str) -> list[str]:
 @pytest.mark.usefixtures("terminal")
 def test_scores_have_a_line_each(capsys: pytest.CaptureFixture[str]) -> None:
     described = summarise(score([recording(3)], list(REGISTRY))[0])
-    tables.print_sets([described])
+    score_tables.print_sets([described])
     lines = lines_of(capsys.readouterr().out)
     first = next(i for i, line in enumerate(lines) if line.startswith("predictor "))
     table = lines[first + 1 : first + 1 + len(REGISTRY)]

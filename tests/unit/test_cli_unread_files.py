@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.cli.tables import print_sets
+from pointpred.cli.score_tables import print_sets
 from pointpred.recordings import read_any
 from pointpred.scoring import score, summarise
 

@@ -6,7 +6,7 @@ import pytest
 
 from pointpred.client.session import ClientSession, ServiceError, hello_message
 from pointpred.errors import SourceError
-from pointpred.protocol.packed import PREDICTION
+from pointpred.protocol.frames import PREDICTION
 
 
 @pytest.mark.parametrize(

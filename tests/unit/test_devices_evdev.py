@@ -11,10 +11,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.devices.evdev import nodes, source
-from pointpred.devices.evdev.clock import EVIOCSCLOCKID, Clock
-from pointpred.devices.evdev.frame_decoder import EVENT, Frame, FrameDecoder, pressed
-from pointpred.devices.evdev.source import EvdevSource
+from pointpred.devices import evdev
+from pointpred.devices.evdev import (
+    EVENT,
+    EVIOCSCLOCKID,
+    Clock,
+    EvdevFrame,
+    EvdevSource,
+    FrameDecoder,
+    pressed,
+)
 from pointpred.errors import SourceError
 from pointpred.recordings.formats.evdev_frames import Frames, frames
 
@@ -84,7 +90,7 @@ def test_records_that_are_no_events_void_their_frame_and_are_counted() -> None:
     end = EVENT.pack(0, 1, SYN, 0, 0)
     assert decoder.feed(wrong + EVENT.pack(0, 0, REL, 0, 5) + end) == []
     assert decoder.unreadable == 2
-    assert decoder.feed(EVENT.pack(0, 0, REL, 0, 5) + end) == [Frame(1, 5, 0, 0, 0.0, 0.0)]
+    assert decoder.feed(EVENT.pack(0, 0, REL, 0, 5) + end) == [EvdevFrame(1, 5, 0, 0, 0.0, 0.0)]
 
 
 @given(st.binary(max_size=400))
@@ -105,7 +111,7 @@ def test_requests_have_the_numbers_of_the_kernel_s_header() -> None:
     """EVIOCSCLOCKID is _IOW('E', 0xa0, int) in linux/input.h, EVIOCGKEY(n) _IOC(_IOC_READ, 'E', 0x18, n)."""
     write, read = 1, 2
     assert write << 30 | struct.calcsize("i") << 16 | ord("E") << 8 | 0xA0 == EVIOCSCLOCKID
-    assert read << 30 | source.KEY_BYTES << 16 | ord("E") << 8 | 0x18 == source.EVIOCGKEY
+    assert read << 30 | evdev.KEY_BYTES << 16 | ord("E") << 8 | 0x18 == evdev.EVIOCGKEY
 
 
 def test_the_monotonic_clock_is_asked_for_and_its_stamps_stay(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -148,7 +154,7 @@ def test_a_clock_set_back_does_not_hold_the_time(pause_s: float, back_us: int) -
 
 def test_elsewhere_than_on_linux_the_browser_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     for platform in ("win32", "darwin"):
-        monkeypatch.setattr(nodes.sys, "platform", platform)
+        monkeypatch.setattr(evdev.sys, "platform", platform)
         with (
             pytest.raises(
                 SourceError, match=f"Linux only, this is {platform}; open the live page in a browser"
@@ -159,8 +165,8 @@ def test_elsewhere_than_on_linux_the_browser_is_named(monkeypatch: pytest.Monkey
 
 
 def test_a_machine_without_nodes_has_an_empty_list(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(nodes, "NODES", tmp_path / "input")
-    assert nodes.list_evdev() == []
+    monkeypatch.setattr(evdev, "NODES", tmp_path / "input")
+    assert evdev.list_evdev() == []
 
 
 def test_a_source_must_be_entered_first() -> None:

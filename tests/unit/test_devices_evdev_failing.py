@@ -6,13 +6,12 @@ import os
 
 import pytest
 
-from pointpred.devices.evdev import nodes
-from pointpred.devices.evdev import source as source_module
-from pointpred.devices.evdev.source import EvdevSource
+from pointpred.devices import evdev
+from pointpred.devices.evdev import EvdevSource
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
 
-NODE = nodes.Node("/dev/input/event9", "a mouse", (), "", True, False)
+NODE = evdev.Node("/dev/input/event9", "a mouse", (), "", True, False)
 
 
 def test_what_breaks_the_reader_is_told_by_take(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -20,10 +19,10 @@ def test_what_breaks_the_reader_is_told_by_take(monkeypatch: pytest.MonkeyPatch)
         raise RuntimeError("a mistake of ours")
 
     reading, writing = os.pipe()
-    monkeypatch.setattr(nodes, "check", lambda path: NODE)
-    monkeypatch.setattr(nodes, "open_node", lambda path: reading)
-    monkeypatch.setattr(source_module.Clock, "ask", lambda self, file: None)
-    monkeypatch.setattr(source_module.FrameDecoder, "feed", broken)
+    monkeypatch.setattr(evdev, "check_node", lambda path: NODE)
+    monkeypatch.setattr(evdev, "open_node", lambda path: reading)
+    monkeypatch.setattr(evdev.Clock, "ask", lambda self, file: None)
+    monkeypatch.setattr(evdev.FrameDecoder, "feed", broken)
     with EvdevSource("/dev/input/event9") as source:
         source._queue.put(Report(1.0, 2, 3))
         os.write(writing, b"x" * 24)

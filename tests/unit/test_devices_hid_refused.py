@@ -11,9 +11,8 @@ from typing import Any
 
 import pytest
 
-from pointpred.devices.hidraw import nodes
-from pointpred.devices.hidraw.nodes import list_hid
-from pointpred.devices.hidraw.source import HidSource
+from pointpred.devices import hidraw
+from pointpred.devices.hidraw import HidSource, list_hid
 from pointpred.devices.udev import shipped_rules
 from pointpred.errors import SourceError
 from tests.devices.mice import TWO_WHEELS
@@ -61,9 +60,9 @@ def plugged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Handle]:
         handle = Handle(reports, then, descriptor)
         module = SimpleNamespace(enumerate=lambda: entries, device=lambda: handle)
         monkeypatch.setitem(sys.modules, "hidraw", module)
-        monkeypatch.setattr(nodes, "not_a_mouse", lambda device: None)
-        monkeypatch.setattr(nodes.Path, "exists", lambda path: True)
-        monkeypatch.setattr(nodes.os, "access", lambda path, mode: True)
+        monkeypatch.setattr(hidraw, "not_a_mouse", lambda device: None)
+        monkeypatch.setattr(hidraw.Path, "exists", lambda path: True)
+        monkeypatch.setattr(hidraw.os, "access", lambda path, mode: True)
         return handle
 
     return plug
@@ -116,7 +115,7 @@ def test_without_permission_the_exact_line_is_printed(
     plugged: Callable[..., Handle], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plugged()
-    monkeypatch.setattr(nodes.os, "access", lambda path, mode: False)
+    monkeypatch.setattr(hidraw.os, "access", lambda path, mode: False)
     line = 'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:046D:C077.*", TAG+="uaccess"'
     (found,) = list_hid()
     assert (found.openable, found.why) == (False, "permission denied")
@@ -127,7 +126,7 @@ def test_without_permission_the_exact_line_is_printed(
         assert f"\n  {line}\n" in said
         assert "/etc/udev/rules.d/70-pointpred.rules" in said
         assert "sudo udevadm control --reload && sudo udevadm trigger" in said
-    monkeypatch.setattr(nodes, "is_mouse_interface", lambda device: True)
+    monkeypatch.setattr(hidraw, "is_mouse_interface", lambda device: True)
     assert 'ATTRS{modalias}=="usb:v046DpC077*", ATTRS{bInterfaceProtocol}=="02"' in str(list_hid()[0].advice)
 
 
@@ -135,7 +134,7 @@ def test_a_node_that_is_listed_but_not_there(
     plugged: Callable[..., Handle], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plugged()
-    monkeypatch.setattr(nodes.Path, "exists", lambda path: False)
+    monkeypatch.setattr(hidraw.Path, "exists", lambda path: False)
     assert "there is no such node" in str(list_hid()[0].why)
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.devices.cursor.pairing import Pairing
+from pointpred.devices.cursor_paths import Pairing
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
 from pointpred.records import EventColumns, PointerEvent

@@ -8,11 +8,9 @@ from typing import Any
 
 import pytest
 
-from pointpred.devices.evdev import nodes
-from pointpred.devices.evdev.source import EvdevSource
-from pointpred.devices.hidraw import source as source_module
-from pointpred.devices.hidraw.nodes import HidDevice
-from pointpred.devices.hidraw.source import HidSource
+from pointpred.devices import evdev, hidraw
+from pointpred.devices.evdev import EvdevSource
+from pointpred.devices.hidraw import HidDevice, HidSource
 
 
 def quick(kind: type, there: list[Any], mouse: Any, back: Any) -> Any:
@@ -33,7 +31,7 @@ def quick(kind: type, there: list[Any], mouse: Any, back: Any) -> Any:
 def test_of_hidapi(monkeypatch: pytest.MonkeyPatch) -> None:
     mouse, twin, back = (HidDevice(f"/dev/hidraw{i}", "Mouse", 0x46D, 0xC077, "", 0) for i in range(3))
     there, opened = [mouse, twin], []
-    monkeypatch.setattr(source_module, "hid_devices", lambda: list(there))
+    monkeypatch.setattr(hidraw, "hid_devices", lambda: list(there))
     source = quick(HidSource, there, mouse, back)
     source._device, source._handle = mouse, SimpleNamespace(close=lambda: None)
     source._open = opened.append
@@ -44,11 +42,11 @@ def test_of_hidapi(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_of_evdev(monkeypatch: pytest.MonkeyPatch) -> None:
     mouse, twin, back = (
-        nodes.Node(f"/dev/input/event{i}", "Mouse", ("Mouse",), "", True, False) for i in range(3)
+        evdev.Node(f"/dev/input/event{i}", "Mouse", ("Mouse",), "", True, False) for i in range(3)
     )
     there, opened = [mouse, twin], []
     looks = iter(range(3))
-    monkeypatch.setattr(nodes, "nodes", lambda: (next(looks), list(there))[1])  # not for ever
+    monkeypatch.setattr(evdev, "nodes", lambda: (next(looks), list(there))[1])  # not for ever
     source = quick(EvdevSource, there, mouse, back)
     source._node, source._file = mouse, os.open(os.devnull, os.O_RDONLY)
     source._stopped, writing = os.pipe()

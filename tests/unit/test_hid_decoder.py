@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.hid.report_descriptor import parse_descriptor
+from pointpred.devices.hid import parse_descriptor
 from tests.devices.mice import ENCODERS, SYZBOT, Encode, Mouse
 from tests.fuzz.corpus import corpus
 from tests.fuzz.hid import check, joined

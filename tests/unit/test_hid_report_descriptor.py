@@ -2,9 +2,8 @@
 
 import pytest
 
+from pointpred.devices.hid import ReportField, parse_descriptor
 from pointpred.errors import RecordingError
-from pointpred.hid.report_decoder import Field
-from pointpred.hid.report_descriptor import parse_descriptor
 
 BOOT = (
     "05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 01"
@@ -19,11 +18,11 @@ A4TECH = (
 
 
 def test_a_field_is_sign_extended_over_byte_borders() -> None:
-    field = Field(12, 12, signed=True)
+    field = ReportField(12, 12, signed=True)
     for value in (-2048, -1, 0, 1, 2047):
         report = (value & 0xFFF) << 12 | 0xABC
         assert field.value(report) == value
-    assert Field(4, 4, signed=False).value(0xF0) == 15
+    assert ReportField(4, 4, signed=False).value(0xF0) == 15
 
 
 @pytest.mark.parametrize(

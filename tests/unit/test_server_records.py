@@ -8,12 +8,12 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.protocol.frames import prediction_text
-from pointpred.protocol.packed import (
+from pointpred.protocol.frames import (
     EVENT,
     PREDICTION,
     pack_prediction,
     pack_predictions,
+    prediction_text,
     unpack_event,
     unpack_events,
 )

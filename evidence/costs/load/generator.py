@@ -21,7 +21,7 @@ from evidence import ROOT
 from evidence.machine import on_cores
 from evidence.sets import folder
 from pointpred.datasets import sample
-from pointpred.protocol.packed import NO_COUNTS
+from pointpred.protocol.frames import NO_COUNTS
 from pointpred.recording import Recording
 from pointpred.recordings import read
 from pointpred.records import FloatArray

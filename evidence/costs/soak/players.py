@@ -31,7 +31,7 @@ from evidence.costs.soak.sessions import (
     frame,
     upgrade,
 )
-from pointpred.protocol.packed import pack_events
+from pointpred.protocol.frames import pack_events
 
 KINDS = (
     ("kinematic-adaptive", 125.0, "json"),

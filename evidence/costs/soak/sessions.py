@@ -30,8 +30,7 @@ import pyarrow.csv as pacsv
 
 from pointpred import EventColumns, build, run
 from pointpred.datasets import sample
-from pointpred.protocol.frames import row_of_prediction
-from pointpred.protocol.packed import pack_events, pack_predictions, unpack_predictions
+from pointpred.protocol.frames import pack_events, pack_predictions, row_of_prediction, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
 from pointpred.recorder.files import PREDICTED
 from pointpred.recordings.arrow_tables import EVENT_COLUMNS

@@ -7,9 +7,8 @@ from pathlib import Path
 
 import msgspec
 
+from pointpred.devices.hid import ReportDecoder, parse_descriptor
 from pointpred.errors import RecordingError
-from pointpred.hid.report_decoder import ReportDecoder
-from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
 from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.formats.evdev_frames import UnreadableLines, frames_of_counts, recording

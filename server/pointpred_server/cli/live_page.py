@@ -10,9 +10,9 @@ import typer
 from msgspec.structs import replace
 
 from pointpred.errors import ParameterError
-from pointpred.live.page import OpenPage
+from pointpred.live.run import OpenPage
 from pointpred.live.session import LiveSession, LiveState
-from pointpred.protocol.live_messages import Attached, Curve, Status
+from pointpred.protocol.server_messages import Attached, Curve, Status
 from pointpred.records import Pair
 from pointpred_server.access import HostRule
 from pointpred_server.cli.serve import open_port, settings_of

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.option_errors import option_error
+from pointpred.cli.help_text import option_error
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
 from pointpred_server.cli.service_start import ServiceStart

@@ -18,7 +18,7 @@ from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialMark
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.packed import EVENT, unpack_events
+from pointpred.protocol.frames import EVENT, unpack_events
 from pointpred.records import EventColumns, Place, PointerEvent
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint

@@ -27,7 +27,7 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import decode_client_message, decode_event, table_of_bytes, table_of_rows
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.packed import EVENT, unpack_events
+from pointpred.protocol.frames import EVENT, unpack_events
 from pointpred.protocol.server_messages import (
     KnownPerson,
     Limits,

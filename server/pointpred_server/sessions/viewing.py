@@ -7,8 +7,7 @@ from typing import Protocol
 from pointpred.protocol.client_messages import Bye
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.live_messages import Attached, Curve, Status
-from pointpred.protocol.server_messages import Limits, encode
+from pointpred.protocol.server_messages import Attached, Curve, Limits, Status, encode
 from pointpred_server.sessions.lifecycle import Session, State
 
 READ_ONLY = "this stream is only read; expected nothing but 'bye', received "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
@@ -11,24 +12,30 @@ import msgspec
 from msgspec.structs import replace
 
 from pointpred.console import remark, remarks, results
-from pointpred.devices.cursor.pairing import Pairing
-from pointpred.devices.cursor.source import CursorSource
-from pointpred.devices.cursor.x11 import ScreenCursor
-from pointpred.devices.cursor_paths import CursorPath, MotorPath, PositionPath, TransferPath
+from pointpred.devices.cursor import CursorSource, ScreenCursor
+from pointpred.devices.cursor_paths import CursorPath, MotorPath, Pairing, PositionPath, TransferPath
+from pointpred.devices.first_moving import SILENCE_S, FirstMoving
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.selection import choose
-from pointpred.devices.source import DeviceSource
+from pointpred.devices.source import DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
+from pointpred.files import beside
 from pointpred.garbage import tune_collector
-from pointpred.live.notes import device_note
-from pointpred.live.person_file import read_person, save_person
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
+from pointpred.person import LARGEST, portable
+from pointpred.pipeline import Pipeline
+from pointpred.registry import REGISTRY, build
 from pointpred.transfer import TransferFunction, named_transfer
 
 CursorChoice = Literal["auto", "screen", "transfer", "motor"]
 CountsPerInch = Callable[[DeviceSource, float | None], float | None]
 """The resolution of an open mouse, from the one that was given: asks or measures where there is none."""
+
+TRY = (
+    "Move the mouse that is to be followed. If it is not named here, 'pointpred devices list' says why, such "
+    "as a missing permission; --device NAME reads one device"
+)
 
 
 class DeviceOptions(msgspec.Struct, frozen=True):
@@ -138,3 +145,65 @@ def _mouse_options(options: DeviceOptions, cursors: tuple[str, ...]) -> list[str
         )
         if wrong
     ]
+
+
+def device_note(session: LiveSession) -> Callable[[], str | None]:
+    """The function for ``LiveSession.note`` of a session over a device."""
+    source = session.source
+
+    def note() -> str | None:
+        if not session.moved and session.silent_s >= SILENCE_S and source.plugged:
+            return silence(source)
+        return source.note or None if isinstance(source, FirstMoving) else None
+
+    return note
+
+
+def silence(source: DeviceSource) -> str:
+    """Which devices are read while nothing moves, which cannot be, and what to try."""
+    if isinstance(source, LslInlet):
+        return f"nothing moves in the stream {source.name!r}. Is the program that sends it still running?"
+    devices: tuple[DeviceSource, ...] = (source,)
+    closed: tuple[DeviceInfo, ...] = ()
+    if isinstance(source, FirstMoving):
+        devices, closed = source.devices, source.closed
+    reading = ", ".join(f"{one.path} ({one.name})" for one in devices)
+    not_opened = ", ".join(f"{one.path} ({one.name}): {one.why}" for one in closed)
+    also = f"Not opened: {not_opened}. " if not_opened else ""
+    return f"nothing moves. Listening to {reading}. {also}{TRY}"
+
+
+def read_person(file: Path | None, predictor: str) -> str:
+    """The person in a file; "" if there is no file yet, or none was named.
+
+    Raises ParameterError for a predictor without one, and for a file that holds none of this predictor.
+    """
+    if file is None:
+        return ""
+    if str(file) == "-" or not portable(build(predictor).predictor):
+        able = ", ".join(name for name in REGISTRY if portable(build(name).predictor))
+        raise ParameterError(f"--person needs a file and one of {able}, received {file} and {predictor}")
+    if not file.exists():
+        return ""
+    with file.open("rb") as opened:
+        person = opened.read(LARGEST + 2).decode("ascii", errors="replace").strip()
+    try:
+        build(predictor, person=person)
+    except ParameterError as error:
+        raise ParameterError(f"--person {file}: {error}") from None
+    return person
+
+
+def save_person(file: Path, pipeline: Pipeline) -> str:
+    """Finish the movement and write the person, readable by the owner only; returns a message."""
+    pipeline.reset()
+    if not pipeline.person:
+        return "nothing was learned, nothing saved"
+    part = beside(file, "part")
+    try:
+        with os.fdopen(os.open(part, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "wb") as opened:
+            opened.write(f"{pipeline.person}\n".encode())
+        part.replace(file)
+    finally:
+        part.unlink(missing_ok=True)
+    return f"saved in {file}"

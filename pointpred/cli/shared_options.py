@@ -1,4 +1,4 @@
-"""Coefficients of one's own on the command line: ``--coefficients FILE``."""
+"""Options that several commands have: coefficients of one's own, and where a command works."""
 
 from __future__ import annotations
 
@@ -15,6 +15,25 @@ PARAMETER = "coefficients"
 Coefficients = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Coefficients for 'kinematic' names, made by 'pointpred train'."),
+]
+
+PANEL = "For long recordings"
+
+Threads = Annotated[
+    int | None,
+    typer.Option(min=1, max=1024, help="Number of threads. Not given: one for each processor."),
+]
+Processes = Annotated[
+    int | None,
+    typer.Option(min=1, max=1024, help="Number of processes instead of threads.", rich_help_panel=PANEL),
+]
+ClusterAddress = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help="A Dask cluster instead of threads: its scheduler's address, or local.",
+        rich_help_panel=PANEL,
+    ),
 ]
 
 

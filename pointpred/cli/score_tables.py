@@ -1,16 +1,21 @@
-"""Scored sets as tables in the terminal, with what was skipped and why."""
+"""What ``pointpred score`` prints: errors of predictors, or with ``--targets`` how a target is chosen."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from rich.table import Table
 
-from pointpred.console import NARROW, counted, remarks, results
+from pointpred.console import NARROW, counted, remark, results, table
 from pointpred.recording import Skip
 from pointpred.scoring import HEADINGS, footnotes, rows
+from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary import SetSummary
+
+if TYPE_CHECKING:
+    from pointpred.scoring.target_choice import ChoiceSummary, TargetSummary
 
 IN_NARROW = {
     "predictor": "predictor",
@@ -23,6 +28,18 @@ IN_NARROW = {
 }
 """What a narrow terminal shows, and what it is called there."""
 REASONS_SHOWN = 5
+DIAL = 0.5
+"""The precision that is shown: the one that sessions begin with."""
+RIGHT = ("predictor", *(f"{time:.0%}" for time in TIME_FRACTIONS))
+DECIDED = (
+    "predictor",
+    "right",
+    "before entry",
+    "lead to entry",
+    "lead to click",
+    "proposed",
+    "retracted",
+)
 
 
 def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
@@ -36,7 +53,8 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
             results().print(_table(one))
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
-        _print_remarks(one)
+        for words in _remarks(one):
+            remark(f"{one.name}: {words}")
     if any(one.trials for one in sets):
         results().print(
             "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "
@@ -57,19 +75,10 @@ def title(one: SetSummary) -> str:
 
 
 def _table(one: SetSummary) -> Table:
-    table = Table(box=None, pad_edge=False)
     names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else IN_NARROW
     shown = [i for i, heading in enumerate(HEADINGS) if heading in names]
-    for i in shown:
-        table.add_column(names[HEADINGS[i]], justify="left" if i == 0 else "right", no_wrap=True)
-    for row in rows(one):
-        table.add_row(*(row[i] for i in shown))
-    return table
-
-
-def _print_remarks(one: SetSummary) -> None:
-    for remark in _remarks(one):
-        remarks().print(f"{one.name}: {remark}", markup=False)
+    headings = [names[HEADINGS[i]] for i in shown]
+    return table(headings, [[row[i] for i in shown] for row in rows(one)], whole=headings, right=headings[1:])
 
 
 def _is_file(skip: Skip) -> bool:
@@ -99,3 +108,52 @@ def _remarks(one: SetSummary) -> Iterator[str]:
         if failed:
             trials = counted(len(failed), "trial")
             yield f"{predictor.name} failed in {trials}: {failed[0].reason} (first: trial {failed[0].trial})"
+
+
+def print_targets(sets: Sequence[TargetSummary]) -> None:
+    """Two tables a set: shares right by time, and decisions at the usual precision."""
+    for one in sets:
+        title = f"{one.name}: {counted(one.trials, 'movement')}, {one.layout}"
+        results().print(title, style="bold", markup=False)
+        for headings, cells in (
+            (RIGHT, [_right(predictor) for predictor in one.predictors]),
+            (DECIDED, [_decided(predictor) for predictor in one.predictors]),
+        ):
+            results().print(table(headings, cells, whole=headings[:1], right=headings[1:]))
+    if sets:
+        results().print(
+            "First table: movements whose likeliest target is the right one, by share of the time.\n"
+            f"Second table, precision set to {DIAL}: share of proposals that are right; share of movements "
+            "with a right one before the cursor enters; median times from the proposal to entry and click; "
+            "proposals and retractions per movement.",
+            style="dim",
+        )
+
+
+def _right(predictor: ChoiceSummary) -> tuple[str, ...]:
+    return predictor.name, *(_share(predictor.right[time]) for time in TIME_FRACTIONS)
+
+
+def _decided(predictor: ChoiceSummary) -> tuple[str, ...]:
+    one = predictor.decisions[DIAL]
+    return (
+        predictor.name,
+        _share(one.precision),
+        _share(one.before_entry),
+        _ms(one.lead_entry_s),
+        _ms(one.lead_click_s),
+        _number(one.proposals),
+        _number(one.retractions),
+    )
+
+
+def _share(value: float | None) -> str:
+    return "-" if value is None else f"{value:.0%}"
+
+
+def _ms(value: float | None) -> str:
+    return "-" if value is None else f"{1e3 * value:.0f} ms"
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.2f}"

@@ -1,1 +1,0 @@
-"""Mice through the kernel's input nodes, /dev/input/event*."""

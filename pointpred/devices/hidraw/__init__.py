@@ -1,1 +1,0 @@
-"""Mice through hidraw nodes: every report as the device sent it."""
