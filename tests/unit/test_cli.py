@@ -87,7 +87,7 @@ def test_brackets_of_a_docstring_are_shown(capsys: pytest.CaptureFixture[str]) -
 def test_help_flows_into_the_width_of_the_terminal(command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     lines = [line.strip() for line in command("simulate", "--help").out.splitlines()]
-    assert "inch. The recording is marked as simulated, and so is every score of it." in lines
+    assert "2000 counts per inch. The recording is marked as simulated, and so is every" in lines
 
 
 @pytest.mark.parametrize(

@@ -284,10 +284,11 @@ def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Pat
     assert (tmp_path / "me.npz.part").read_text() == "somebody's"
 
 
-def test_training_without_recordings_is_one_line(tmp_path: Path) -> None:
+def test_training_without_recordings_is_one_line() -> None:
     environment = {k: v for k, v in os.environ.items() if k != "POINTPRED_RECORDINGS"}
-    run_it = [sys.executable, "-m", "pointpred.training"]
-    left = subprocess.run(run_it, env=environment, capture_output=True, text=True, check=False)
+    run_it = [sys.executable, "-m", "evidence", "results", "train"]
+    root = Path(__file__).parents[2]
+    left = subprocess.run(run_it, env=environment, cwd=root, capture_output=True, text=True, check=False)
     assert left.returncode == 1
     assert left.stderr.count("\n") == 1
     assert "POINTPRED_RECORDINGS" in left.stderr
