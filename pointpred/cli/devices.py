@@ -12,7 +12,7 @@ from rich.live import Live
 
 from pointpred.cli.output_files import AsJson, print_json
 from pointpred.console import counted, plain, remark, results, table
-from pointpred.devices.cursor import CursorSource
+from pointpred.devices.screen_cursor import CursorSource
 from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
 from pointpred.live.session import ReportRate
@@ -145,7 +145,7 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
 
 def _devices(everything: bool) -> list[DeviceInfo]:
     """Mice by hidraw, then by evdev; the cursor on systems that let no program read mice."""
-    from pointpred.devices.cursor import cursor_info
+    from pointpred.devices.screen_cursor import cursor_info
     from pointpred.devices.selection import list_mice
 
     if sys.platform != "linux":

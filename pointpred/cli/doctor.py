@@ -158,7 +158,7 @@ def devices() -> list[Finding]:
 
 def cursor() -> list[Finding]:
     """The screen's cursor."""
-    from pointpred.devices.cursor import RATE_HZ, UNTRIED, system_cursor
+    from pointpred.devices.screen_cursor import RATE_HZ, UNTRIED, system_cursor
 
     try:
         with closing(system_cursor()) as screen:

@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from pointpred.devices.cursor import NAME, CursorSource, system_cursor
 from pointpred.devices.evdev import EvdevSource, list_evdev
 from pointpred.devices.first_moving import Candidate, FirstMoving
 from pointpred.devices.hidraw import HidSource, list_hid
 from pointpred.devices.lsl import LslInlet
+from pointpred.devices.screen_cursor import NAME, CursorSource, system_cursor
 from pointpred.devices.source import BROWSER, DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
 

@@ -12,10 +12,10 @@ import msgspec
 from msgspec.structs import replace
 
 from pointpred.console import remark, remarks, results
-from pointpred.devices.cursor import CursorSource, ScreenCursor
 from pointpred.devices.cursor_paths import CursorPath, MotorPath, Pairing, PositionPath, TransferPath
 from pointpred.devices.first_moving import SILENCE_S, FirstMoving
 from pointpred.devices.lsl import LslInlet
+from pointpred.devices.screen_cursor import CursorSource, ScreenCursor
 from pointpred.devices.selection import choose
 from pointpred.devices.source import DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError

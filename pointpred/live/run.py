@@ -20,8 +20,8 @@ from typing import Any, Protocol
 import msgspec
 
 from pointpred.console import counted, remark, results
-from pointpred.devices.cursor import CursorSource
 from pointpred.devices.lsl import OUTLET, LslOutlet
+from pointpred.devices.screen_cursor import CursorSource
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import missing_distribution
 from pointpred.live.outputs import CurveLearner, LiveRecording, curve_learner

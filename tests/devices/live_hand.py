@@ -75,9 +75,9 @@ def child() -> None:
     import msgspec
 
     from pointpred.devices import evdev
-    from pointpred.devices.cursor import ScreenCursor
     from pointpred.devices.cursor_paths import Pairing
     from pointpred.devices.evdev import EvdevSource
+    from pointpred.devices.screen_cursor import ScreenCursor
     from pointpred.transfer import TransferLearner
 
     evdev._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from pointpred.devices import selection
-from pointpred.devices.cursor import (
+from pointpred.devices.cursor_paths import PositionPath
+from pointpred.devices.screen_cursor import (
     SCALED,
     CursorSource,
     MacCursor,
@@ -19,7 +20,6 @@ from pointpred.devices.cursor import (
     cursor_info,
     system_cursor,
 )
-from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
 from pointpred.live.outputs import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
 from pointpred.live.run import compile_for

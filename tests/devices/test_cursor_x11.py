@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.devices import cursor
-from pointpred.devices.cursor import ScreenCursor
+from pointpred.devices import screen_cursor
 from pointpred.devices.cursor_paths import Pairing
+from pointpred.devices.screen_cursor import ScreenCursor
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
 from pointpred.reproduction.transfer_functions import CPI, DPI, best_polynomial, gain_error, simulate_trials
@@ -45,7 +45,7 @@ def test_without_x11_it_is_said_what_else_there_is(monkeypatch: pytest.MonkeyPat
     monkeypatch.setenv("DISPLAY", ":0")
     with pytest.raises(SourceError, match="Wayland"):
         ScreenCursor()
-    assert "transfer function" in cursor.OTHERWISE
+    assert "transfer function" in screen_cursor.OTHERWISE
 
 
 def test_the_sigmoid_is_learnt_nearly_as_well_as_a_polynomial_can(screen: Screen) -> None:
