@@ -1,5 +1,5 @@
 // Written by `make page` from choice_law.py: change that and run it again.
-import * as $targets_cursor from "./cursor.js";
+import * as $cursor from "./cursor.js";
 import * as $decision from "./decision.js";
 import * as $posterior from "./posterior.js";
 import * as $rectangles from "./rectangles.js";
@@ -80,7 +80,7 @@ export function step_with_shares(memory, event, remaining_s, targets, settings, 
   const x = event[1];
   const y = event[2];
   const pressed = event[3];
-  const released = $targets_cursor.follow(memory, t, x, y, pressed);
+  const released = $cursor.follow(memory, t, x, y, pressed);
   return propose(memory, event, released, remaining_s, targets, settings, standing);
 }
 export function step(memory, event, answer, targets, model, standing) {
@@ -93,7 +93,7 @@ export function step(memory, event, answer, targets, model, standing) {
   const coefficients = model[0];
   const settings = model[1];
   const p = answer;
-  const released = $targets_cursor.follow(memory, t, x, y, pressed);
+  const released = $cursor.follow(memory, t, x, y, pressed);
   $posterior.scores(memory, table, answer, coefficients, settings[$posterior.ELSEWHERE], shares);
   $posterior.normalise(shares);
   return propose(memory, event, released, p[6], targets, settings, standing);

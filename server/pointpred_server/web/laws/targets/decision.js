@@ -1,6 +1,6 @@
 // Written by `make page` from decision.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
-import * as $targets_cursor from "./cursor.js";
+import * as $cursor from "./cursor.js";
 import * as $rectangles from "./rectangles.js";
 export const NOBODY = -1;
 export function likeliest(shares, count) {
@@ -30,7 +30,7 @@ export function rank(shares, count, order) {
   }
 }
 export function early(memory, row, remaining_s, least_s) {
-  let left = $targets_cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
+  let left = $cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
   if (left === 0) {
     return false;
   }
@@ -51,7 +51,7 @@ export function decide(memory, table, shares, standing, remaining_s, bounds) {
   if (standing !== NOBODY && (best === standing || shares[best] < ask)) {
     return shares[standing] >= keep ? standing : NOBODY;
   }
-  const far = hypot(memory[$targets_cursor.X] - memory[$targets_cursor.X0], memory[$targets_cursor.Y] - memory[$targets_cursor.Y0]);
+  const far = hypot(memory[$cursor.X] - memory[$cursor.X0], memory[$cursor.Y] - memory[$cursor.Y0]);
   if (shares[best] >= ask && far >= least_px && early(memory, table[best], remaining_s, least_s)) {
     return best;
   }

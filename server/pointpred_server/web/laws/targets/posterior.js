@@ -1,7 +1,7 @@
 // Written by `make page` from posterior.py: change that and run it again.
 import { hypot, larger, smaller, square } from "../arithmetic.js";
 import * as $records from "../records.js";
-import * as $targets_cursor from "./cursor.js";
+import * as $cursor from "./cursor.js";
 import * as $rectangle_mass from "./rectangle_mass.js";
 import * as $rectangles from "./rectangles.js";
 export const ANGLE = 0.15;
@@ -35,10 +35,10 @@ export function bend(u, g, far2, size) {
   return Math.log(1 + angle * angle / (ANGLE * ANGLE + 0.0625 * size * size / far2));
 }
 export function unclaimed(memory, x, y) {
-  let gx = x - memory[$targets_cursor.X];
-  let gy = y - memory[$targets_cursor.Y];
-  const done_x = memory[$targets_cursor.X] - memory[$targets_cursor.X0];
-  const done_y = memory[$targets_cursor.Y] - memory[$targets_cursor.Y0];
+  let gx = x - memory[$cursor.X];
+  let gy = y - memory[$cursor.Y];
+  const done_x = memory[$cursor.X] - memory[$cursor.X0];
+  const done_y = memory[$cursor.Y] - memory[$cursor.Y0];
   const left = hypot(gx, gy);
   const done = hypot(done_x, done_y);
   if (left === 0) {
@@ -57,14 +57,14 @@ export function unclaimed(memory, x, y) {
   return [across + more * ux * ux, more * ux * uy, across + more * uy * uy];
 }
 export function situation(memory) {
-  const x = memory[$targets_cursor.X];
-  const y = memory[$targets_cursor.Y];
-  const way = hypot(x - memory[$targets_cursor.X0], y - memory[$targets_cursor.Y0]);
-  const sweep = memory[$targets_cursor.SPEED] * (memory[$targets_cursor.T] - memory[$targets_cursor.T0]);
-  const trail_x = x - memory[$targets_cursor.TRAIL_X];
-  const trail_y = y - memory[$targets_cursor.TRAIL_Y];
-  const vx = memory[$targets_cursor.VX];
-  const vy = memory[$targets_cursor.VY];
+  const x = memory[$cursor.X];
+  const y = memory[$cursor.Y];
+  const way = hypot(x - memory[$cursor.X0], y - memory[$cursor.Y0]);
+  const sweep = memory[$cursor.SPEED] * (memory[$cursor.T] - memory[$cursor.T0]);
+  const trail_x = x - memory[$cursor.TRAIL_X];
+  const trail_y = y - memory[$cursor.TRAIL_Y];
+  const vx = memory[$cursor.VX];
+  const vy = memory[$cursor.VY];
   return [x, y, trail_x, trail_y, vx, vy, Math.log(larger(way, 1)), Math.log(larger(sweep, 1))];
 }
 export function feature(row, now, predicted, mass) {
@@ -104,8 +104,8 @@ export function scores(memory, table, answer, coefficients, elsewhere, out) {
   const tail = answer[8];
   const claimed = Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
   if (!claimed) {
-    x = memory[$targets_cursor.X];
-    y = memory[$targets_cursor.Y];
+    x = memory[$cursor.X];
+    y = memory[$cursor.Y];
   }
   let first = 0;
   let predicted = [x, y, sxx, sxy, syy, tail];
@@ -119,7 +119,7 @@ export function scores(memory, table, answer, coefficients, elsewhere, out) {
   }
   const now = situation(memory);
   const weight = new Float64Array(FEATURES);
-  const fast = memory[$targets_cursor.PEAK] > 0 ? smaller(memory[$targets_cursor.SPEED] / memory[$targets_cursor.PEAK], 1) : 0;
+  const fast = memory[$cursor.PEAK] > 0 ? smaller(memory[$cursor.SPEED] / memory[$cursor.PEAK], 1) : 0;
   for (let j = 0; j < FEATURES; j++) {
     weight[j] = (1 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j];
   }

@@ -1,6 +1,6 @@
 // Written by `make page` from prefetch.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
-import * as $targets_cursor from "./cursor.js";
+import * as $cursor from "./cursor.js";
 import * as $decision from "./decision.js";
 import * as $rectangles from "./rectangles.js";
 export const ARMED = 0;
@@ -81,19 +81,19 @@ export function begin(memory, table, fired) {
       fired[i] = FIRED;
     }
   }
-  if (memory[BEGAN] === memory[$targets_cursor.T0]) {
+  if (memory[BEGAN] === memory[$cursor.T0]) {
     return;
   }
-  memory[BEGAN] = memory[$targets_cursor.T0];
+  memory[BEGAN] = memory[$cursor.T0];
   memory[COUNT] = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (fired[i] !== ARMED) {
-      fired[i] = inside(memory[$targets_cursor.X0], memory[$targets_cursor.Y0], table[i]) ? RESTING : ARMED;
+      fired[i] = inside(memory[$cursor.X0], memory[$cursor.Y0], table[i]) ? RESTING : ARMED;
     }
   }
 }
 export function urgency(memory, row, settings) {
-  const left_s = $targets_cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
+  const left_s = $cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
   const near = -Math.log(smaller(larger(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S);
   return settings[NEAR] * near - settings[FAR] * near * near;
 }
@@ -107,8 +107,8 @@ export function step(memory, targets, shares, settings) {
   const visits = targets[2];
   const fired = targets[3];
   begin(memory, table, fired);
-  const x = memory[$targets_cursor.X];
-  const y = memory[$targets_cursor.Y];
+  const x = memory[$cursor.X];
+  const y = memory[$cursor.Y];
   visit(x, y, table, shares, visits);
   let passed = 0;
   let sure = 0;
@@ -119,8 +119,8 @@ export function step(memory, targets, shares, settings) {
     }
   }
   let common = settings[BASE] + settings[PASSED] * Math.log(larger(passed, LEAST_VISITS)) - settings[SURE] * sure;
-  common += settings[AGE] * smaller(memory[$targets_cursor.T] - memory[$targets_cursor.T0], AGE_S);
-  const moves = hypot(x - memory[$targets_cursor.X0], y - memory[$targets_cursor.Y0]) >= LEAST_WAY_PX;
+  common += settings[AGE] * smaller(memory[$cursor.T] - memory[$cursor.T0], AGE_S);
+  const moves = hypot(x - memory[$cursor.X0], y - memory[$cursor.Y0]) >= LEAST_WAY_PX;
   let count = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
@@ -142,7 +142,7 @@ export function step(memory, targets, shares, settings) {
     const likely = larger(visits[i], SMALLEST);
     let score = common + log_odds(likely) + settings[END] * Math.log(larger(shares[i], SMALLEST) / likely);
     score += urgency(memory, table[i], settings) - settings[SPENT] * (memory[COUNT] + count);
-    const line_s = contact(x, y, memory[$targets_cursor.VX], memory[$targets_cursor.VY], table[i]);
+    const line_s = contact(x, y, memory[$cursor.VX], memory[$cursor.VY], table[i]);
     const late = line_s <= settings[LATE_S] && likely >= larger(settings[LATE], thresholds[i]);
     if (late || score >= log_odds(thresholds[i])) {
       fired[i] = PREDICTED;
