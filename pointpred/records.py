@@ -45,6 +45,8 @@ LATEST_S = 1e11
 """Bound on the magnitude of a time: seconds of any clock fit, milliseconds since 1970 are a mistaken unit."""
 LARGEST = 1e9
 """Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
+MOTION_MOST = 1e300
+"""Bound on the magnitude of the numbers of a motion: sums and squares' roots of them are finite."""
 NORMAL = float("nan")
 """The tail of a normal law in columns, frames and laws; records say ``None``."""
 METRES_PER_INCH = 0.0254
@@ -77,8 +79,6 @@ class Field(msgspec.Struct, frozen=True):
             return ""
         if not is_number(value):
             return f"{self.name} must be a number, received {value!r}"
-        if self.high == inf and not abs(value) < inf:
-            return f"{self.name} must be finite, received {value!r}"
         if not self.low <= value <= self.high:
             return f"{self.name} must lie in [{self.low:g}, {self.high:g}], received {value!r}"
         if self.whole and value != int(value):
@@ -125,13 +125,13 @@ class Motion(msgspec.Struct, frozen=True):
     ``counts`` when the motor motion comes from device counts rather than from the cursor.
     """
 
-    t: Annotated[float, Field("s")]
-    x: Annotated[float, Field("px")]
-    y: Annotated[float, Field("px")]
-    vx: Annotated[float, Field("m/s")]
-    vy: Annotated[float, Field("m/s")]
-    ax: Annotated[float, Field("m/s^2")]
-    ay: Annotated[float, Field("m/s^2")]
+    t: Annotated[float, Field("s", -MOTION_MOST, MOTION_MOST)]
+    x: Annotated[float, Field("px", -MOTION_MOST, MOTION_MOST)]
+    y: Annotated[float, Field("px", -MOTION_MOST, MOTION_MOST)]
+    vx: Annotated[float, Field("m/s", -MOTION_MOST, MOTION_MOST)]
+    vy: Annotated[float, Field("m/s", -MOTION_MOST, MOTION_MOST)]
+    ax: Annotated[float, Field("m/s^2", -MOTION_MOST, MOTION_MOST)]
+    ay: Annotated[float, Field("m/s^2", -MOTION_MOST, MOTION_MOST)]
     settled: Annotated[bool, Field("")]
     start: Annotated[bool, Field("")] = False
     counts: Annotated[bool, Field("")] = False

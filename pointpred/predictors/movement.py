@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import hypot
 
 from pointpred.compiled import law
-from pointpred.records import FINE, MOTION_FIELD, ORDER, FloatArray, MotionRow, TenFloats, refused
+from pointpred.records import FINE, MOTION_FIELD, MOTION_MOST, ORDER, FloatArray, MotionRow, TenFloats, refused
 
 STILL_M_S = 0.002
-"""Below this speed of the hand nothing moves: two counts a second of a coarse mouse."""
+"""Below this speed of the hand nothing moves: some thirty counts a second of a mouse with 400 CPI."""
 CORRECTIVE_FRACTION = 0.2
 """A movement slower than this share of its peak is corrective (thesis 2.5.6: a fifth)."""
 
 NUMBERS = 7
-"""So many fields of a motion are numbers that must be finite; the others are marks."""
+"""So many fields of a motion are numbers; the others are marks."""
 
 # State, relative to `at`: known, last sample, first sample of the movement, peak speed, px travelled.
 KNOWN, T, X, Y, T0, X0, Y0, PEAK, PATH, STATES = range(10)
@@ -23,15 +23,11 @@ STILL, BALLISTIC, CORRECTIVE = 0.0, 1.0, 2.0
 
 @law
 def fault_of(memory: FloatArray, at: int, m: MotionRow) -> int:
-    """FINE; ORDER before the last time; MOTION_FIELD plus the place of a value, where one is not finite."""
-    size = abs(m.t) + abs(m.x) + abs(m.y) + abs(m.vx) + abs(m.vy) + abs(m.ax) + abs(m.ay)
-    if size < inf:
-        return ORDER if memory[at + KNOWN] == 1.0 and m.t < memory[at + T] else FINE
-    worst = 0
-    for i in range(1, NUMBERS):
-        if not abs(m[i]) <= abs(m[worst]):
-            worst = i
-    return MOTION_FIELD + worst
+    """FINE; ORDER before the last time; MOTION_FIELD plus the place of the first value out of its bounds."""
+    for i in range(NUMBERS):
+        if not abs(m[i]) <= MOTION_MOST:
+            return MOTION_FIELD + i
+    return ORDER if memory[at + KNOWN] == 1.0 and m.t < memory[at + T] else FINE
 
 
 @law

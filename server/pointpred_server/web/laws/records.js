@@ -1,6 +1,7 @@
 // Written by `make page` from records.py: change that and run it again.
 export const LATEST_S = 100000000000;
 export const LARGEST = 1000000000;
+export const MOTION_MOST = 1e+300;
 export const METRES_PER_INCH = 0.0254;
 export const ROUNDING_S = 1e-06;
 export const FINE = 0;

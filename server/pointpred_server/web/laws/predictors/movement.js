@@ -18,17 +18,12 @@ export const STILL = 0;
 export const BALLISTIC = 1;
 export const CORRECTIVE = 2;
 export function fault_of(memory, at, m) {
-  const size = Math.abs(m[0]) + Math.abs(m[1]) + Math.abs(m[2]) + Math.abs(m[3]) + Math.abs(m[4]) + Math.abs(m[5]) + Math.abs(m[6]);
-  if (size < Infinity) {
-    return memory[at + KNOWN] === 1 && m[0] < memory[at + T] ? $records.ORDER : $records.FINE;
-  }
-  let worst = 0;
-  for (let i = 1; i < NUMBERS; i++) {
-    if (!(Math.abs(m[i]) <= Math.abs(m[worst]))) {
-      worst = i;
+  for (let i = 0; i < NUMBERS; i++) {
+    if (!(Math.abs(m[i]) <= $records.MOTION_MOST)) {
+      return $records.MOTION_FIELD + i;
     }
   }
-  return $records.MOTION_FIELD + worst;
+  return memory[at + KNOWN] === 1 && m[0] < memory[at + T] ? $records.ORDER : $records.FINE;
 }
 export function refuse(memory, at, m, fault) {
   return $records.refused(fault, fault === $records.ORDER ? memory[at + T] : m[fault - $records.MOTION_FIELD]);
