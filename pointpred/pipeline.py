@@ -137,7 +137,7 @@ class Pipeline:
         want: Literal["last", "all"] = "all",
         motions: FloatArray | None = None,
     ) -> FloatArray:
-        """Consume events and return the rows of their predictions; ``want="last"``: of at least one, the last.
+        """Consume events and return the rows of their predictions, or only the last one of at least one.
 
         ``events``: columns, where a row marked ``begin`` resets first, or their table, where none does.
         ``motions``: what a fresh differentiator with this one's parameters gives for ``events``, whose first

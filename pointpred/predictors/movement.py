@@ -5,7 +5,16 @@ from __future__ import annotations
 from math import hypot
 
 from pointpred.compiled import law
-from pointpred.records import FINE, MOTION_FIELD, MOTION_MOST, ORDER, FloatArray, MotionRow, TenFloats, refused
+from pointpred.records import (
+    FINE,
+    MOTION_FIELD,
+    MOTION_MOST,
+    ORDER,
+    FloatArray,
+    MotionRow,
+    TenFloats,
+    refused,
+)
 
 STILL_M_S = 0.002
 """Below this speed of the hand nothing moves: some thirty counts a second of a mouse with 400 CPI."""

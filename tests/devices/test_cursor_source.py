@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-import pointpred.cli.app  # its libraries look at the system when they load: before a test changes it
+import pointpred.cli.app  # noqa: F401 - its libraries look at the system when they load
 from pointpred.devices import selection
 from pointpred.devices.cursor_paths import PositionPath
 from pointpred.devices.screen_cursor import (
