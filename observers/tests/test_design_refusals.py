@@ -130,7 +130,9 @@ MOTOR = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
 @pytest.mark.parametrize("door", [design_reduced_order, design_full_order, design_regulator])
 def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: float, decay: float) -> None:
     plant = Persidskii(factor * np.array(MOTOR), None, None, "sin", [0.0, 0.0, 100.0], None, [1.0, 0.0, 0.0])
-    with pytest.raises(ParameterError, match="too many powers of ten apart"):
+    # at 1e20 1/s some processors still compute, and prove that no matrices of a size that floats hold will do
+    proved = InfeasibleError if decay == 1e20 else ParameterError
+    with pytest.raises((ParameterError, proved), match="too many powers of ten apart|no choice satisfies"):
         door(plant, decay=decay)
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from pointpred import PointerEvent, Prediction, build
 from pointpred.pipeline import Pipeline
+from pointpred.records import EVENT_FIELD, refused
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer, SigmoidGain
 from tests.unit.talking import PREDICTION, Talk, events, hello, packed
 
@@ -181,8 +182,8 @@ def test_a_frame_that_the_pipeline_refuses_changes_nothing(
         one.say(events(*rows[:first]))
     advance = Pipeline.advance
 
-    def refuses(self: Pipeline, row: tuple[float, ...]) -> tuple[float, ...] | None:
-        return None if row[0] == rows[55][0] else advance(self, row)
+    def refuses(self: Pipeline, row: tuple[float, ...]) -> tuple[float, ...]:
+        return refused(EVENT_FIELD, row[0]) if row[0] == rows[55][0] else advance(self, row)
 
     monkeypatch.setattr(Pipeline, "advance", refuses)
     error = talk.error(events(*part))

@@ -100,7 +100,7 @@ def test_only_settings_of_ones_own_are_told(settings: Settings, words: str) -> N
 
 def test_setting_up_says_that_it_takes_a_while() -> None:
     runs, _, ready = MAKEFILE.read_text(encoding="utf-8").partition("$(RUNS): ")[2].partition("$(READY): ")
-    assert runs.index("about half a minute") < runs.index("-m venv") < runs.index("$(INSTALL) .\n")
+    assert runs.index("about half a minute") < runs.index("-m venv") < runs.index("'.[live,client]'")
     assert ready.index("about a minute") < ready.index("$(INSTALL) '.[dev]'")
 
 

@@ -16,8 +16,8 @@ import pytest
 from httpx2 import get
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 
-from pointpred.cli import live
 from pointpred.errors import ParameterError, SourceError
+from pointpred.live.run import page_opener
 from pointpred_server.cli.serve import serve
 from pointpred_server.compiling.alone import compiling_alone
 from pointpred_server.compiling.parts import Part
@@ -238,7 +238,7 @@ def test_a_system_that_hands_no_connections_over_is_told(monkeypatch: pytest.Mon
 def test_a_device_is_served_by_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POINTPRED_WORKERS", "2")
     with pytest.raises(ParameterError, match="POINTPRED_WORKERS is 2, but a device is served from the one"):
-        live._page("127.0.0.1", 0)
+        page_opener("127.0.0.1", 0)
 
 
 HOLDER = """

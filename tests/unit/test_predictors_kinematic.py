@@ -142,7 +142,8 @@ def test_the_card_says_what_the_file_is() -> None:
     assert coefficient_file.OWN.stat().st_size <= coefficient_file.LARGEST_BYTES
     said = coefficient_file.card()
     for one in said["sets"]:
-        assert f"| {one['name']} | {one['licence']} | {one['users']} | {one['trials']} |" in page
+        row = next(line for line in page.splitlines() if line.startswith(f"| [{one['name']}]("))
+        assert f"| {one['users']} | {one['trials']} |" in row
         assert f"{one['name']} ({one['licence']})" in notice
     assert "kinematic" in REGISTRY
 
