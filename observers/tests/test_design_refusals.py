@@ -132,7 +132,7 @@ def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: flo
     plant = Persidskii(factor * np.array(MOTOR), None, None, "sin", [0.0, 0.0, 100.0], None, [1.0, 0.0, 0.0])
     # at 1e20 1/s some processors still compute, and prove that no matrices of a size that floats hold will do
     proved = InfeasibleError if decay == 1e20 else ParameterError
-    with pytest.raises((ParameterError, proved), match="too many powers of ten apart|no choice satisfies"):
+    with pytest.raises((ParameterError, proved), match=r"too many powers of ten apart|no choice satisfies"):
         door(plant, decay=decay)
 
 

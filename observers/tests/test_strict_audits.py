@@ -195,7 +195,7 @@ def test_a_design_whose_gains_round_too_far_is_searched_again() -> None:
 
 
 def test_a_proof_that_rounding_ends_below_kappa_may_reach_further_from_a_larger_one() -> None:
-    """Rounding differs from processor to processor: of these problems at least one is refused with a proof."""
+    """Rounding differs between processors: of these problems at least one is refused with a proof."""
     reached = []
     for seed in (2, 7, 11):
         try:
