@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import difflib
+import warnings
+from functools import cache
+from importlib.metadata import entry_points
 from typing import Any
 
 import msgspec
@@ -139,6 +142,34 @@ REGISTRY: dict[str, Entry] = {
 }
 
 
+@cache
+def find_others() -> None:
+    """Add the predictors of other packages to REGISTRY: entry points of the group ``pointpred.predictors``.
+
+    The name of an entry point is the predictor's, its object a subclass of ``Predictor``. One that cannot be
+    loaded, is something else or has a name that is taken is left out with a warning. ``build`` looks for them
+    when it meets an unknown name, the command line before it begins.
+    """
+    for found in entry_points(group="pointpred.predictors"):
+        try:
+            predictor = found.load()
+        except Exception as error:  # whatever a foreign package raises while it is imported
+            trouble = f"cannot be loaded: {error}"
+        else:
+            if not (isinstance(predictor, type) and issubclass(predictor, Predictor)):
+                trouble = f"must be a subclass of pointpred.predictors.Predictor, received {predictor!r}"
+            elif found.name in REGISTRY:
+                trouble = "has a name that is taken"
+            else:
+                title = (predictor.__doc__ or found.value).strip().splitlines()[0].rstrip(".")
+                package = f"{found.dist.name} {found.dist.version}" if found.dist else found.module
+                REGISTRY[found.name] = Entry(found.name, predictor, title, package)
+                continue
+        warnings.warn(
+            f"the predictor {found.name!r} of {found.value} {trouble}; it is left out", stacklevel=2
+        )
+
+
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     """Every parameter of a name with its value unless set otherwise, predictor's first."""
     entry = _entry(name)
@@ -216,6 +247,8 @@ def _names(stage: type[CompiledStage]) -> list[str]:
 
 
 def _entry(name: str) -> Entry:
+    if isinstance(name, str) and name not in REGISTRY:
+        find_others()
     if not isinstance(name, str) or name not in REGISTRY:
         raise _unknown("predictor", "predictor", name, list(REGISTRY))
     return REGISTRY[name]

@@ -30,6 +30,7 @@ from pointpred.cli.train import train
 from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.extras import missing_distribution
+from pointpred.registry import find_others
 
 DONE, NOTHING, WRONG_USE = 0, 1, 2
 ELSEWHERE = {
@@ -96,6 +97,7 @@ def _options(
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 nothing to show for it, 2 wrong use."""
     _open_streams()
+    find_others()
     try:
         code = app(args=arguments, prog_name="pointpred", standalone_mode=False)
         sys.stdout.flush()
