@@ -8,13 +8,13 @@ from typing import Any
 import msgspec
 
 from pointpred.protocol.client_messages import CLIENT_MESSAGES
-from pointpred.records import EVENT_FIELDS
+from pointpred.records import EVENT_FIELDS, MOTION_FIELDS, Field
 
 LEFT_OUT = ("title", "description")
 
 
 def messages_text() -> str:
-    """The module: ``CLIENT_MESSAGES`` by type, each a JSON schema without references; ``EVENT_FIELDS``.
+    """The module: ``CLIENT_MESSAGES`` by type, each a JSON schema without references; the fields of records.
 
     The rows of events are checked as tables, by ``EVENT_FIELDS``: their schema is left out.
     """
@@ -24,18 +24,24 @@ def messages_text() -> str:
         message = inlined(schema, named)
         messages[message["properties"]["type"]["enum"][0]] = message
     messages["events"]["properties"]["events"]["items"] = {}
-    fields = [
-        {"name": one.name, "low": one.low, "high": one.high, "whole": one.whole, "optional": one.optional}
-        for one in EVENT_FIELDS
-    ]
     lines = [
         "// Written by `make page` from the messages in pointpred/protocol: change these and run it again."
     ]
     lines += [
         f"export const {name} = {json.dumps(value)};"
-        for name, value in (("CLIENT_MESSAGES", messages), ("EVENT_FIELDS", fields))
+        for name, value in (
+            ("CLIENT_MESSAGES", messages),
+            ("EVENT_FIELDS", [described(one) for one in EVENT_FIELDS]),
+            ("MOTION_FIELDS", [described(one) for one in MOTION_FIELDS]),
+        )
     ]
     return "\n".join(lines) + "\n"
+
+
+def described(field: Field) -> dict[str, Any]:
+    """What the page checks of a field, or says where it is wrong."""
+    names = ("name", "low", "high", "whole", "optional")
+    return {name: getattr(field, name) for name in names}
 
 
 def inlined(schema: Any, named: dict[str, Any]) -> Any:

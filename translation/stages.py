@@ -51,8 +51,6 @@ def text_of(stage: type[CompiledStage]) -> str:
     parts.append(
         f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"
     )
-    if at := getattr(stage, "at", None):
-        parts.append(f"at: {at}")
     if stage.slots:
         parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
         parts.append(f"slots: [\n{_lines(_shortened([_slot(slot) for slot in stage.slots]))}\n  ]")

@@ -13,7 +13,6 @@ answer(await attempt(async () => {
     if (step === "forget") return pipeline.forget() ?? null;
     if (step === "places") return pipeline.places;
     if (step.enter) return pipeline.enter(...step.enter) ?? null;
-    const answer = pipeline.advance(numbers(step));
-    return answer && [...answer];
+    return [...pipeline.advance(numbers(step))];
   });
 }));

@@ -16,7 +16,7 @@ const counting = (wrong) => ({
 });
 const { steps, fails } = await given();
 const stages = [counting(2), counting(1)].map((kind) => Stage.of(kind, new Float64Array(0)));
-const pipeline = new Pipeline("counting", ...stages, 1);
+const pipeline = new Pipeline("counting", ...stages);
 answer(steps.map((step) => {
   try {
     pipeline.advanceAll(step);

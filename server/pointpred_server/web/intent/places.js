@@ -4,7 +4,7 @@ import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
 import { HIGHEST, LOWEST, PRECISION, USUAL } from "../laws/targets/posterior.js";
 import { attempt } from "../prediction/ledger.js";
-import { REMAINING_S, claimed } from "../prediction/row.js";
+import { REMAINING_S, claimed, isRefused } from "../prediction/row.js";
 
 const DEFAULTS = { precision: USUAL[PRECISION], page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
@@ -108,7 +108,7 @@ class Places {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {
       const row = [t, x, y, NaN, NaN, buttons], answer = this.#pipeline.advance(row);
-      if (answer !== null) for (const choice of this.#chooser.update(this.#pipeline.places, answer, row)) this.#turn(choice, answer, t);
+      if (!isRefused(answer)) for (const choice of this.#chooser.update(this.#pipeline.places, answer, row)) this.#turn(choice, answer, t);
     }
   }
 

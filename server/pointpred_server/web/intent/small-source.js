@@ -1,6 +1,7 @@
 // Predictions made in the page by a predictor that needs no coefficients, with the values of the registry.
 // `build` gives the same predictions; it also checks values of one's own, restores persons and says why an event is refused.
 
+import { isRefused } from "../prediction/row.js";
 import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
 
 /** @param {string} name of the registry @returns {Promise<object>} as `Source` uses it */
@@ -20,9 +21,6 @@ export async function open(name) {
     close() {},
   };
 }
-
-/** Whether a stage refuses a row: its answer does not begin with a number. @param {number[]} answer */
-const isRefused = ([first]) => first !== first;
 
 /** A law and a memory of its own. */
 function stageOf({ parameters, step, fill, settle, ...kind }, values) {

@@ -1,12 +1,18 @@
 // Where predictions come from: a predictor in the page, or a service.
 
+import { isRefused } from "../prediction/row.js";
+
 const SMALL = ["minimum-jerk", "switched-direction", "switched", "linear", "hold"]; // need little code and no coefficients
 
 /** What opens any predictor of the registry; it rejects for any other. */
 const inPage = ({ build }) => ({
   async open(predictor) {
     const pipeline = await build(predictor);
-    return { add: (row) => pipeline.advance(row), flush: () => false, close() {} };
+    const add = (row) => {
+      const answer = pipeline.advance(row);
+      return isRefused(answer) ? null : answer;
+    };
+    return { add, flush: () => false, close() {} };
   },
 });
 

@@ -6,6 +6,7 @@ import { END, GUARDED, guarded_step as step, USUAL_GUARD } from "../laws/transfe
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";
 import { lay_out as layOut, SETTINGS, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
 import { checkRows, ProtocolError } from "./messages.js";
+import { isRefused } from "./row.js";
 import { PredictionStream } from "./stream.js";
 
 /**
@@ -68,7 +69,7 @@ export class AssistedStream extends PredictionStream {
       for (const [t, x, y, dx, dy, buttons] of rows) {
         const place = this.#step(t, this.#cursor.place ?? [x, y], dx, dy);
         const answer = place && this.pipeline.advance([t, ...place, dx, dy, buttons]);
-        if (!answer) return null;
+        if (!answer || isRefused(answer)) return null;
         moved.push([t, ...place, dx, dy, buttons]);
         answers.push(answer);
         this.#guide(answer);

@@ -35,7 +35,7 @@ export async function build(name, options = {}) {
   differentiator.settle();
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
   predictor.restore(person);
-  return new Pipeline(name, differentiator, predictor, differentiatorKind.at);
+  return new Pipeline(name, differentiator, predictor);
 }
 
 const withoutUndefined = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));

@@ -1,9 +1,9 @@
 // A differentiator and a predictor, joined: events in, predictions out.
 
-import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
-import { LARGEST, LATEST_S } from "../laws/records.js";
+import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/messages.js";
+import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
 import { EventError } from "./errors.js";
-import { PHASES, claimed } from "./row.js";
+import { PHASES, claimed, isRefused } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
 
@@ -56,16 +56,15 @@ const predictionOf = (row) => (row[1] === row[1] ? new Prediction(row) : null);
 
 /** Consumes events one by one. Where an event is refused, nothing has changed. */
 export class Pipeline {
-  #differentiator; #predictor; #samplingAt;
+  #differentiator; #predictor;
 
   /**
    * Use `build`.
    * @param {string} name @param {import("./stage.js").Stage} differentiator @param {import("./stage.js").Stage} predictor
-   * @param {number} samplingAt the place of the sampling state in the differentiator's memory
    */
-  constructor(name, differentiator, predictor, samplingAt) {
+  constructor(name, differentiator, predictor) {
     this.name = name;
-    [this.#differentiator, this.#predictor, this.#samplingAt] = [differentiator, predictor, samplingAt];
+    [this.#differentiator, this.#predictor] = [differentiator, predictor];
   }
 
   /**
@@ -77,26 +76,26 @@ export class Pipeline {
     const wrong = wrongKind(event);
     if (wrong !== null) throw wrong;
     const { t, x, y, dx, dy, buttons = 0 } = event;
-    const answer = this.advance([t, x, y, dx ?? NaN, dy ?? NaN, buttons]);
-    if (answer === null) throw this.refusal(event);
+    const row = [t, x, y, dx ?? NaN, dy ?? NaN, buttons], answer = this.advance(row);
+    if (isRefused(answer)) throw refusal(row, answer);
     return predictionOf(answer);
   }
 
   /**
    * `update` in rows: t, x, y, dx, dy (NaN: no counts), buttons in; the ten numbers of a prediction out, x NaN where nothing
-   * is justified. Null where the event is refused.
-   * @param {Row} row @returns {Row|null}
+   * is justified. Of an event that is refused the first is NaN, and the next two say why.
+   * @param {Row} row @returns {Row}
    */
   advance(row) {
     this.#differentiator.keep(); // it has moved on when the predictor refuses its motion
     let answer = null;
     try {
       const motion = this.#differentiator.advance(row);
-      if (motion[0] === motion[0]) answer = this.#predictor.advance(motion);
+      answer = isRefused(motion) ? motion : this.#predictor.advance(motion);
     } finally {
-      if (answer === null || answer[0] !== answer[0]) this.#differentiator.recall();
+      if (answer === null || isRefused(answer)) this.#differentiator.recall();
     }
-    return answer !== null && answer[0] === answer[0] ? answer : null;
+    return answer;
   }
 
   /**
@@ -106,13 +105,13 @@ export class Pipeline {
   advanceAll(rows) {
     if (rows.length === 1) { // most frames
       const answer = this.advance(rows[0]);
-      return answer === null ? null : [answer];
+      return isRefused(answer) ? null : [answer];
     }
     const before = this.remembered, answers = [];
     try {
       for (const row of rows) {
         const answer = this.advance(row);
-        if (answer === null) break;
+        if (isRefused(answer)) break;
         answers.push(answer);
       }
     } finally {
@@ -129,33 +128,6 @@ export class Pipeline {
   set remembered([ofDifferentiator, ofPredictor]) {
     this.#differentiator.remembered = ofDifferentiator;
     this.#predictor.remembered = ofPredictor;
-  }
-
-  /** Why `update` refuses an event. @param {PointerEvent} event @returns {EventError} */
-  refusal(event) {
-    for (const name of ["t", "x", "y", "dx", "dy", "buttons"]) {
-      const value = event[name] ?? (name === "buttons" ? 0 : null), high = name === "t" ? LATEST_S : LARGEST;
-      const low = name === "buttons" ? 0 : -high;
-      if (value === null) continue;
-      if (!(value >= low && value <= high))
-        return new EventError(`${name} must lie in [${general(low)}, ${general(high)}], received ${value}`, { field: name, value });
-      if (name === "buttons" && !Number.isInteger(value))
-        return new EventError(`buttons must be a whole number, received ${value}`, { field: name, value });
-    }
-    const { t, dx = null, dy = null } = event, last = this.#lastTime;
-    if ((dx === null) !== (dy === null))
-      return new EventError(`dx and dy come together or not at all, received ${dx} and ${dy}`, { field: "dx", value: dx });
-    if (t < last) {
-      const message = `t must not run backwards: received ${t} s after ${last} s`;
-      return new EventError(message, { code: "time_backwards", field: "t", value: t });
-    }
-    return new EventError(`event refused: ${JSON.stringify(event)}`);
-  }
-
-  /** The time of the last event, s; -Infinity before the first. */
-  get #lastTime() {
-    const at = this.#samplingAt;
-    return this.#differentiator.at(at + STARTED) === 1 ? this.#differentiator.at(at + LAST_T) : -Infinity;
   }
 
   /** Whether finished movements change what is said of the next: then only a new person starts fresh. */
@@ -210,7 +182,7 @@ export class Pipeline {
 
   /** A pipeline with the same parameters and no memory, which knows nobody. @returns {Pipeline} */
   fresh() {
-    const pipeline = new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh(), this.#samplingAt);
+    const pipeline = new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh());
     pipeline.#predictor.enter(SCREEN);
     return pipeline;
   }
@@ -219,6 +191,21 @@ export class Pipeline {
   restore(person) {
     this.#predictor.restore(person);
   }
+}
+
+/** The error for an event that the laws refuse with this answer. @param {Row} row @param {Row} answer @returns {EventError} */
+function refusal(row, [, code, compared]) {
+  const [t, , , dx, dy] = row;
+  if (code === ORDER) {
+    const message = `t must not run backwards: received ${t} s after ${compared} s`;
+    return new EventError(message, { code: "time_backwards", field: "t", value: t });
+  }
+  const ofMotion = code >= MOTION_FIELD, value = ofMotion ? compared : row[code - EVENT_FIELD];
+  const { name, low, high, optional } = ofMotion ? MOTION_FIELDS[code - MOTION_FIELD] : EVENT_FIELDS[code - EVENT_FIELD];
+  if (optional && value !== value)
+    return new EventError(`dx and dy come together or not at all, received ${claimed(dx)} and ${claimed(dy)}`, { field: "dx", value: claimed(dx) });
+  const expected = value >= low && value <= high ? "be a whole number" : `lie in [${general(low)}, ${general(high)}]`;
+  return new EventError(`${name} must ${expected}, received ${value}`, { field: name, value });
 }
 
 /** The error for an event with a field that is no number, null for none. A count may be missing. */

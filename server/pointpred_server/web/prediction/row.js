@@ -7,6 +7,9 @@ export const REMAINING_S = 6;
 /** The row where nothing is predicted. Not to be written to. */
 export const UNPREDICTED = Array(10).fill(NaN);
 
+/** Whether the answer to an event says that it was refused. @param {number[]} answer */
+export const isRefused = ([t]) => t !== t;
+
 /** A number of a row; null where it is not claimed. @param {number} value @returns {number|null} */
 export const claimed = (value) => (value === value ? value : null);
 

@@ -2,7 +2,7 @@
 
 import { BY_PATH, BY_TIME, FRACTIONS, MEASURES, measure_trial as measure, SINGLE_AXIS, SOUND, TIME_AVERAGED } from "../laws/scoring/measures/endpoint.js";
 import * as cutting from "../laws/scoring/trials.js";
-import { UNPREDICTED } from "./row.js";
+import { UNPREDICTED, isRefused } from "./row.js";
 import { MOST_EVENTS } from "./trial.js";
 import { general } from "./words.js";
 
@@ -60,7 +60,7 @@ async function answersTo(rows, pipeline) {
   let since = performance.now();
   for (const row of rows) {
     const answer = pipeline.advance(row);
-    if (answer === null) return null;
+    if (isRefused(answer)) return null;
     answers.push(answer);
     if (performance.now() - since > PIECE_MS) {
       await new Promise((resolve) => setTimeout(resolve));

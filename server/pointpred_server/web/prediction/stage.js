@@ -11,7 +11,7 @@ import { ParameterError } from "./errors.js";
  *   list_places?: (memory: Float64Array, out: Float64Array[]) => number, fill: (values: Float64Array, memory: Float64Array) => void,
  *   settle?: (memory: Float64Array) => void,
  *   settings: number, learned: number, states: number, sizes?: (values: Float64Array) => [number, number, number],
- *   slots?: import("./person.js").Slot[], layout?: string, at?: number}} Kind what a generated module exports of a class:
+ *   slots?: import("./person.js").Slot[], layout?: string}} Kind what a generated module exports of a class:
  *   the memory holds `settings` floats, then `learned`, then `states`; `sizes`: these three where they follow from the values
  */
 
@@ -93,11 +93,6 @@ export class Stage {
     const stage = new Stage(this.#kind, this.#sizes, this.#coefficients);
     stage.#memory.set(this.#memory.subarray(0, this.#person));
     return stage;
-  }
-
-  /** A float of the states, counted from a place of the memory. @param {number} at */
-  at(at) {
-    return this.#memory[at];
   }
 
   /** Whether finished movements change what is said of the next. */

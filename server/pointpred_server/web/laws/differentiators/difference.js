@@ -43,7 +43,6 @@ export const BackwardDifferentiator = {
   step: step,
   fill: $sampling.fill,
   settings: 5, learned: 0, states: 20,
-  at: 5,
   parameters: [
     { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
     { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },

@@ -112,7 +112,6 @@ export const HomogeneousDifferentiator = {
   fill: fill,
   settle: settle,
   settings: 17, learned: 0, states: 30,
-  at: 17,
   parameters: [
     { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
     { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },

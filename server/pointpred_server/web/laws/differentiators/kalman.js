@@ -104,7 +104,6 @@ export const KalmanDifferentiator = {
   step: step,
   fill: fill,
   settings: 6, learned: 0, states: 24,
-  at: 6,
   parameters: [
     { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
     { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },
