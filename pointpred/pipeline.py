@@ -10,7 +10,7 @@ from typing import Any, Literal, Self
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
+from pointpred.differentiators import Differentiator
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
 from pointpred.predictors.mixture import Mixture
@@ -18,6 +18,7 @@ from pointpred.records import (
     EVENT_FIELD,
     EventColumns,
     FloatArray,
+    FloatTable,
     Place,
     PointerEvent,
     Prediction,
@@ -34,17 +35,14 @@ from pointpred.scene import scene
 
 
 @cache
-def joint_of(
-    first: Callable[..., Any], second: Callable[..., Any], compiled: bool
-) -> Callable[..., TenFloats]:
+def joint_of(first: Callable[..., Any], second: Callable[..., Any]) -> Callable[..., TenFloats]:
     """The law ``first`` and then ``second`` with what it answered, for one event.
 
     Takes the memory of each, the row, and what ``second`` shares. Where either refuses, both memories are as
     they were: ``second`` changes nothing then, and that of ``first`` is copied back. Made once for two laws.
-    Not ``compiled``, it calls the two as they are: a pair that is chosen by few would else be compiled when
-    it is chosen.
     """
 
+    @law
     def joint(memory: FloatArray, other: FloatArray, row: Row, *shared: FloatArray) -> TenFloats:
         kept = memory.copy()
         answer: TenFloats = first(memory, row)
@@ -54,7 +52,7 @@ def joint_of(
                 memory[:] = kept
         return answer
 
-    return law(joint) if compiled else joint
+    return joint
 
 
 @cache
@@ -68,7 +66,8 @@ def last_of(
     """
     follow_one = follow or _following(second)
 
-    def last(memory: FloatArray, other: FloatArray, rows: FloatArray, *shared: FloatArray) -> TenFloats:
+    @law
+    def last(memory: FloatArray, other: FloatArray, rows: FloatTable, *shared: FloatArray) -> TenFloats:
         kept, other_kept = memory.copy(), other.copy()
         answer, count = refused(EVENT_FIELD, nan), 0
         for i in range(len(rows) - 1):
@@ -85,17 +84,18 @@ def last_of(
             other[:] = other_kept
         return answer
 
-    return law(last)
+    return last
 
 
 def _following(step: Callable[..., Any]) -> Callable[..., bool]:
     """A law that does what ``step`` does, and says only whether it accepts."""
 
+    @law
     def follow(memory: FloatArray, row: Row, *shared: FloatArray) -> bool:
         t = step(memory, row, *shared)[0]
         return bool(t == t)
 
-    return law(follow)
+    return follow
 
 
 class Pipeline:
@@ -149,7 +149,7 @@ class Pipeline:
             table, begin = events.table, events.begin
         else:
             table, begin = events, np.zeros(len(events), np.bool_)
-        if want == "last" and events is table and self.compiled:
+        if want == "last" and events is table:
             laws = type(self.differentiator).step, type(self.predictor).step, type(self.predictor).follow
             memories = self.differentiator._memory, self.predictor._memory
             answer = last_of(*laws)(*memories, table, *self.predictor.shared)
@@ -168,13 +168,8 @@ class Pipeline:
 
     def _bind(self) -> Callable[..., TenFloats]:
         """The joint law; not before an event comes: one for tables only has none."""
-        self._joint = joint_of(type(self.differentiator).step, type(self.predictor).step, self.compiled)
+        self._joint = joint_of(type(self.differentiator).step, type(self.predictor).step)
         return self._joint
-
-    @property
-    def compiled(self) -> bool:
-        """Whether both laws are compiled as one."""
-        return self.predictor.joint_compiled and isinstance(self.differentiator, HomogeneousDifferentiator)
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the compiled law, which is made again."""

@@ -35,7 +35,11 @@ from pointpred.parameter import is_number
 from pointpred.regions import Region, probability, region_of
 
 FloatArray = NDArray[np.float64]
+FloatTable = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+IntTable = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
+"""Arrays of one dimension, tables of two: as arguments of laws, contiguous."""
 
 Phase = Literal["still", "ballistic", "corrective"]
 PHASES: tuple[Phase, ...] = ("still", "ballistic", "corrective")
@@ -304,14 +308,14 @@ def fault_of_event(event: EventRow) -> int:
 
 
 @law
-def event_at(table: FloatArray, i: int) -> SixFloats:
+def event_at(table: FloatTable, i: int) -> SixFloats:
     """A row of a table of events as a tuple."""
     r = table[i]
     return r[0], r[1], r[2], r[3], r[4], r[5]
 
 
 @law
-def row_at(table: FloatArray, i: int) -> TenFloats:
+def row_at(table: FloatTable, i: int) -> TenFloats:
     """A row of a table of motions or of predictions as a tuple."""
     r = table[i]
     return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]

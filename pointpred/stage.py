@@ -17,7 +17,7 @@ import numpy as np
 
 from pointpred.compiled import law, layout
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
-from pointpred.records import BoolArray, FloatArray, refusal
+from pointpred.records import BoolArray, FloatArray, FloatTable, refusal
 
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
@@ -91,8 +91,8 @@ def loop_of(
         memory: FloatArray,
         first: int,
         begin: BoolArray,
-        rows: FloatArray,
-        out: FloatArray,
+        rows: FloatTable,
+        out: FloatTable,
         *shared: FloatArray,
     ) -> None:
         for i in range(len(rows)):
@@ -110,7 +110,7 @@ def loop_into(step: Callable[..., Any]) -> Callable[..., None]:
     """The compiled loop around a law ``step(memory, row, out)`` on arrays, for rows of any width."""
 
     @law
-    def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatTable, out: FloatTable) -> None:
         for i in range(len(rows)):
             if begin[i]:
                 memory[first:] = 0.0
@@ -120,7 +120,7 @@ def loop_into(step: Callable[..., Any]) -> Callable[..., None]:
 
 
 @law
-def first_refused(answers: FloatArray) -> int:
+def first_refused(answers: FloatTable) -> int:
     """The first row whose answer is a refusal, with NaN for a time; -1 where there is none."""
     for i in range(len(answers)):
         if answers[i, 0] != answers[i, 0]:

@@ -36,6 +36,8 @@ class Module(NamedTuple):
     """Names assigned as ``name = law(function)``, and the name of the function."""
     rows: dict[str, list[tuple[str, ast.expr]]]
     """Classes that name the parts of a tuple: each part with its annotation."""
+    aliases: dict[str, ast.expr]
+    """What names that are assigned at the top of the module stand for, as it is written there."""
     imports: dict[str, str]
     """What each imported name stands for, dotted."""
     values: dict[str, Any]
@@ -64,6 +66,11 @@ def parse(name: str, source: str, path: Path, values: dict[str, Any]) -> Module:
         for node in tree.body
         if isinstance(node, ast.ClassDef) and any(_is_name(base, "NamedTuple") for base in node.bases)
     }
+    aliases = {
+        node.targets[0].id: node.value
+        for node in tree.body
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
+    }
     imports: dict[str, str] = {}
     for node in tree.body:
         if isinstance(node, ast.Import):
@@ -77,7 +84,7 @@ def parse(name: str, source: str, path: Path, values: dict[str, Any]) -> Module:
         for target in node.targets
         if isinstance(target, ast.Name) and isinstance(node.value.args[0], ast.Name)
     }
-    return Module(name, path, functions, laws, marked, rows, imports, values)
+    return Module(name, path, functions, laws, marked, rows, aliases, imports, values)
 
 
 def _is_name(node: ast.expr, name: str) -> bool:

@@ -13,7 +13,7 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.stage import offsets
 
 # The parameters; the movement; where the speed was highest, its direction from the start, whether it has
@@ -24,7 +24,7 @@ SLOPE, OFFSET, FALL, AT, PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN, END = offsets(
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
     m = MotionRow(*motion)
     before = memory[AT + movement.PEAK]

@@ -5,13 +5,13 @@ from __future__ import annotations
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 
 AT = 0
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """The cursor's position is the answer."""
     m = MotionRow(*motion)
     fault, _, _ = movement.follow(memory, AT, m)

@@ -7,7 +7,7 @@ from pointpred.differentiators import kalman
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.stage import offsets
 
 PRIOR_SPEED = 100.0
@@ -57,7 +57,7 @@ def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """One position through the filter of both axes, and its state carried over the horizon."""
     m = MotionRow(*motion)
     last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]

@@ -9,7 +9,7 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.regression import least_squares
 from pointpred.stage import offsets
 
@@ -157,7 +157,7 @@ def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Add the motion to the fit and look for its zero ahead."""
     m = MotionRow(*motion)
     fault, new, dt = movement.follow(memory, AT, m)

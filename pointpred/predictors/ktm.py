@@ -19,7 +19,7 @@ from pointpred.parameter import option, parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.stage import offsets
 
 RATE_HZ = 20.0
@@ -193,7 +193,7 @@ def resample(memory: FloatArray, at: int, since: float, x_before: float, y_befor
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Follow the speed profile and go as far as the template that is most like it."""
     m = MotionRow(*motion)
     at = counts(memory) + LEARNED

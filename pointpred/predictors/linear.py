@@ -8,7 +8,7 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.stage import offsets
 
 CAPACITY = 8
@@ -45,7 +45,7 @@ def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Carry the mean velocity of the window on over the horizon."""
     m = MotionRow(*motion)
     fault, new, _ = movement.follow(memory, AT, m)

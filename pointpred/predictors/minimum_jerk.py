@@ -7,7 +7,7 @@ from math import hypot, nan, sqrt
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 
 AT = 0
 
@@ -20,7 +20,7 @@ def progress(ratio: float) -> tuple[float, float]:
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Divide the way done by the share that the speed says is done."""
     m = MotionRow(*motion)
     fault, _, _ = movement.follow(memory, AT, m)

@@ -15,7 +15,7 @@ import msgspec
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.regions import ellipse, probability
 
 # A part, a row of a table: its share, its centre in px, its scale matrix in px^2, its tail; 0: a normal law.
@@ -35,7 +35,7 @@ def squared_radius(share: float, tail: float) -> float:
 
 
 @law
-def part_density(parts: FloatArray, k: int, x: float, y: float) -> float:
+def part_density(parts: FloatTable, k: int, x: float, y: float) -> float:
     """The density of a part at a place, times its share, in 1 / px^2."""
     sxx, sxy, syy, tail = parts[k, SXX], parts[k, SXY], parts[k, SYY], parts[k, TAIL]
     determinant = sxx * syy - sxy * sxy
@@ -46,7 +46,7 @@ def part_density(parts: FloatArray, k: int, x: float, y: float) -> float:
 
 
 @law
-def density(parts: FloatArray, count: int, x: float, y: float) -> float:
+def density(parts: FloatTable, count: int, x: float, y: float) -> float:
     """The density of the mixture at a place, in 1 / px^2."""
     total = 0.0
     for k in range(count):
@@ -55,7 +55,7 @@ def density(parts: FloatArray, count: int, x: float, y: float) -> float:
 
 
 @law
-def densities(parts: FloatArray, count: int, points: int, out: FloatArray) -> None:
+def densities(parts: FloatTable, count: int, points: int, out: FloatTable) -> None:
     """The density at so many points of each part, a row of ``out`` each."""
     for k in range(count):
         wide = sqrt(parts[k, SXX])
@@ -71,7 +71,7 @@ def densities(parts: FloatArray, count: int, points: int, out: FloatArray) -> No
 
 
 @law
-def share_above(parts: FloatArray, count: int, points: int, known: FloatArray, threshold: float) -> float:
+def share_above(parts: FloatTable, count: int, points: int, known: FloatTable, threshold: float) -> float:
     """The probability of the places that are denser than a threshold; ``known``: by ``densities``."""
     total = 0.0
     for k in range(count):
@@ -83,7 +83,7 @@ def share_above(parts: FloatArray, count: int, points: int, known: FloatArray, t
 
 
 @law
-def content(parts: FloatArray, count: int, x: float, y: float, points: int) -> float:
+def content(parts: FloatTable, count: int, x: float, y: float, points: int) -> float:
     """The probability of the places that are denser than a place: exact for a single part."""
     if count == 1:
         own, best = part_density(parts, 0, x, y), part_density(parts, 0, parts[0, X], parts[0, Y])
@@ -96,7 +96,7 @@ def content(parts: FloatArray, count: int, x: float, y: float, points: int) -> f
 
 
 @law
-def threshold_of(parts: FloatArray, count: int, level: float, points: int) -> float:
+def threshold_of(parts: FloatTable, count: int, level: float, points: int) -> float:
     """The density above which places of the probability ``level`` lie: exact for a single part."""
     if count == 1:
         tail = parts[0, TAIL]
@@ -185,7 +185,7 @@ OUTSIDE = 1.0001
 
 
 @law
-def reach(parts: FloatArray, count: int, k: int, threshold: float) -> float:
+def reach(parts: FloatTable, count: int, k: int, threshold: float) -> float:
     """Squared Mahalanobis distance beyond which a part is less than its portion of a threshold.
 
     -1 where it is so at its centre.
@@ -198,7 +198,7 @@ def reach(parts: FloatArray, count: int, k: int, threshold: float) -> float:
 
 
 @law
-def lines_of(parts: FloatArray, count: int, threshold: float, across: int, out: FloatArray) -> int:
+def lines_of(parts: FloatTable, count: int, threshold: float, across: int, out: FloatArray) -> int:
     """Lay out the lines of the grid in one direction, ascending; returns how many. ``across``: 0 x, 1 y."""
     centre, scale, total = X, SXX, 0
     if across == 1:
@@ -220,14 +220,14 @@ def lines_of(parts: FloatArray, count: int, threshold: float, across: int, out: 
 
 
 @law
-def height(parts: FloatArray, count: int, threshold: float, x: float, y: float) -> float:
+def height(parts: FloatTable, count: int, threshold: float, x: float, y: float) -> float:
     """The logarithm of the density over the threshold."""
     return log(max(density(parts, count, x, y), DENSITY_LEAST)) - log(threshold)
 
 
 @law
 def crossing(
-    parts: FloatArray,
+    parts: FloatTable,
     count: int,
     threshold: float,
     one: tuple[float, float, float],
@@ -275,7 +275,7 @@ def partner(sides: FloatArray, side: int, middle: float) -> int:
 
 @law
 def follow_cells(
-    heights: FloatArray, middles: FloatArray, columns: int, rows: int, following: FloatArray
+    heights: FloatTable, middles: FloatTable, columns: int, rows: int, following: FloatArray
 ) -> None:
     """For each edge that a contour crosses the edge that it crosses next, the region on its left; else -1."""
     corners, sides = np.empty(4), np.empty(4)
@@ -296,7 +296,7 @@ def follow_cells(
 
 
 @law
-def outlines(parts: FloatArray, count: int, threshold: float, points: FloatArray, ends: FloatArray) -> int:
+def outlines(parts: FloatTable, count: int, threshold: float, points: FloatTable, ends: FloatArray) -> int:
     """Write the contours; returns how many there are.
 
     ``points``: a row x, y each, the polygons one after another; ``ends``: of each polygon the number of

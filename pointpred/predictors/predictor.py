@@ -39,12 +39,6 @@ class Predictor(CompiledStage):
 
     Of a table of which only the last row is answered, the other rows are only followed.
     """
-    joint_compiled: ClassVar[bool] = True
-    """Whether pipelines compile the step once more, together with that of the usual differentiator.
-
-    An event then costs 0.4 us less; not where that would take seconds of a first start.
-    """
-
     claims_time: ClassVar[bool] = True
     """False where no prediction says the time left: scoring then needs no clock to compare with."""
 

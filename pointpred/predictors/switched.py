@@ -6,7 +6,7 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.regression import drem
 from pointpred.stage import offsets
 
@@ -49,7 +49,7 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Both axes, each in its own phase (Remark 2.5.1)."""
     m = MotionRow(*motion)
     fault, new, _ = movement.follow(memory, AT, m)

@@ -8,7 +8,7 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.stage import offsets
 
 # State, relative to `at`: highest speed in m/s; where it was; lowest speed since then; where that was; where
@@ -91,7 +91,7 @@ def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) 
 
 
 @law
-def step(memory: FloatArray, motion: Row) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Follow the sub-movement and add what is left of it in the direction of the hand."""
     m = MotionRow(*motion)
     fault, new, dt = movement.follow(memory, AT, m)

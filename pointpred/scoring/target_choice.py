@@ -13,7 +13,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
-from pointpred.records import FloatArray, row_at
+from pointpred.records import FloatArray, FloatTable, row_at
 from pointpred.registry import build
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.spans import in_threads
@@ -46,12 +46,12 @@ SMALLEST = 1e-12
 
 @law
 def weigh(
-    events: FloatArray,
-    answers: FloatArray,
-    table: FloatArray,
+    events: FloatTable,
+    answers: FloatTable,
+    table: FloatTable,
     coefficients: FloatArray,
     elsewhere: float,
-    shares: FloatArray,
+    shares: FloatTable,
 ) -> None:
     """The shares of all targets after each event, in a row of ``shares``."""
     memory = np.zeros(cursor.STATES)
@@ -62,7 +62,7 @@ def weigh(
 
 
 @law
-def nearest(table: FloatArray, x: float, y: float) -> int:
+def nearest(table: FloatTable, x: float, y: float) -> int:
     """The target whose centre is nearest."""
     best, least = 0, np.inf
     for i in range(len(table)):
@@ -74,13 +74,13 @@ def nearest(table: FloatArray, x: float, y: float) -> int:
 
 @law
 def read(
-    events: FloatArray,
-    table: FloatArray,
-    shares: FloatArray,
+    events: FloatTable,
+    table: FloatTable,
+    shares: FloatTable,
     arrival: int,
     right: int,
     fractions: FloatArray,
-    out: FloatArray,
+    out: FloatTable,
 ) -> None:
     """Read the shares at fractions of the time from the first event to the arrival."""
     i = 0
@@ -97,10 +97,10 @@ def read(
 
 @law
 def account(
-    events: FloatArray,
-    answers: FloatArray,
-    table: FloatArray,
-    shares: FloatArray,
+    events: FloatTable,
+    answers: FloatTable,
+    table: FloatTable,
+    shares: FloatTable,
     right: int,
     ask: float,
     least_s: float,

@@ -12,7 +12,18 @@ from numpy.typing import NDArray
 from pointpred.compiled import law
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.recording import Recording, Skip
-from pointpred.records import FINE, BoolArray, EventColumns, EventRow, FloatArray, event_at, fault_of_event
+from pointpred.records import (
+    FINE,
+    BoolArray,
+    EventColumns,
+    EventRow,
+    FloatArray,
+    FloatTable,
+    IntArray,
+    IntTable,
+    event_at,
+    fault_of_event,
+)
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.spans import in_threads
 
@@ -34,7 +45,7 @@ Cuts = NDArray[np.int64]
 
 
 @law
-def fault(rows: FloatArray, first: int, stop: int) -> tuple[int, int]:
+def fault(rows: FloatTable, first: int, stop: int) -> tuple[int, int]:
     """The first reason not to score a trial as it was recorded, and its row."""
     if stop == first:
         return EMPTY, first
@@ -49,7 +60,7 @@ def fault(rows: FloatArray, first: int, stop: int) -> tuple[int, int]:
 
 
 @law
-def selection(rows: FloatArray, first: int, stop: int) -> int:
+def selection(rows: FloatTable, first: int, stop: int) -> int:
     """The row after the selecting click: the last press of the primary button away from the start."""
     for i in range(stop - 1, first, -1):
         pressed = int(rows[i, 5]) & 1 == 1 and int(rows[i - 1, 5]) & 1 == 0
@@ -59,7 +70,7 @@ def selection(rows: FloatArray, first: int, stop: int) -> int:
 
 
 @law
-def departure(rows: FloatArray, first: int, stop: int) -> int:
+def departure(rows: FloatTable, first: int, stop: int) -> int:
     """The last row within 3 px of the trial's first position."""
     for i in range(stop - 1, first, -1):
         if hypot(rows[i, 1] - rows[first, 1], rows[i, 2] - rows[first, 2]) <= ONSET_PX:
@@ -68,7 +79,7 @@ def departure(rows: FloatArray, first: int, stop: int) -> int:
 
 
 @law
-def settling(rows: FloatArray, onset: int, stop: int) -> int:
+def settling(rows: FloatTable, onset: int, stop: int) -> int:
     """The first row from which on the cursor stays near the endpoint."""
     x, y = rows[stop - 1, 1], rows[stop - 1, 2]
     near = max(ARRIVAL_PX, ARRIVAL_SHARE * hypot(x - rows[onset, 1], y - rows[onset, 2]))
@@ -79,7 +90,7 @@ def settling(rows: FloatArray, onset: int, stop: int) -> int:
 
 
 @law
-def cut(rows: FloatArray, offsets: Cuts, out: Cuts) -> None:
+def cut(rows: FloatTable, offsets: IntArray, out: IntTable) -> None:
     """One row of ``out`` for each trial."""
     for k in range(len(offsets) - 1):
         first, stop = offsets[k], offsets[k + 1]
@@ -111,7 +122,7 @@ LEAVING, ARRIVING = 0.05, 0.95
 
 
 @law
-def straight_through(table: FloatArray, first: int, stop: int) -> bool:
+def straight_through(table: FloatTable, first: int, stop: int) -> bool:
     """Whether the trial in rows ``first`` up to ``stop`` goes far enough, straight enough, without a stop."""
     x, y = table[first, 1], table[first, 2]
     along_x, along_y = table[stop - 1, 1] - x, table[stop - 1, 2] - y
@@ -129,7 +140,7 @@ def straight_through(table: FloatArray, first: int, stop: int) -> bool:
 
 
 @law
-def judge(table: FloatArray, offsets: NDArray[np.int64], out: BoolArray) -> None:
+def judge(table: FloatTable, offsets: IntArray, out: BoolArray) -> None:
     """The same for each trial."""
     for k in range(len(out)):
         out[k] = straight_through(table, offsets[k], offsets[k + 1])
@@ -153,7 +164,7 @@ DIP = 2.0
 
 
 @law
-def divided(motions: FloatArray, first: int, stop: int) -> bool:
+def divided(motions: FloatTable, first: int, stop: int) -> bool:
     """Whether the second highest speed peak of these rows exceeds a fifth of the highest."""
     highest, second = 0.0, 0.0
     rising, extreme = True, 0.0
@@ -172,7 +183,7 @@ def divided(motions: FloatArray, first: int, stop: int) -> bool:
 
 
 @law
-def divide(motions: FloatArray, offsets: NDArray[np.int64], out: BoolArray) -> None:
+def divide(motions: FloatTable, offsets: IntArray, out: BoolArray) -> None:
     """The same for each trial."""
     for k in range(len(offsets) - 1):
         out[k] = divided(motions, offsets[k], offsets[k + 1])

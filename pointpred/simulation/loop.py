@@ -6,7 +6,7 @@ from math import atan2, cos, exp, hypot, pi, sin, sqrt, trunc
 from typing import NamedTuple
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray, Row
+from pointpred.records import FloatArray, FloatTable
 from pointpred.simulation import slots
 from pointpred.transfer import assistance, functions, pixels
 
@@ -285,7 +285,7 @@ def decide(memory: FloatArray, t: float) -> None:
 
 @law
 def step(
-    memory: FloatArray, chance: Row
+    memory: FloatArray, chance: tuple[float, float, float, float, float]
 ) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
     """One report period: decide, move the hand, poll the sensor, update the delayed sight.
 
@@ -338,7 +338,7 @@ def step(
 
 
 @law
-def play(memory: FloatArray, rows: FloatArray, out: FloatArray) -> int:
+def play(memory: FloatArray, rows: FloatTable, out: FloatTable) -> int:
     """Report after report, a ``Chance`` a row, until the button is released; returns how many there were."""
     for i in range(len(rows)):
         r = rows[i]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray, PredictionRow, Row, row_at
+from pointpred.records import FloatArray, FloatTable, PredictionRow, TenFloats, row_at
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
@@ -17,14 +17,14 @@ OUTSIDE, INSIDE, ENTERED, RELEASED = 0.0, 1.0, 2.0, 3.0
 up while it was there, until it leaves."""
 
 
-Targets = tuple[FloatArray, FloatArray, FloatArray]
+Targets = tuple[FloatTable, FloatArray, FloatArray]
 """The table of the targets; where the cursor is for each; how likely each is, and none of them."""
 Model = tuple[FloatArray, FloatArray]
 """The coefficients of the posterior and the chooser's settings."""
 
 
 @law
-def innermost(table: FloatArray, inside: FloatArray) -> int:
+def innermost(table: FloatTable, inside: FloatArray) -> int:
     """The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none.
 
     The last, because what stands later in a page is drawn over what stands before it. Targets of weight 0,
@@ -41,7 +41,7 @@ def innermost(table: FloatArray, inside: FloatArray) -> int:
 
 
 @law
-def holder(table: FloatArray, x: float, y: float) -> int:
+def holder(table: FloatTable, x: float, y: float) -> int:
     """The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none."""
     best, smallest, least = decision.NOBODY, inf, inf
     for i in range(len(table)):
@@ -55,7 +55,7 @@ def holder(table: FloatArray, x: float, y: float) -> int:
 
 
 @law
-def enter(table: FloatArray, inside: FloatArray, x: float, y: float, released: bool) -> int:
+def enter(table: FloatTable, inside: FloatArray, x: float, y: float, released: bool) -> int:
     """Write where the cursor is for each target; returns how many it has just gone into."""
     count = 0
     for i in range(len(table)):
@@ -113,7 +113,7 @@ def step_with_shares(
 def step(
     memory: FloatArray,
     event: tuple[float, float, float, float],
-    answer: Row,
+    answer: TenFloats,
     targets: Targets,
     model: Model,
     standing: int,
@@ -158,7 +158,7 @@ def changes(before: tuple[int, int], now: tuple[int, int]) -> tuple[int, int, in
 
 
 @law
-def unusable(memory: FloatArray, events: FloatArray) -> int:
+def unusable(memory: FloatArray, events: FloatTable) -> int:
     """The first row that ``step`` must not be given, -1 where all are usable."""
     before = memory[cursor.T] if memory[cursor.KNOWN] == 1.0 else -inf
     for i in range(len(events)):
@@ -172,7 +172,7 @@ def unusable(memory: FloatArray, events: FloatArray) -> int:
 @law
 def walk(
     memory: FloatArray,
-    tables: tuple[FloatArray, FloatArray, FloatArray],
+    tables: tuple[FloatTable, FloatTable, FloatTable],
     first: int,
     targets: Targets,
     model: Model,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.targets import cursor
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 
@@ -58,7 +58,7 @@ def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: floa
 @law
 def decide(
     memory: FloatArray,
-    table: FloatArray,
+    table: FloatTable,
     shares: FloatArray,
     standing: int,
     remaining_s: float,

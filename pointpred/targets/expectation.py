@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.records import LARGEST, FloatArray, Place
+from pointpred.records import LARGEST, FloatArray, FloatTable, Place
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
 # A row of a table of places: position in px, how likely it is now and before the movement, scatter of visits
@@ -27,7 +27,7 @@ HIGHEST = np.array([LARGEST, LARGEST, WHOLE, WHOLE, LARGEST])
 
 
 @law
-def target_of(table: FloatArray, place: FloatArray) -> int:
+def target_of(table: FloatTable, place: FloatArray) -> int:
     """The target that a place belongs to; NONE for none.
 
     Of those that it lies in the smallest; of others the nearest within the scatter of its visits.
@@ -45,7 +45,7 @@ def target_of(table: FloatArray, place: FloatArray) -> int:
 
 
 @law
-def expect(table: FloatArray, own: FloatArray, known: FloatArray) -> None:
+def expect(table: FloatTable, own: FloatArray, known: FloatTable) -> None:
     """Write the weights of targets with what is known of the person.
 
     ``own``: the logarithms of the caller's weights; ``known``: a row for each place. Of n targets, one whose

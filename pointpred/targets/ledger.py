@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.targets.decision import NOBODY
 
 LATEST = 1000
@@ -29,7 +29,7 @@ when it had been proposed then, NaN where it did not and was not."""
 
 
 @law
-def begin(movement: FloatArray, rows: FloatArray) -> None:
+def begin(movement: FloatArray, rows: FloatTable) -> None:
     """Nothing is known of a movement yet, nor of the targets of these rows."""
     movement[:] = 0.0
     movement[STANDING] = movement[ENDED] = NOBODY
@@ -38,7 +38,7 @@ def begin(movement: FloatArray, rows: FloatArray) -> None:
 
 
 @law
-def propose(movement: FloatArray, rows: FloatArray, t: float, place: int) -> None:
+def propose(movement: FloatArray, rows: FloatTable, t: float, place: int) -> None:
     """A proposal is made; it takes the place of one that stands."""
     movement[PROPOSED] += 1.0
     movement[STANDING], movement[SINCE] = place, t
@@ -63,7 +63,7 @@ def withdraw(movement: FloatArray, t: float, place: int, released: bool) -> None
 
 
 @law
-def enter(movement: FloatArray, rows: FloatArray, t: float, place: int) -> None:
+def enter(movement: FloatArray, rows: FloatTable, t: float, place: int) -> None:
     """The cursor goes into a target; only the first time in a movement counts."""
     if place != NOBODY and rows[place, ENTRY] != rows[place, ENTRY]:
         rows[place, ENTRY] = t
@@ -71,7 +71,7 @@ def enter(movement: FloatArray, rows: FloatArray, t: float, place: int) -> None:
 
 
 @law
-def close(movement: FloatArray, rows: FloatArray, t: float, place: int) -> tuple[float, float, float]:
+def close(movement: FloatArray, rows: FloatTable, t: float, place: int) -> tuple[float, float, float]:
     """How often the target of the movement was proposed, and the leads before its entry and its click, s.
 
     The leads are NaN where no proposal of it stood when the cursor first went into it; where the cursor never

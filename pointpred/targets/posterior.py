@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import LARGEST, FloatArray, Row, SixFloats
+from pointpred.records import LARGEST, FloatArray, FloatTable, SixFloats, TenFloats
 from pointpred.targets import coefficients as fitted
 from pointpred.targets import cursor
 from pointpred.targets.rectangle_mass import log_mass
@@ -123,7 +123,7 @@ def feature(row: FloatArray, now: Situation, predicted: Law, mass: bool) -> SixF
 
 
 @law
-def features(memory: FloatArray, table: FloatArray, predicted: Law, out: FloatArray) -> None:
+def features(memory: FloatArray, table: FloatTable, predicted: Law, out: FloatTable) -> None:
     """A row of features for each target and a predicted law."""
     now = situation(memory)
     for i in range(len(table)):
@@ -187,8 +187,8 @@ def lawful(predicted: Law) -> bool:
 @law
 def scores(
     memory: FloatArray,
-    table: FloatArray,
-    answer: Row,
+    table: FloatTable,
+    answer: TenFloats,
     coefficients: FloatArray,
     elsewhere: float,
     out: FloatArray,

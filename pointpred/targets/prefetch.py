@@ -14,7 +14,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.parameter import Parameter, check
-from pointpred.records import FloatArray, PointerEvent, Prediction, prediction_row
+from pointpred.records import FloatArray, FloatTable, PointerEvent, Prediction, prediction_row
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.chooser import Chooser
 from pointpred.targets.inputs import accepted
@@ -45,7 +45,7 @@ BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(1
 FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
 """Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
 
-Targets = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
+Targets = tuple[FloatTable, FloatArray, FloatArray, FloatArray]
 """The table of the targets; of each its threshold, how likely it is visited, and its state."""
 
 
@@ -73,7 +73,7 @@ def inside(x: float, y: float, row: FloatArray) -> bool:
 
 
 @law
-def visit(x: float, y: float, table: FloatArray, shares: FloatArray, out: FloatArray) -> None:
+def visit(x: float, y: float, table: FloatTable, shares: FloatArray, out: FloatArray) -> None:
     """How likely the cursor goes through each target: its share, and the shares of what lies behind it.
 
     The cursor is taken to go straight to the centre of one of the PATHS likeliest targets.
@@ -93,7 +93,7 @@ def visit(x: float, y: float, table: FloatArray, shares: FloatArray, out: FloatA
 
 
 @law
-def begin(memory: FloatArray, table: FloatArray, fired: FloatArray) -> None:
+def begin(memory: FloatArray, table: FloatTable, fired: FloatArray) -> None:
     """Arm every target anew where a movement has begun; those that it starts in first have to be left."""
     for i in range(len(table)):
         if fired[i] == PREDICTED or fired[i] == ENTERED:

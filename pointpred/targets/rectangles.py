@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.records import LARGEST, FloatArray
+from pointpred.records import LARGEST, FloatArray, FloatTable
 
 MOST_TARGETS = 1000
 SMALLEST_PX = 1e-3
@@ -50,7 +50,7 @@ def around(id: Hashable, x: float, y: float, width: float, height: float | None 
 
 
 @law
-def complete(rows: FloatArray) -> None:
+def complete(rows: FloatTable) -> None:
     """Rows of an upper left corner, a size and a weight become the table: centres, logarithms of weights."""
     most = -inf
     for i in range(len(rows)):

@@ -89,11 +89,16 @@ def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
 
 
 @law
+def fill_reaches(level: float, tail: FloatArray, far: FloatArray) -> None:
+    """``reaches`` into an array."""
+    for i in range(len(tail)):
+        far[i] = reach(level, tail[i])
+
+
 def reaches(level: float, tail: FloatArray) -> FloatArray:
     """Squared Mahalanobis distance up to which a Student law's region of a level goes, for many tails."""
     far = np.empty(len(tail))
-    for i in range(len(tail)):
-        far[i] = reach(level, tail[i])
+    fill_reaches(level, np.ascontiguousarray(tail), far)
     return far
 
 

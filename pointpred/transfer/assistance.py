@@ -11,7 +11,7 @@ from typing import NamedTuple
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.parameter import parameter
-from pointpred.records import LARGEST, FloatArray, Prediction, Row
+from pointpred.records import LARGEST, FloatArray, FloatTable, Prediction
 from pointpred.regions import as_normal
 from pointpred.stage import loop_of, offsets
 from pointpred.transfer import pixels
@@ -57,7 +57,7 @@ class GuidedReport(NamedTuple):
 
 
 @law
-def offset_report_at(rows: FloatArray, i: int) -> Way:
+def offset_report_at(rows: FloatTable, i: int) -> Way:
     """A row of a table of reports with the way to an endpoint."""
     r = rows[i]
     return r[0], r[1], r[2], r[3], r[4]
@@ -65,7 +65,7 @@ def offset_report_at(rows: FloatArray, i: int) -> Way:
 
 @law
 def guided_report_at(
-    rows: FloatArray, i: int
+    rows: FloatTable, i: int
 ) -> tuple[float, float, float, float, float, float, float, float]:
     """A row of a table of reports with the way to an endpoint and its covariance."""
     r = rows[i]
@@ -87,7 +87,9 @@ def pull(rho: float, strength: float, dt: float, own_px: float, off_x: float, of
 
 
 @law
-def assisted_step(memory: FloatArray, report: Row) -> tuple[float, float, float]:
+def assisted_step(
+    memory: FloatArray, report: tuple[float, float, float, float, float]
+) -> tuple[float, float, float]:
     """One ``OffsetReport``: (t, dx in px, dy in px); NaN for a report that is refused."""
     t, dx, dy, off_x, off_y = OffsetReport(*report)
     usable, dt = pixels.accept(memory, ASSISTED, t, dx, dy)
@@ -207,7 +209,9 @@ def add(
 
 
 @law
-def guarded_step(memory: FloatArray, report: Row) -> tuple[float, float, float, float, float]:
+def guarded_step(
+    memory: FloatArray, report: tuple[float, float, float, float, float, float, float, float]
+) -> tuple[float, float, float, float, float]:
     """One ``GuidedReport``: (t, dx px, dy px, and the added part of these); NaN if refused."""
     t, dx, dy, off_x, off_y, sxx, sxy, syy = GuidedReport(*report)
     usable, dt = pixels.accept(memory, GUARDED, t, dx, dy)

@@ -27,9 +27,9 @@ from pointpred.records import (
     EventColumns,
     EventRow,
     FloatArray,
+    FloatTable,
     MotionColumns,
     PointerEvent,
-    Row,
     SixFloats,
 )
 from pointpred.regression import least_squares
@@ -126,7 +126,7 @@ def gather(memory: FloatArray, dt: float, dx: float, dy: float) -> None:
 
 
 @law
-def step(memory: FloatArray, event: Row) -> tuple[float]:
+def step(memory: FloatArray, event: SixFloats) -> tuple[float]:
     """One report of the device with the cursor's position after it: refused, taken or left out."""
     t, x, y, dx, dy, _ = EventRow(*event)
     if not (abs(t) <= LATEST_S and abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST):
@@ -157,7 +157,7 @@ def step(memory: FloatArray, event: Row) -> tuple[float]:
 
 
 @law
-def event_at(rows: FloatArray, i: int) -> SixFloats:
+def event_at(rows: FloatTable, i: int) -> SixFloats:
     """A row of a table of events as a tuple."""
     r = rows[i]
     return r[0], r[1], r[2], r[3], r[4], r[5]

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError
 from pointpred.parameter import option, parameter
-from pointpred.records import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, FloatArray, Row
+from pointpred.records import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, FloatArray, FloatTable
 from pointpred.stage import CompiledStage, loop_of, offsets
 from pointpred.transfer import functions
 
@@ -69,7 +69,7 @@ def turn(memory: FloatArray, at: int, t: float, dt: float, dx: float, dy: float)
 
 
 @law
-def step(memory: FloatArray, report: Row) -> tuple[float, float, float]:
+def step(memory: FloatArray, report: tuple[float, float, float]) -> tuple[float, float, float]:
     """One ``CountsRow``: (t, dx in px, dy in px); NaN for a report that is refused."""
     t, dx, dy = CountsRow(*report)
     usable, dt = accept(memory, AT, t, dx, dy)
@@ -99,7 +99,7 @@ def lay_out(
 
 
 @law
-def report_at(rows: FloatArray, i: int) -> tuple[float, float, float]:
+def report_at(rows: FloatTable, i: int) -> tuple[float, float, float]:
     """A row of a table of reports."""
     return rows[i, 0], rows[i, 1], rows[i, 2]
 

@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
 from pointpred.parameter import is_number
-from pointpred.records import LATEST_S, FloatArray
+from pointpred.records import LATEST_S, FloatArray, FloatTable
 from pointpred.stage import CompiledStage
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, SampleRow
 
@@ -27,7 +27,7 @@ PLAIN = frozenset({float, type(None)})
 
 @law
 def sample_at(
-    rows: FloatArray, i: int
+    rows: FloatTable, i: int
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
     """A row of a table of samples as a tuple."""
     r = rows[i]

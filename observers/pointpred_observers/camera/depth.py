@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import option, parameter
-from pointpred.records import Columns, FloatArray, Row
+from pointpred.records import Columns, FloatArray
 from pointpred.stage import loop_of
 from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred_observers.camera.model import SCHEDULED, C
@@ -96,7 +96,9 @@ def inside(memory: FloatArray, zero: float, eta: float) -> bool:
 
 
 @law
-def step(memory: FloatArray, sample: Row) -> tuple[float, float, float, float, float, float, float]:
+def step(
+    memory: FloatArray, sample: tuple[float, float, float, float, float, float, float, float, float]
+) -> tuple[float, float, float, float, float, float, float]:
     """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
     row = SampleRow(*sample)
     if not usable(row, memory[STARTED], memory[T], memory[GAP_S]):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.parameter import parameter
-from pointpred.records import LATEST_S, FloatArray, Row
+from pointpred.records import LATEST_S, FloatArray, FloatTable
 from pointpred.stage import CompiledStage, loop_of
 
 SPREAD_START = 1.0
@@ -55,7 +55,9 @@ def predict(memory: FloatArray, eta: float, wx: float, wy: float, wz: float, h: 
 
 
 @law
-def step(memory: FloatArray, row: Row) -> tuple[float, float, float, float]:
+def step(
+    memory: FloatArray, row: tuple[float, float, float, float, float, float, float]
+) -> tuple[float, float, float, float]:
     """One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s."""
     t, x, y, eta, wx, wy, wz = FlowRow(*row)
     if not abs(t) <= LATEST_S or eta != eta or (memory[STARTED] == 1.0 and not t > memory[T]):
@@ -85,7 +87,7 @@ def step(memory: FloatArray, row: Row) -> tuple[float, float, float, float]:
 
 
 @law
-def row_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, float, float, float]:
+def row_at(rows: FloatTable, i: int) -> tuple[float, float, float, float, float, float, float]:
     """A row of a table as a tuple."""
     r = rows[i]
     return r[0], r[1], r[2], r[3], r[4], r[5], r[6]

@@ -14,7 +14,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, habits, places
-from pointpred.records import FloatArray, SixFloats
+from pointpred.records import FloatArray, FloatTable, SixFloats
 from pointpred.stage import offsets
 
 NEARNESS = 1.25
@@ -181,7 +181,7 @@ def candidates(
     at: int,
     start: tuple[float, float],
     elsewhere: Heading,
-    out: FloatArray,
+    out: FloatTable,
 ) -> int:
     """Fill rows of share, position and squared width, px^2: elsewhere, then the places; returns how many."""
     size2 = 0.5 * (elsewhere.wide * elsewhere.wide + elsewhere.broad * elsewhere.broad)
@@ -202,7 +202,7 @@ def candidates(
 
 
 @law
-def geometric_median(rows: FloatArray, count: int) -> tuple[float, float]:
+def geometric_median(rows: FloatTable, count: int) -> tuple[float, float]:
     """The point with the least mean distance from where the movement may end (Weiszfeld), px.
 
     Distances are softened by the width of each candidate.

@@ -15,7 +15,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, places
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import Slot, offsets
 
 OFTEN, LATELY, AFTER_SO_MANY, FROM_HERE, RULES = range(5)
@@ -56,7 +56,7 @@ SLOTS = (
 
 
 @law
-def blend(out: FloatArray, rule: int, base: int, count: int, weight: float) -> None:
+def blend(out: FloatTable, rule: int, base: int, count: int, weight: float) -> None:
     """Shares of a rule from its counts, with those of another rule for so many visits."""
     total = weight
     for i in range(count):
@@ -66,7 +66,7 @@ def blend(out: FloatArray, rule: int, base: int, count: int, weight: float) -> N
 
 
 @law
-def count_often(memory: FloatArray, at: int, key: float, out: FloatArray) -> float:
+def count_often(memory: FloatArray, at: int, key: float, out: FloatTable) -> float:
     """The share of each place of a key by its visits; returns the sum of the visits."""
     count, total = int(memory[at + places.COUNT]), 0.0
     for i in range(count):
@@ -80,7 +80,7 @@ def count_often(memory: FloatArray, at: int, key: float, out: FloatArray) -> flo
 
 
 @law
-def count_last(memory: FloatArray, at: int, habits: int, out: FloatArray) -> None:
+def count_last(memory: FloatArray, at: int, habits: int, out: FloatTable) -> None:
     """Recent visits, and returns after as many movements as each place was visited ago."""
     for age in range(places.MOVEMENTS):
         number = places.visited(memory, at, age)
@@ -93,7 +93,7 @@ def count_last(memory: FloatArray, at: int, habits: int, out: FloatArray) -> Non
 
 
 @law
-def count_following(memory: FloatArray, at: int, here: int, out: FloatArray) -> None:
+def count_following(memory: FloatArray, at: int, here: int, out: FloatTable) -> None:
     """Where the person went from this place."""
     for age in range(places.MOVEMENTS - 1):
         after, before = places.visited(memory, at, age), places.visited(memory, at, age + 1)
@@ -103,7 +103,7 @@ def count_following(memory: FloatArray, at: int, here: int, out: FloatArray) -> 
 
 @law
 def shares(
-    memory: FloatArray, at: int, habits: int, key: float, start: tuple[float, float, float], out: FloatArray
+    memory: FloatArray, at: int, habits: int, key: float, start: tuple[float, float, float], out: FloatTable
 ) -> bool:
     """The share of each place by each rule, a row each; whether there is any.
 
@@ -164,7 +164,7 @@ def usual_width(memory: FloatArray, habits: int) -> float:
 
 @law
 def share_visit(
-    memory: FloatArray, habits: int, likely: FloatArray, with_sequence: float, elsewhere: float
+    memory: FloatArray, habits: int, likely: FloatTable, with_sequence: float, elsewhere: float
 ) -> None:
     """Share one visit among rules, widths and "a new place" by how likely each had made the end.
 

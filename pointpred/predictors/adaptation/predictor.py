@@ -17,7 +17,7 @@ from pointpred.predictors.kinematic import features, track
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
 from pointpred.predictors.mixture import WIDTH, Mixture, Part
-from pointpred.records import FloatArray, MotionRow, Place, Row, TenFloats
+from pointpred.records import FloatArray, FloatTable, MotionRow, Place, TenFloats
 from pointpred.scene import SCREEN, Scene
 from pointpred.stage import offsets
 
@@ -75,7 +75,7 @@ def pace_of(own: FloatArray, m: MotionRow) -> Pace:
 
 
 @law
-def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> TenFloats:
     """The learned predictor's step, then what is known of the person."""
     m = MotionRow(*motion)
     own = memory[OBSERVATION:MOVEMENT]
@@ -109,7 +109,7 @@ def last_end(memory: FloatArray, known: int, key: float) -> tuple[float, float]:
 
 
 @law
-def list_places(memory: FloatArray, out: FloatArray) -> int:
+def list_places(memory: FloatArray, out: FloatTable) -> int:
     """Fill a row for each place of the window that the cursor is in, by their numbers; returns how many.
 
     ``out``: ``places.CAPACITY`` rows of FIELDS. Before a movement has begun the shares are those of a
@@ -250,7 +250,6 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     )
     step = staticmethod(step)
     follow = None  # what is stated at each motion is compared with the movement's end
-    joint_compiled = False
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
     fault = staticmethod(correction.fault)

@@ -66,7 +66,6 @@ MOMENT, MOST = FIRST_TERM + TERMS, 32
 READY, WEIGHTS, MOMENTS, STATES = offsets(1, TERMS, moments.FIRST + MOMENT * MOST)
 
 
-Prior = tuple[float, ...]
 """The weights of the terms, then sums of products: SUMS of them."""
 
 
@@ -105,7 +104,7 @@ def terms(
 
 
 @law
-def factor(memory: FloatArray, person: int, prior: Prior, out: FloatArray) -> float:
+def factor(memory: FloatArray, person: int, prior: FloatArray, out: FloatArray) -> float:
     """Factor the sums and the prior's into L D L' in place of their lower triangle; returns the least of D.
 
     ``prior``: the weights, then the sums of everybody.
@@ -128,7 +127,7 @@ def factor(memory: FloatArray, person: int, prior: Prior, out: FloatArray) -> fl
 
 
 @law
-def solve(memory: FloatArray, person: int, prior: Prior, weights: FloatArray) -> None:
+def solve(memory: FloatArray, person: int, prior: FloatArray, weights: FloatArray) -> None:
     """The weights of the terms for this person."""
     factors = np.empty(SUMS)
     factor(memory, person, prior, factors)
@@ -184,7 +183,7 @@ def learn(
     place: tuple[int, int, int],
     span: tuple[float, float],
     median: float,
-    prior: Prior,
+    prior: FloatArray,
 ) -> None:
     """Learn from a movement over ``span``, its start and its arrival in s; ``place`` as for ``stated``."""
     person, intervals, at = place

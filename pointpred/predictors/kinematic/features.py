@@ -14,7 +14,7 @@ from pointpred.compiled import law
 from pointpred.predictors import minimum_jerk, movement
 from pointpred.predictors.kinematic import history, submovements, track
 from pointpred.predictors.kinematic.history import Point
-from pointpred.records import FINE, BoolArray, FloatArray, MotionRow, row_at
+from pointpred.records import FINE, BoolArray, FloatArray, FloatTable, MotionRow, row_at
 from pointpred.stage import offsets
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)
@@ -209,7 +209,7 @@ def observe(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple
 
 @law
 def observe_all(
-    memory: FloatArray, begin: BoolArray, rows: FloatArray, out: FloatArray, frames: FloatArray
+    memory: FloatArray, begin: BoolArray, rows: FloatTable, out: FloatTable, frames: FloatTable
 ) -> None:
     """The features of a whole table of motions, as training needs them; frames: reach and direction."""
     for i in range(len(rows)):

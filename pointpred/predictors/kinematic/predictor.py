@@ -14,7 +14,7 @@ from pointpred.parameter import option
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import coefficient_file, features, network
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, Row, TenFloats, endpoint
+from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 
 AT = 0
 
@@ -26,7 +26,7 @@ def bounded_exp(logarithm: float, bounds: tuple[float, float]) -> float:
 
 
 @law
-def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> TenFloats:
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
     values = np.empty(features.FEATURES)
@@ -66,7 +66,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
 
 
 @law
-def follow(memory: FloatArray, motion: Row, coefficients: FloatArray) -> bool:
+def follow(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> bool:
     """Take one motion in without an answer: the network remembers nothing."""
     fault, _ = features.follow(memory, AT, MotionRow(*motion))
     return fault == FINE

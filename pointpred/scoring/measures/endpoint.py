@@ -10,10 +10,9 @@ from collections.abc import Sequence
 from math import hypot, inf
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable, IntArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, ScoredTrial
 
 WEIGHT_S = 0.05
@@ -33,7 +32,7 @@ SOUND = -1
 
 @law
 def measure_trial(
-    rows: FloatArray, answers: FloatArray, fractions: FloatArray, arrival: int, out: FloatArray
+    rows: FloatTable, answers: FloatTable, fractions: FloatArray, arrival: int, out: FloatArray
 ) -> int:
     """Write the measures of one trial; returns SOUND or the row of an answer that is not finite.
 
@@ -84,13 +83,13 @@ def measure_trial(
 
 @law
 def measure(
-    rows: FloatArray,
-    answers: FloatArray,
+    rows: FloatTable,
+    answers: FloatTable,
     fractions: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
-    out: FloatArray,
-    faults: NDArray[np.int64],
+    offsets: IntArray,
+    arrivals: IntArray,
+    out: FloatTable,
+    faults: IntArray,
 ) -> None:
     """A row of measures for each trial that lies in these rows; ``offsets`` need not begin at 0."""
     base = offsets[0]
@@ -104,9 +103,7 @@ DECILES = tuple(round(0.1 * i, 1) for i in range(1, 10))
 
 
 @law
-def moments(
-    rows: FloatArray, first: int, arrival: int, last: int, shares: FloatArray, out: NDArray[np.int64]
-) -> None:
+def moments(rows: FloatTable, first: int, arrival: int, last: int, shares: FloatArray, out: IntArray) -> None:
     """For each share of the time its row: the last at or before that time; shares ascend."""
     i, start, span = first, rows[first, 0], rows[arrival, 0] - rows[first, 0]
     for k in range(len(shares)):
@@ -125,13 +122,13 @@ def targets(trials: Sequence[ScoredTrial]) -> FloatArray:
 
 @law
 def hits(
-    rows: FloatArray,
-    answers: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
-    discs: FloatArray,
+    rows: FloatTable,
+    answers: FloatTable,
+    offsets: IntArray,
+    arrivals: IntArray,
+    discs: FloatTable,
     shares: FloatArray,
-    out: FloatArray,
+    out: FloatTable,
 ) -> None:
     """For each trial and share of the time: 1 where the prediction lies in the target, 0 where it does not.
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from math import erf, exp, inf, lgamma, log, pi, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable, IntArray
 from pointpred.regions import reach as plain_reach
 from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 
@@ -137,11 +136,11 @@ def axis_score(error: float, variance: float, tail: float) -> float:
 
 @law
 def calibrate(
-    rows: FloatArray,
-    answers: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
-    out: FloatArray,
+    rows: FloatTable,
+    answers: FloatTable,
+    offsets: IntArray,
+    arrivals: IntArray,
+    out: FloatTable,
 ) -> None:
     """A row of ``out`` for each trial, NaN where no region was given; ``offsets`` need not begin at 0.
 
@@ -177,12 +176,12 @@ def calibrate(
 
 @law
 def inside_by_time(
-    rows: FloatArray,
-    answers: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
+    rows: FloatTable,
+    answers: FloatTable,
+    offsets: IntArray,
+    arrivals: IntArray,
     shares: FloatArray,
-    out: FloatArray,
+    out: FloatTable,
 ) -> None:
     """For each trial, share of the time and level: 1 where the region holds the endpoint, else 0.
 

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from math import log
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable, IntArray
 from pointpred.scoring.measures.endpoint import WEIGHT_S, moments
 from pointpred.scoring.measures.regions import LEVELS
 
@@ -40,12 +39,12 @@ def within(left: float, predicted: float, spread: float, deviations: float) -> b
 
 @law
 def time_left(
-    rows: FloatArray,
-    answers: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
+    rows: FloatTable,
+    answers: FloatTable,
+    offsets: IntArray,
+    arrivals: IntArray,
     median_s: float,
-    out: FloatArray,
+    out: FloatTable,
 ) -> None:
     """A row of ``out`` for each trial; time counts as in the time-averaged error of the endpoint.
 
@@ -83,12 +82,12 @@ def time_left(
 
 @law
 def inside_by_time(
-    rows: FloatArray,
-    answers: FloatArray,
-    offsets: NDArray[np.int64],
-    arrivals: NDArray[np.int64],
+    rows: FloatTable,
+    answers: FloatTable,
+    offsets: IntArray,
+    arrivals: IntArray,
     shares: FloatArray,
-    out: FloatArray,
+    out: FloatTable,
 ) -> None:
     """For each trial, share of the time and level: 1 where the arrival lies in the interval, 0 where not.
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.records import BoolArray, FloatArray
+from pointpred.records import BoolArray, FloatArray, FloatTable, IntArray
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (
@@ -212,7 +212,7 @@ def rows_of(parts: Parts, mask: BoolArray, predictor: int) -> FloatArray:
 
 
 @law
-def add_trials(columns: FloatArray, person: NDArray[np.int64], inside: BoolArray, sums: FloatArray) -> None:
+def add_trials(columns: FloatTable, person: IntArray, inside: BoolArray, sums: FloatTable) -> None:
     """Add the columns of each trial to the sums of its person in each group that it is in."""
     for k in range(len(person)):
         for g in range(len(inside)):

@@ -1,0 +1,11677 @@
+/* Written by `make laws` from the laws: change those and run it again. */
+/* How Python's values become those of a law, and back. */
+#define Py_LIMITED_API 0x030B0000
+#include <Python.h>
+#include <stdbool.h>
+#include <string.h>
+
+#define MOST_ARRAYS 16
+typedef struct { Py_buffer views[MOST_ARRAYS]; int count; } Held;
+
+static void *let_go(Held *held) {
+  while (held->count > 0) PyBuffer_Release(&held->views[--held->count]);
+  return NULL;
+}
+
+static bool counted(const char *law, Py_ssize_t given, Py_ssize_t wanted) {
+  if (given == wanted) return true;
+  PyErr_Format(PyExc_TypeError, "%s takes %zd arguments, received %zd", law, wanted, given);
+  return false;
+}
+
+static bool is_format(const Py_buffer *view, char letter) {
+  const char *format = view->format == NULL ? "B" : view->format;
+  if (*format == '@' || *format == '=' || *format == '<') format++;
+  if (format[0] == '\0' || format[1] != '\0') return false;
+  if (letter == 'q') return view->itemsize == 8 && strchr("lqn", *format) != NULL;
+  return *format == (letter == 'b' ? '?' : letter);
+}
+
+/* The memory of an array of so many dimensions; false, with a TypeError, for anything else. */
+static bool take_array(Held *held, PyObject *given, const char *law, const char *argument, char letter, int dimensions,
+                       bool written, const Py_buffer **taken) {
+  Py_buffer *view = &held->views[held->count];
+  int flags = PyBUF_FORMAT | PyBUF_C_CONTIGUOUS | (written ? PyBUF_WRITABLE : 0);
+  if (PyObject_GetBuffer(given, view, flags) == 0) {
+    held->count++;
+    *taken = view;
+    if (view->ndim == dimensions && is_format(view, letter)) return true;
+  }
+  PyErr_Clear();
+  const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
+  PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+  return false;
+}
+
+static bool take_tuple(PyObject *given, const char *law, const char *argument, Py_ssize_t count) {
+  if (PyTuple_Check(given) && PyTuple_Size(given) == count) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must be a tuple of %zd, received %R", law, argument, count, given);
+  return false;
+}
+
+static bool take_double(PyObject *given, double *value) {
+  *value = PyFloat_AsDouble(given);
+  return *value != -1.0 || PyErr_Occurred() == NULL;
+}
+
+static bool take_int64_t(PyObject *given, int64_t *value) {
+  *value = PyLong_AsLongLong(given);
+  return *value != -1 || PyErr_Occurred() == NULL;
+}
+
+static bool take_bool(PyObject *given, bool *value) {
+  int truth = PyObject_IsTrue(given);
+  *value = truth == 1;
+  return truth >= 0;
+}
+#include "laws.h"
+
+static PyObject *give_T10d(T10d value) {
+  PyObject *tuple = PyTuple_New(10);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
+  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
+  PyTuple_SetItem(tuple, 9, PyFloat_FromDouble(value.f9));
+  return tuple;
+}
+static PyObject *give_Tq3db(Tq3db value) {
+  PyObject *tuple = PyTuple_New(5);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyBool_FromLong(value.f4));
+  return tuple;
+}
+static PyObject *give_destination_Heading(destination_Heading value) {
+  PyObject *tuple = PyTuple_New(7);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.ux));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.uy));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.wide));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.broad));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.tail));
+  return tuple;
+}
+static PyObject *give_T2_destination_Heading_(T2_destination_Heading_ value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, give_destination_Heading(value.f0));
+  PyTuple_SetItem(tuple, 1, give_destination_Heading(value.f1));
+  return tuple;
+}
+static PyObject *give_T2d(T2d value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  return tuple;
+}
+static PyObject *give_T_destination_Heading_d(T_destination_Heading_d value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, give_destination_Heading(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  return tuple;
+}
+static PyObject *give_Tqd(Tqd value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  return tuple;
+}
+static PyObject *give_T6d(T6d value) {
+  PyObject *tuple = PyTuple_New(6);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  return tuple;
+}
+static PyObject *give_T3d(T3d value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  return tuple;
+}
+static PyObject *give_time_left_Pace(time_left_Pace value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.of_peak));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.slow_s));
+  return tuple;
+}
+static PyObject *give_correction_Parts(correction_Parts value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.distances));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.places));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.sequence));
+  return tuple;
+}
+static PyObject *give_scene_Scene(scene_Scene value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.key));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
+  return tuple;
+}
+static PyObject *give_T3q(T3q value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
+  PyTuple_SetItem(tuple, 2, PyLong_FromLongLong(value.f2));
+  return tuple;
+}
+static PyObject *give_T4d(T4d value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  return tuple;
+}
+static PyObject *give_stages_Moment(stages_Moment value) {
+  PyObject *tuple = PyTuple_New(12);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.ux));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.uy));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.along));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.across));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.wide));
+  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.broad));
+  PyTuple_SetItem(tuple, 9, PyFloat_FromDouble(value.tail));
+  PyTuple_SetItem(tuple, 10, PyFloat_FromDouble(value.left));
+  PyTuple_SetItem(tuple, 11, PyFloat_FromDouble(value.reached));
+  return tuple;
+}
+static PyObject *give_T7d(T7d value) {
+  PyObject *tuple = PyTuple_New(7);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  return tuple;
+}
+static PyObject *give_kep_Quartic(kep_Quartic value) {
+  PyObject *tuple = PyTuple_New(5);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.c0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.c1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.c2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.c3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.c4));
+  return tuple;
+}
+static PyObject *give_history_Point(history_Point value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.path));
+  return tuple;
+}
+static PyObject *give_Tq_history_Point_(Tq_history_Point_ value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, give_history_Point(value.f1));
+  return tuple;
+}
+static PyObject *give_features_Frame(features_Frame value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.reach));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.hand));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.ux));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.uy));
+  return tuple;
+}
+static PyObject *give_Tq_features_Frame_(Tq_features_Frame_ value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, give_features_Frame(value.f1));
+  return tuple;
+}
+static PyObject *give_Tb3d(Tb3d value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  return tuple;
+}
+static PyObject *give_Tqbd(Tqbd value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyBool_FromLong(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  return tuple;
+}
+static PyObject *give_Tb2qd(Tb2qd value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
+  PyTuple_SetItem(tuple, 2, PyLong_FromLongLong(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  return tuple;
+}
+static PyObject *give_T2q(T2q value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
+  return tuple;
+}
+static PyObject *give_T14d(T14d value) {
+  PyObject *tuple = PyTuple_New(14);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
+  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
+  PyTuple_SetItem(tuple, 9, PyFloat_FromDouble(value.f9));
+  PyTuple_SetItem(tuple, 10, PyFloat_FromDouble(value.f10));
+  PyTuple_SetItem(tuple, 11, PyFloat_FromDouble(value.f11));
+  PyTuple_SetItem(tuple, 12, PyFloat_FromDouble(value.f12));
+  PyTuple_SetItem(tuple, 13, PyFloat_FromDouble(value.f13));
+  return tuple;
+}
+static PyObject *give_T4q(T4q value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
+  PyTuple_SetItem(tuple, 2, PyLong_FromLongLong(value.f2));
+  PyTuple_SetItem(tuple, 3, PyLong_FromLongLong(value.f3));
+  return tuple;
+}
+static PyObject *give_posterior_Situation(posterior_Situation value) {
+  PyObject *tuple = PyTuple_New(8);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.trail_x));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.trail_y));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.vx));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.vy));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.log_way));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.log_sweep));
+  return tuple;
+}
+static PyObject *give_T5d(T5d value) {
+  PyObject *tuple = PyTuple_New(5);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  return tuple;
+}
+static PyObject *give_T8d(T8d value) {
+  PyObject *tuple = PyTuple_New(8);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
+  return tuple;
+}
+static PyObject *give_Td(Td value) {
+  PyObject *tuple = PyTuple_New(1);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  return tuple;
+}
+static PyObject *give_Tbd(Tbd value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  return tuple;
+}
+static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.difference:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  differentiators_difference_advance(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.difference:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  records_EventRow a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.dx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.dy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.buttons)))
+    return let_go(&held);
+  result = differentiators_difference_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  int64_t a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  result = differentiators_homogeneous_advance(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:chatter";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = differentiators_homogeneous_chatter(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:fill";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  differentiators_homogeneous_fill(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:place_poles";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  differentiators_homogeneous_place_poles(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:settle";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  differentiators_homogeneous_settle(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:settling";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = differentiators_homogeneous_settling(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.homogeneous:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  records_EventRow a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.dx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.dy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.buttons)))
+    return let_go(&held);
+  result = differentiators_homogeneous_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:correct";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  differentiators_kalman_correct(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:fill";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  differentiators_kalman_fill(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  T2d a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "place", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  differentiators_kalman_follow(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:narrow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  differentiators_kalman_narrow(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:predict";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  differentiators_kalman_predict(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:restart";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  differentiators_kalman_restart(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:settle_s";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = differentiators_kalman_settle_s(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:spread";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  differentiators_kalman_spread(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.kalman:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  records_EventRow a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.dx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.dy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.buttons)))
+    return let_go(&held);
+  result = differentiators_kalman_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.sampling:accept";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_EventRow a2;
+  Tq3db result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = differentiators_sampling_accept(a0, a1, a2);
+  let_go(&held);
+  return give_Tq3db(result);
+}
+static PyObject *py_differentiators_sampling_fill(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.sampling:fill";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  differentiators_sampling_fill(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.sampling:motion";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_EventRow a2;
+  T2_T2d_ a3;
+  double a4;
+  bool a5;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_tuple(args[3], law, "hand", 2)
+        && take_tuple(PyTuple_GetItem(args[3], 0), law, "hand", 2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 0), &a3.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 1), &a3.f0.f1)
+        && take_tuple(PyTuple_GetItem(args[3], 1), law, "hand", 2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 0), &a3.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 1), &a3.f1.f1)
+        && take_double(args[4], &a4)
+        && take_bool(args[5], &a5)))
+    return let_go(&held);
+  result = differentiators_sampling_motion(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.differentiators.sampling:settled";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = differentiators_sampling_settled(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_follow__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_array(&held, args[2], law, "shared_0", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = follow__predictors_adaptation_predictor_step(a0, a1, a2);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_delphian_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_hold_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_kalman_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_kep_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_ktm_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_linear_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_minimum_jerk_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_switched_direction_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_follow__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:_following (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = follow__predictors_switched_step(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_adaptation_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_delphian_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_hold_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_kalman_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_kep_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_kinematic_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_ktm_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_linear_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_minimum_jerk_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_switched_direction_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_difference_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_difference_step__predictors_switched_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_adaptation_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_delphian_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_hold_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_kalman_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_kep_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_kinematic_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_ktm_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_linear_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_minimum_jerk_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_switched_direction_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_homogeneous_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_homogeneous_step__predictors_switched_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_adaptation_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_delphian_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_hold_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_kalman_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_kep_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_kinematic_predictor_step(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_ktm_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_linear_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_minimum_jerk_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_switched_direction_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_joint__differentiators_kalman_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  records_EventRow a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "row", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)))
+    return let_go(&held);
+  result = joint__differentiators_kalman_step__predictors_switched_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_delphian_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_hold_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_kalman_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_kep_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_ktm_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_linear_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__follow__predictors_switched_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_difference_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_delphian_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_hold_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_kalman_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_kep_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_ktm_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_linear_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_switched_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_homogeneous_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_delphian_step__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_hold_step__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_kalman_step__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_kep_step__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_linear_step__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__follow__predictors_switched_step__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_last__differentiators_kalman_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Table a2;
+  Vector a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.predictors.adaptation.predictor:conclude) (pointpred.records:row_at) (pointpred.predictors.adaptation.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  Vector a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[5], law, "shared_0", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.predictors.ktm:conclude) (pointpred.records:row_at) (pointpred.predictors.ktm:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_difference_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.difference:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_difference_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.homogeneous:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.delphian:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_delphian_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.hold:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_hold_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kalman:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kalman_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kep:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kep_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kinematic.predictor:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  Vector a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[5], law, "shared_0", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kinematic_predictor_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.linear:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_linear_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.minimum_jerk:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched_direction:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_switched_direction_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_switched_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__transfer_assistance_guided_report_at__transfer_assistance_guarded_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.transfer.assistance:guided_report_at) (pointpred.transfer.assistance:guarded_step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__transfer_assistance_guided_report_at__transfer_assistance_guarded_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_arrival_intervals_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:judge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  T2d a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "claim", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_arrival_intervals_next_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:next_step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_arrival_intervals_next_step(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_arrival_intervals_spread(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:spread";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_arrival_intervals_spread(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_correction_adapt(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:adapt";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  correction_Parts a3;
+  scene_Scene a4;
+  T10d a5;
+  time_left_Pace a6;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
+        && take_tuple(args[4], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
+        && take_tuple(args[5], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
+        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
+        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)
+        && take_double(PyTuple_GetItem(args[5], 6), &a5.f6)
+        && take_double(PyTuple_GetItem(args[5], 7), &a5.f7)
+        && take_double(PyTuple_GetItem(args[5], 8), &a5.f8)
+        && take_double(PyTuple_GetItem(args[5], 9), &a5.f9)
+        && take_tuple(args[6], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.of_peak)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.slow_s)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_adapt(a0, a1, a2, a3, a4, a5, a6);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_adaptation_correction_adapted_end(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:adapted_end";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  correction_Parts a3;
+  scene_Scene a4;
+  destination_Heading a5;
+  double a6;
+  T2_destination_Heading_ result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
+        && take_tuple(args[4], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
+        && take_tuple(args[5], law, "own", 7)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.x)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.y)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.ux)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.uy)
+        && take_double(PyTuple_GetItem(args[5], 4), &a5.wide)
+        && take_double(PyTuple_GetItem(args[5], 5), &a5.broad)
+        && take_double(PyTuple_GetItem(args[5], 6), &a5.tail)
+        && take_double(args[6], &a6)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4, a5, a6);
+  let_go(&held);
+  return give_T2_destination_Heading_(result);
+}
+static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  destination_Heading a2;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_ahead_of(a0, a1, a2);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_correction_arrival(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:arrival";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_arrival(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:by_distances";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  destination_Heading a3;
+  double a4;
+  T_destination_Heading_d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "own", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T_destination_Heading_d(result);
+}
+static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:by_places";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  correction_Parts a3;
+  scene_Scene a4;
+  T2_destination_Heading_ a5;
+  T2d a6;
+  destination_Heading result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
+        && take_tuple(args[4], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
+        && take_tuple(args[5], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 6), &a5.f0.tail)
+        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 6), &a5.f1.tail)
+        && take_tuple(args[6], law, "weights", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.f0)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.f1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4, a5, a6);
+  let_go(&held);
+  return give_destination_Heading(result);
+}
+static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:conclude";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  correction_Parts a4;
+  scene_Scene a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.distances)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.places)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.sequence)
+        && take_tuple(args[5], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.key)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.x)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.y)))
+    return let_go(&held);
+  predictors_adaptation_correction_conclude(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_fading(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:fading";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_fading(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_correction_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:fault";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_correction_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  T3d a2;
+  T3d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "now", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "start", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  predictors_adaptation_correction_follow(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:heading_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  T10d a2;
+  destination_Heading result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_heading_of(a0, a1, a2);
+  let_go(&held);
+  return give_destination_Heading(result);
+}
+static PyObject *py_predictors_adaptation_correction_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_correction_learn(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:learn_place";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  correction_Parts a3;
+  scene_Scene a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
+        && take_tuple(args[4], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)))
+    return let_go(&held);
+  predictors_adaptation_correction_learn_place(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:prepare";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  correction_Parts a3;
+  scene_Scene a4;
+  T2d a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "parts", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
+        && take_tuple(args[4], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
+        && take_tuple(args[5], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  predictors_adaptation_correction_prepare(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:record";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  stages_Moment a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "moment", 12)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.along)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.across)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.tail)
+        && take_double(PyTuple_GetItem(args[3], 10), &a3.left)
+        && take_double(PyTuple_GetItem(args[3], 11), &a3.reached)))
+    return let_go(&held);
+  predictors_adaptation_correction_record(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_state(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:state";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  scene_Scene a3;
+  double a4;
+  T2_T6d_ a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.f5)
+        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.f5)))
+    return let_go(&held);
+  predictors_adaptation_correction_state(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:with_centre_ahead";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  destination_Heading a2;
+  double a3;
+  double a4;
+  destination_Heading result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_destination_Heading(result);
+}
+static PyObject *py_predictors_adaptation_correction_write_mixture(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:write_mixture";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  scene_Scene a3;
+  int64_t a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_correction_write_mixture(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:candidates";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  destination_Heading a4;
+  Table a5;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
+        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
+        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_destination_combine(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:combine";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  destination_Heading a4;
+  destination_Heading result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
+        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
+        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)))
+    return let_go(&held);
+  result = predictors_adaptation_destination_combine(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_destination_Heading(result);
+}
+static PyObject *py_predictors_adaptation_destination_favour_near(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:favour_near";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_destination_favour_near(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_destination_geometric_median(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:geometric_median";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_geometric_median(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_destination_likelihood(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:likelihood";
+  Held held;
+  const Py_buffer *view;
+  destination_Heading a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_tuple(args[0], law, "law_of_end", 7)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.ux)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.uy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wide)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.broad)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.tail)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_destination_likelihood(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_destination_prepare(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:prepare";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T2q a1;
+  int64_t a2;
+  T3d a3;
+  T2d a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "known", 2)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_tuple(args[4], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
+    return let_go(&held);
+  predictors_adaptation_destination_prepare(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_destination_scaled(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:scaled";
+  Held held;
+  const Py_buffer *view;
+  destination_Heading a0;
+  double a1;
+  double a2;
+  double a3;
+  T6d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_tuple(args[0], law, "end", 7)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.ux)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.uy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wide)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.broad)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.tail)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_destination_scaled(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T6d(result);
+}
+static PyObject *py_predictors_adaptation_destination_shift_law(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:shift_law";
+  Held held;
+  const Py_buffer *view;
+  destination_Heading a0;
+  double a1;
+  double a2;
+  destination_Heading result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.ux)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.uy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wide)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.broad)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.tail)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_destination_shift_law(a0, a1, a2);
+  let_go(&held);
+  return give_destination_Heading(result);
+}
+static PyObject *py_predictors_adaptation_destination_spread_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:spread_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  T2d a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_destination_spread_of(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_destination_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.destination:weigh";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  destination_Heading a4;
+  T2d a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "law_of_end", 7)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
+        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
+        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
+        && take_tuple(args[5], law, "elsewhere", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_distances_age_weight(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:age_weight";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_distances_age_weight(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_distances_combine(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:combine";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  distances_Ahead a3;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "predicted", 4)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.ahead)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.tail)))
+    return let_go(&held);
+  result = predictors_adaptation_distances_combine(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_predictors_adaptation_distances_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:fault";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_distances_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_distances_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:judge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_adaptation_distances_judge(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_distances_likelihood(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:likelihood";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_distances_likelihood(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_distances_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.distances:remember";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_adaptation_distances_remember(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_durations_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:fault";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_durations_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_durations_forget(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:forget";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  predictors_adaptation_durations_forget(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_durations_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:judge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_durations_judge(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_durations_median(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:median";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_durations_median(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_durations_mix(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:mix";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_durations_mix(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_durations_mixture(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:mixture";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_durations_mixture(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_durations_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:remember";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_adaptation_durations_remember(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_durations_value_of_rank(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.durations:value_of_rank";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_durations_value_of_rank(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_blend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:blend";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "out", 'd', 2, true, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_blend(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_habits_count_following(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:count_following";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_habits_count_last(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:count_last";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_habits_count_often(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:count_often";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  Table a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_count_often(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_density_ratio(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:density_ratio";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_habits_density_ratio(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T3d a3;
+  T4d a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_tuple(args[4], law, "movement", 4)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_habits_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_habits_returns(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:returns";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_habits_returns(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_rule_weight(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:rule_weight";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_habits_rule_weight(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_share_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:share_visit";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Table a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "likely", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_habits_shares(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:shares";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  T3d a4;
+  Table a5;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "start", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_predictors_adaptation_habits_usual_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:usual_width";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_habits_usual_width(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_habits_width_weight(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.habits:width_weight";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_habits_width_weight(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_levels_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.levels:add";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_adaptation_levels_add(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_levels_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.levels:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  bool a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_bool(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_levels_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_levels_offset(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.levels:offset";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_levels_offset(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_levels_step_after(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.levels:step_after";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_adaptation_levels_step_after(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_mixed_region_claim(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.mixed_region:claim";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T6d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "elsewhere", 6)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)))
+    return let_go(&held);
+  predictors_adaptation_mixed_region_claim(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_mixed_region_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.mixed_region:judge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_mixed_region_likeliest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.mixed_region:likeliest";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_mixed_region_likeliest(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_mixed_region_write(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.mixed_region:write";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q a1;
+  int64_t a2;
+  int64_t a3;
+  T2d a4;
+  T2d a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "known", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_tuple(args[4], law, "origin", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_tuple(args[5], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.mixed_region:write_part";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T2d a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "centre", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_moments_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:moment_at";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  double a4;
+  int64_t a5;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  result = predictors_adaptation_moments_moment_at(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_moments_new_moment(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:new_moment";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  T3d a2;
+  int64_t a3;
+  int64_t a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_moments_new_moment(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_places_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.places:fault";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_places_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_places_nearest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.places:nearest";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T2d a3;
+  double a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "point", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_places_nearest(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_places_new_place(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.places:new_place";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_places_new_place(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_places_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.places:visit";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T2d a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_places_visit(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_places_visited(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.places:visited";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_places_visited(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_predictor_adapt(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:adapt";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  time_left_Pace a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_tuple(args[2], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.of_peak)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.slow_s)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_adapt(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_adaptation_predictor_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:conclude";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_adaptation_predictor_conclude(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_predictor_enter_scene(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:enter_scene";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  scene_Scene a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.key)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)))
+    return let_go(&held);
+  predictors_adaptation_predictor_enter_scene(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_predictor_last_end(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:last_end";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_last_end(a0, a1, a2);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:list_places";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_predictor_list_places(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:pace_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  records_MotionRow a1;
+  time_left_Pace result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "own", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_pace_of(a0, a1);
+  let_go(&held);
+  return give_time_left_Pace(result);
+}
+static PyObject *py_predictors_adaptation_predictor_parts_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:parts_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  correction_Parts result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_parts_of(a0);
+  let_go(&held);
+  return give_correction_Parts(result);
+}
+static PyObject *py_predictors_adaptation_predictor_scene_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:scene_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  scene_Scene result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_scene_of(a0);
+  let_go(&held);
+  return give_scene_Scene(result);
+}
+static PyObject *py_predictors_adaptation_predictor_sizes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:sizes";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_sizes(a0);
+  let_go(&held);
+  return give_T3q(result);
+}
+static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  Vector a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_array(&held, args[2], law, "coefficients", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_adaptation_predictor_write_mixture(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:write_mixture";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_predictor_write_mixture(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_region_widening_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.region_widening:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  T2d a3;
+  T2d a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "place_of_end", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
+    return let_go(&held);
+  predictors_adaptation_region_widening_learn(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_region_widening_probability_within(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.region_widening:probability_within";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_region_widening_probability_within(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_region_widening_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.region_widening:record";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  T6d a5;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "stated", 6)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
+        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
+        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)))
+    return let_go(&held);
+  result = predictors_adaptation_region_widening_record(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_adaptation_region_widening_widen(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.region_widening:widen";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_region_widening_widen(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_stages_belief(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:belief";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_belief(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_stages_bias(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:bias";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_bias(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_stages_bounded(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:bounded";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_bounded(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_stages_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:correct";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  T4d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_correct(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T4d(result);
+}
+static PyObject *py_predictors_adaptation_stages_interpolation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:interpolation";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_interpolation(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_stages_interpolation_among(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:interpolation_among";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  int64_t a1;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_interpolation_among(a0, a1);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_stages_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  stages_Moment a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 12)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
+        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
+        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_adaptation_stages_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:moment_at";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  stages_Moment result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_moment_at(a0, a1);
+  let_go(&held);
+  return give_stages_Moment(result);
+}
+static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:record";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  stages_Moment a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "moment", 12)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
+        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
+        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)))
+    return let_go(&held);
+  predictors_adaptation_stages_record(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_stages_scale(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:scale";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_adaptation_stages_scale(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_stages_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:solve";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  predictors_adaptation_stages_solve(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_stages_tempo(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:tempo";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_tempo(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_stages_tempo_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:tempo_factor";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_tempo_factor(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_stages_width_log(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:width_log";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_adaptation_stages_width_log(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_time_left_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:factor";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  Vector a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_time_left_factor(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_time_left_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:fault";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_time_left_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
+static PyObject *py_predictors_adaptation_time_left_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q a1;
+  T2d a2;
+  double a3;
+  Vector a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "place", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)
+        && take_array(&held, args[4], law, "prior", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_time_left_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:solve";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  Vector a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_adaptation_time_left_solve(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_time_left_stated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:stated";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q a1;
+  T3d a2;
+  double a3;
+  double a4;
+  time_left_Estimates a5;
+  time_left_Way a6;
+  time_left_Pace a7;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 8)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "place", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "estimates", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.mixed)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.predicted)
+        && take_tuple(args[6], law, "way", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.done)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.left)
+        && take_tuple(args[7], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[7], 0), &a7.of_peak)
+        && take_double(PyTuple_GetItem(args[7], 1), &a7.slow_s)))
+    return let_go(&held);
+  result = predictors_adaptation_time_left_stated(a0, a1, a2, a3, a4, a5, a6, a7);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_time_left_terms(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:terms";
+  Held held;
+  const Py_buffer *view;
+  time_left_Estimates a0;
+  time_left_Way a1;
+  time_left_Pace a2;
+  double a3;
+  double a4;
+  T7d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_tuple(args[0], law, "estimates", 2)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.mixed)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.predicted)
+        && take_tuple(args[1], law, "way", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.done)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.left)
+        && take_tuple(args[2], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.of_peak)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.slow_s)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_adaptation_time_left_terms(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T7d(result);
+}
+static PyObject *py_predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.delphian:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_delphian_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.hold:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_hold_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_kalman_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kalman:correct";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_kalman_correct(a0, a1, a2);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_predictors_kalman_expect(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kalman:expect";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  predictors_kalman_expect(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kalman_expect_rest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kalman:expect_rest";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_kalman_expect_rest(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kalman:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_kalman_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_kep_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:add";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_kep_add(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kep_bends(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:bends";
+  Held held;
+  const Py_buffer *view;
+  kep_Quartic a0;
+  double a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "p", 5)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.c0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.c1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.c2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.c3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.c4)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_kep_bends(a0, a1);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_kep_derivative(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:derivative";
+  Held held;
+  const Py_buffer *view;
+  kep_Quartic a0;
+  kep_Quartic result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_tuple(args[0], law, "p", 5)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.c0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.c1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.c2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.c3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.c4)))
+    return let_go(&held);
+  result = predictors_kep_derivative(a0);
+  let_go(&held);
+  return give_kep_Quartic(result);
+}
+static PyObject *py_predictors_kep_first_zero(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:first_zero";
+  Held held;
+  const Py_buffer *view;
+  kep_Quartic a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "p", 5)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.c0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.c1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.c2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.c3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.c4)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_kep_first_zero(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kep_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:judge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  predictors_kep_judge(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kep_remaining(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:remaining";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_kep_remaining(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_kep_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_kep_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:value";
+  Held held;
+  const Py_buffer *view;
+  kep_Quartic a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "p", 5)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.c0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.c1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.c2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.c3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.c4)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_kep_value(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kep_zero_between(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kep:zero_between";
+  Held held;
+  const Py_buffer *view;
+  kep_Quartic a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "p", 5)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.c0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.c1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.c2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.c3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.c4)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_kep_zero_between(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kinematic_features_ahead(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:ahead";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_kinematic_features_ahead(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kinematic_features_direction(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:direction";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_kinematic_features_direction(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_kinematic_features_fill_lags(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:fill_lags";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  features_Frame a3;
+  Vector a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_tuple(args[3], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_kinematic_features_fill_lags(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:fill_pace";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  records_MotionRow a3;
+  features_Frame a4;
+  Vector a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_tuple(args[3], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
+        && take_tuple(args[4], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.reach)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.hand)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
+        && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:fill_shape";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  features_Frame a3;
+  Vector a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_tuple(args[3], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_kinematic_features_fill_shape(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  Tq_history_Point_ result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+    return let_go(&held);
+  result = predictors_kinematic_features_follow(a0, a1, a2);
+  let_go(&held);
+  return give_Tq_history_Point_(result);
+}
+static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  records_MotionRow a3;
+  features_Frame result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_tuple(args[3], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)))
+    return let_go(&held);
+  result = predictors_kinematic_features_frame_of(a0, a1, a2, a3);
+  let_go(&held);
+  return give_features_Frame(result);
+}
+static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:observe";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  Vector a3;
+  Tq_features_Frame_ result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_features_observe(a0, a1, a2, a3);
+  let_go(&held);
+  return give_Tq_features_Frame_(result);
+}
+static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:observe_all";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  FlagVector a1;
+  Table a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "begin", 'b', 1, false, &view)
+        && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "frames", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_kinematic_features_observe_all(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_features_rewind(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:rewind";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  bool a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_bool(args[2], &a2)))
+    return let_go(&held);
+  predictors_kinematic_features_rewind(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_history_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.history:begin";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  predictors_kinematic_history_begin(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.history:extend";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  T3d a2;
+  T3d a3;
+  history_Point result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "last", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "now", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  result = predictors_kinematic_history_extend(a0, a1, a2, a3);
+  let_go(&held);
+  return give_history_Point(result);
+}
+static PyObject *py_predictors_kinematic_history_past(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.history:past";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  double a3;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "now", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_kinematic_history_past(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_predictors_kinematic_network_activate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.network:activate";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "sums", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_kinematic_network_activate(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_network_evaluate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.network:evaluate";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "coefficients", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "values", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_network_evaluate(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_kinematic_network_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.network:factor";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_kinematic_network_factor(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kinematic_network_layer(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.network:layer";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  Vector a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "inputs", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "sums", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_network_layer(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_kinematic_network_side(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.network:side";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_network_side(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kinematic_predictor_bounded_exp(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.predictor:bounded_exp";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  T2d a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "bounds", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)))
+    return let_go(&held);
+  result = predictors_kinematic_predictor_bounded_exp(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_kinematic_predictor_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.predictor:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_predictor_follow(a0, a1, a2);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.predictor:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  Vector a2;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_array(&held, args[2], law, "coefficients", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_kinematic_predictor_step(a0, a1, a2);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_kinematic_submovements_divide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.submovements:divide";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_kinematic_submovements_divide(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.track:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  history_Point a2;
+  records_MotionRow a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
+        && take_tuple(args[3], law, "hand", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_kinematic_track_advance(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:conclude";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_ktm_conclude(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_counts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:counts";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_ktm_counts(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:distance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_ktm_distance(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_ktm_fill(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:fill";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_ktm_fill(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_keep(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:keep";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_ktm_keep(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_resample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:resample";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  predictors_ktm_resample(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_sample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:sample";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  predictors_ktm_sample(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_samples_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:samples_of";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_ktm_samples_of(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:score";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  int64_t a4;
+  int64_t a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  predictors_ktm_score(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_ktm_sizes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:sizes";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_ktm_sizes(a0);
+  let_go(&held);
+  return give_T3q(result);
+}
+static PyObject *py_predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_ktm_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_ktm_template(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:template";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_ktm_template(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_template_count(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:template_count";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_ktm_template_count(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_winner(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:winner";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_ktm_winner(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_linear_before(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.linear:before";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  Tb3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_linear_before(a0, a1);
+  let_go(&held);
+  return give_Tb3d(result);
+}
+static PyObject *py_predictors_linear_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.linear:remember";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  predictors_linear_remember(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.linear:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_linear_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_minimum_jerk_progress(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.minimum_jerk:progress";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_minimum_jerk_progress(a0);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.minimum_jerk:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_minimum_jerk_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_mixture_content(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:content";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  int64_t a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_content(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_corrected_probability(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:corrected_probability";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_mixture_corrected_probability(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_corrected_radius(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:corrected_radius";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_mixture_corrected_radius(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_crossing(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:crossing";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  T3d a3;
+  T3d a4;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "one", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_tuple(args[4], law, "other", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_crossing(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_mixture_densities(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:densities";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_mixture_densities(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_mixture_density(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:density";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_density(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_edge_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:edge_of";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_mixture_edge_of(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_mixture_follow_cells(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:follow_cells";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  int64_t a2;
+  int64_t a3;
+  Vector a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "heights", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "middles", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_array(&held, args[4], law, "following", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS predictors_mixture_follow_cells(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_mixture_heaviness(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:heaviness";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_mixture_heaviness(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_height(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:height";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_height(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_lines_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:lines_of";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  Vector a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_lines_of(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_mixture_outlines(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:outlines";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  Table a3;
+  Vector a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "points", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "ends", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_outlines(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_mixture_part_density(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:part_density";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_part_density(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_partner(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:partner";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "sides", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = predictors_mixture_partner(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_mixture_reach(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:reach";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_reach(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_share_above(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:share_above";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  Table a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[3], law, "known", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_share_above(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_squared_radius(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:squared_radius";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_mixture_squared_radius(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_squared_radius_over_tail(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:squared_radius_over_tail";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_mixture_squared_radius_over_tail(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_mixture_threshold_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:threshold_of";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_threshold_of(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.movement:fault_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+    return let_go(&held);
+  result = predictors_movement_fault_of(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.movement:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  Tqbd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+    return let_go(&held);
+  result = predictors_movement_follow(a0, a1, a2);
+  let_go(&held);
+  return give_Tqbd(result);
+}
+static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.movement:phase";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+    return let_go(&held);
+  result = predictors_movement_phase(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.movement:refuse";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  records_MotionRow a2;
+  int64_t a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_movement_refuse(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_switched_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = predictors_switched_advance(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_switched_direction_approach(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:approach";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = predictors_switched_direction_approach(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_switched_direction_begin_submovement(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:begin_submovement";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  predictors_switched_direction_begin_submovement(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_switched_direction_follow_submovement(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:follow_submovement";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  predictors_switched_direction_follow_submovement(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_switched_direction_gain(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:gain";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = predictors_switched_direction_gain(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_switched_direction_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_predictors_switched_direction_time_constant(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched_direction:time_constant";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_switched_direction_time_constant(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.switched:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "motion", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = predictors_switched_step(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_records_endpoint(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.records:endpoint";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = records_endpoint(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_records_event_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.records:event_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T6d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = records_event_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T6d(result);
+}
+static PyObject *py_records_fault_of_event(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.records:fault_of_event";
+  Held held;
+  const Py_buffer *view;
+  records_EventRow a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_tuple(args[0], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.dx)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.dy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.buttons)))
+    return let_go(&held);
+  result = records_fault_of_event(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_records_refused(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.records:refused";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  double a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = records_refused(a0, a1);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_records_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.records:row_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = records_row_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_regions_reach(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regions:reach";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = regions_reach(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_delay_capacity(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.delay:capacity";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regression_delay_capacity(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_delay_find(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.delay:find";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  Tb2qd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = regression_delay_find(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_Tb2qd(result);
+}
+static PyObject *py_regression_delay_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.delay:push";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  double a5;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = regression_delay_push(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_delay_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.delay:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regression_delay_states(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_drem_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  T2d a5;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "sample", 2)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  result = regression_drem_advance(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_regression_drem_determinant(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:determinant";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = regression_drem_determinant(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_drem_estimates(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:estimates";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regression_drem_estimates(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_drem_extend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:extend";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = regression_drem_extend(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_regression_drem_mix(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:mix";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t a4;
+  int64_t a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  result = regression_drem_mix(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_drem_mix3(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:mix3";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = regression_drem_mix3(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_drem_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:remember";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  double a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = regression_drem_remember(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_drem_ring(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:ring";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regression_drem_ring(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_drem_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regression_drem_states(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_drem_work(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:work";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regression_drem_work(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_gradient_descend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.gradient:descend";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = regression_gradient_descend(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_gradient_descend_along(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.gradient:descend_along";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3q a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "at", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  regression_gradient_descend_along(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regression_least_squares_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  regression_least_squares_advance(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regression_least_squares_excitation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:excitation";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = regression_least_squares_excitation(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_least_squares_root(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:root";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regression_least_squares_root(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_least_squares_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:solve";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  int64_t a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  result = regression_least_squares_solve(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_regression_least_squares_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regression_least_squares_states(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.endpoint:hits";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  WholeVector a2;
+  WholeVector a3;
+  Table a4;
+  Vector a5;
+  Table a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
+        && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "discs", 'd', 2, false, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[5], law, "shares", 'd', 1, true, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[6], law, "out", 'd', 2, true, &view)
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_hits(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_endpoint_measure(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.endpoint:measure";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Vector a2;
+  WholeVector a3;
+  WholeVector a4;
+  Table a5;
+  WholeVector a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "fractions", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "offsets", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "arrivals", 'q', 1, false, &view)
+        && (a4 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[6], law, "faults", 'q', 1, true, &view)
+        && (a6 = (WholeVector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_measure(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_endpoint_measure_trial(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.endpoint:measure_trial";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Vector a2;
+  int64_t a3;
+  Vector a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "fractions", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[3], &a3)
+        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_measures_endpoint_measure_trial(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_measures_endpoint_moments(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.endpoint:moments";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  Vector a4;
+  WholeVector a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_array(&held, args[4], law, "shares", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[5], law, "out", 'q', 1, true, &view)
+        && (a5 = (WholeVector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_moments(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_regions_axis_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:axis_score";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = scoring_measures_regions_axis_score(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_beta_fraction(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:beta_fraction";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = scoring_measures_regions_beta_fraction(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_calibrate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:calibrate";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  WholeVector a2;
+  WholeVector a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
+        && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_regions_calibrate(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_regions_distribution(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:distribution";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = scoring_measures_regions_distribution(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_incomplete_beta(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:incomplete_beta";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = scoring_measures_regions_incomplete_beta(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_inside_by_time(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:inside_by_time";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  WholeVector a2;
+  WholeVector a3;
+  Vector a4;
+  Table a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
+        && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "shares", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_regions_inside_by_time(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_regions_log_beta(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:log_beta";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = scoring_measures_regions_log_beta(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_ranked_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:ranked_score";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = scoring_measures_regions_ranked_score(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_student_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:student_score";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = scoring_measures_regions_student_score(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_regions_surprise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.regions:surprise";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = scoring_measures_regions_surprise(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_scoring_measures_time_left_inside_by_time(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.time_left:inside_by_time";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  WholeVector a2;
+  WholeVector a3;
+  Vector a4;
+  Table a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
+        && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "shares", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_time_left_inside_by_time(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_time_left_time_left(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.time_left:time_left";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  WholeVector a2;
+  WholeVector a3;
+  double a4;
+  Table a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
+        && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
+        && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_measures_time_left_time_left(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_measures_time_left_within(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.measures.time_left:within";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = scoring_measures_time_left_within(a0, a1, a2, a3);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_scoring_summary_sums_add_trials(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.summary.sums:add_trials";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  WholeVector a1;
+  FlagVector a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "columns", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "person", 'q', 1, false, &view)
+        && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "inside", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "sums", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_summary_sums_add_trials(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_target_choice_account(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.target_choice:account";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Table a2;
+  Table a3;
+  int64_t a4;
+  double a5;
+  double a6;
+  double a7;
+  Vector a8;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 9)
+        && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shares", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[4], &a4)
+        && take_double(args[5], &a5)
+        && take_double(args[6], &a6)
+        && take_double(args[7], &a7)
+        && take_array(&held, args[8], law, "out", 'd', 1, true, &view)
+        && (a8 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_target_choice_account(a0, a1, a2, a3, a4, a5, a6, a7, a8); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_target_choice_nearest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.target_choice:nearest";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_target_choice_nearest(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_target_choice_read(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.target_choice:read";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Table a2;
+  int64_t a3;
+  int64_t a4;
+  Vector a5;
+  Table a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "shares", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_array(&held, args[5], law, "fractions", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[6], law, "out", 'd', 2, true, &view)
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_target_choice_read(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.target_choice:weigh";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Table a2;
+  Vector a3;
+  double a4;
+  Table a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "shares", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_target_choice_weigh(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_trials_cut(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:cut";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  WholeVector a1;
+  WholeTable a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
+        && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'q', 2, true, &view)
+        && (a2 = (WholeTable){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_trials_cut(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_trials_departure(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:departure";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_departure(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_trials_divide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:divide";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  WholeVector a1;
+  FlagVector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "motions", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
+        && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'b', 1, true, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_trials_divide(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_trials_divided(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:divided";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "motions", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_divided(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_scoring_trials_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:fault";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  T2q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_fault(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T2q(result);
+}
+static PyObject *py_scoring_trials_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:judge";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  WholeVector a1;
+  FlagVector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
+        && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'b', 1, true, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS scoring_trials_judge(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_scoring_trials_selection(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:selection";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_selection(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_trials_settling(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:settling";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_settling(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_scoring_trials_straight_through(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.scoring.trials:straight_through";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  int64_t a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = scoring_trials_straight_through(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:acceleration";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  loop_Place a2;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "place", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.u)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.v)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.vy)))
+    return let_go(&held);
+  result = simulation_loop_acceleration(a0, a1, a2);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  simulation_loop_advance(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:assist";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = simulation_loop_assist(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_ballistic_force(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:ballistic_force";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = simulation_loop_ballistic_force(a0, a1);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:correct";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  simulation_loop_correct(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_simulation_loop_count(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:count";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = simulation_loop_count(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_simulation_loop_cursor_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:cursor_distance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = simulation_loop_cursor_distance(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_simulation_loop_cursor_in_mind(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:cursor_in_mind";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = simulation_loop_cursor_in_mind(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_cursor_rate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:cursor_rate";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = simulation_loop_cursor_rate(a0, a1, a2);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_decide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:decide";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  simulation_loop_decide(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_simulation_loop_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:enter";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  simulation_loop_enter(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_simulation_loop_hand_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:hand_distance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = simulation_loop_hand_distance(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_simulation_loop_launch(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:launch";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  simulation_loop_launch(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:play";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  Table a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = simulation_loop_play(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_simulation_loop_profile(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:profile";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = simulation_loop_profile(a0, a1);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_simulation_loop_report(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:report";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = simulation_loop_report(a0, a1, a2);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_simulation_loop_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.loop:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T5d a1;
+  T14d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "chance", 5)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)))
+    return let_go(&held);
+  result = simulation_loop_step(a0, a1);
+  let_go(&held);
+  return give_T14d(result);
+}
+static PyObject *py_stage_copy_values(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:copy_values";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  stage_copy_values(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_stage_first_refused(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:first_refused";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "answers", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = stage_first_refused(a0); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_stage_learn_nothing(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:learn_nothing";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  stage_learn_nothing(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_choice_law_changes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:changes";
+  Held held;
+  const Py_buffer *view;
+  T2q a0;
+  T2q a1;
+  T4q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "before", 2)
+        && take_int64_t(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_int64_t(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_tuple(args[1], law, "now", 2)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)))
+    return let_go(&held);
+  result = targets_choice_law_changes(a0, a1);
+  let_go(&held);
+  return give_T4q(result);
+}
+static PyObject *py_targets_choice_law_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:enter";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  double a2;
+  double a3;
+  bool a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "inside", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_bool(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_enter(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_holder(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:holder";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_holder(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:innermost";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "inside", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_innermost(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:propose";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T4d a1;
+  bool a2;
+  double a3;
+  T_Table_2_Vector_ a4;
+  Vector a5;
+  int64_t a6;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_bool(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "targets", 'd', 2, true, &view)
+        && (a4.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "targets", 'd', 1, true, &view)
+        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 1, true, &view)
+        && (a4.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[5], law, "settings", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[6], &a6)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_propose(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3q(result);
+}
+static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T4d a1;
+  T10d a2;
+  T_Table_2_Vector_ a3;
+  T2_Vector_ a4;
+  int64_t a5;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_tuple(args[2], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
+        && take_tuple(args[3], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
+        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[4], law, "model", 2)
+        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
+        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
+        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3q(result);
+}
+static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:step_with_shares";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T4d a1;
+  double a2;
+  T_Table_2_Vector_ a3;
+  Vector a4;
+  int64_t a5;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
+        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "settings", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step_with_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3q(result);
+}
+static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:unusable";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_unusable(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:walk";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3_Table_ a1;
+  int64_t a2;
+  T_Table_2_Vector_ a3;
+  T2_Vector_ a4;
+  T2q a5;
+  T4q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "tables", 3)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "tables", 'd', 2, true, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "tables", 'd', 2, true, &view)
+        && (a1.f1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "tables", 'd', 2, true, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[2], &a2)
+        && take_tuple(args[3], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
+        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[4], law, "model", 2)
+        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
+        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
+        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[5], law, "proposed", 2)
+        && take_int64_t(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_int64_t(PyTuple_GetItem(args[5], 1), &a5.f1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T4q(result);
+}
+static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.cursor:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_cursor_follow(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_targets_cursor_until(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.cursor:until";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_cursor_until(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_cursor_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.cursor:usable";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = targets_cursor_usable(a0, a1, a2);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_targets_decision_decide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.decision:decide";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  Vector a2;
+  int64_t a3;
+  double a4;
+  T4d a5;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_tuple(args[5], law, "bounds", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_decision_decide(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_decision_early(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.decision:early";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  double a2;
+  double a3;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = targets_decision_early(a0, a1, a2, a3);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_targets_decision_likeliest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.decision:likeliest";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "shares", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = targets_decision_likeliest(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_decision_rank(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.decision:rank";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "shares", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "order", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  targets_decision_rank(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.expectation:expect";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  Table a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, true, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "known", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_expectation_expect(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_expectation_target_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.expectation:target_of";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "place", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_expectation_target_of(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:begin";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_begin(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:close";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  double a2;
+  int64_t a3;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_ledger_close(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:enter";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  double a2;
+  int64_t a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_enter(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:propose";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  double a2;
+  int64_t a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_propose(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:withdraw";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  int64_t a2;
+  bool a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_bool(args[3], &a3)))
+    return let_go(&held);
+  targets_ledger_withdraw(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_posterior_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:bend";
+  Held held;
+  const Py_buffer *view;
+  T2d a0;
+  T2d a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_tuple(args[0], law, "u", 2)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_tuple(args[1], law, "g", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = targets_posterior_bend(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:feature";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  posterior_Situation a1;
+  posterior_Law a2;
+  bool a3;
+  T6d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "now", 8)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.trail_x)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.trail_y)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.log_way)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.log_sweep)
+        && take_tuple(args[2], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.sxx)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.sxy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
+        && take_bool(args[3], &a3)))
+    return let_go(&held);
+  result = targets_posterior_feature(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T6d(result);
+}
+static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:features";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  posterior_Law a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_tuple(args[2], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.sxx)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.sxy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_posterior_features(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_posterior_lawful(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:lawful";
+  Held held;
+  const Py_buffer *view;
+  posterior_Law a0;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_tuple(args[0], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.sxx)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.sxy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.syy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.tail)))
+    return let_go(&held);
+  result = targets_posterior_lawful(a0);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_targets_posterior_normalise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:normalise";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "out", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  targets_posterior_normalise(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:scores";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  T10d a2;
+  Vector a3;
+  double a4;
+  Vector a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_tuple(args[2], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
+        && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_posterior_scores(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:situation";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  posterior_Situation result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = targets_posterior_situation(a0);
+  let_go(&held);
+  return give_posterior_Situation(result);
+}
+static PyObject *py_targets_posterior_unclaimed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:unclaimed";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = targets_posterior_unclaimed(a0, a1, a2);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:begin";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "fired", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_prefetch_begin(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_prefetch_contact(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:contact";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  Vector a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_array(&held, args[4], law, "row", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = targets_prefetch_contact(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_prefetch_inside(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:inside";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = targets_prefetch_inside(a0, a1, a2);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_targets_prefetch_log_odds(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:log_odds";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = targets_prefetch_log_odds(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T_Table_3_Vector_ a1;
+  Vector a2;
+  Vector a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 1, true, &view)
+        && (a1.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "settings", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_prefetch_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:urgency";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "settings", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = targets_prefetch_urgency(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_prefetch_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:visit";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  Table a2;
+  Vector a3;
+  Vector a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "shares", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_prefetch_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_targets_rectangle_mass_enough(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:enough";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = targets_rectangle_mass_enough(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_rectangle_mass_log_density(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:log_density";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = targets_rectangle_mass_log_density(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_rectangle_mass_log_mass(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:log_mass";
+  Held held;
+  const Py_buffer *view;
+  T4d a0;
+  T4d a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "rectangle", 4)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.f2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.f3)
+        && take_tuple(args[1], law, "spread", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)))
+    return let_go(&held);
+  result = targets_rectangle_mass_log_mass(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_rectangle_mass_node_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:node_sum";
+  Held held;
+  const Py_buffer *view;
+  rectangle_mass_Distance a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "distance", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = targets_rectangle_mass_node_sum(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_rectangle_mass_normal_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:normal_sum";
+  Held held;
+  const Py_buffer *view;
+  rectangle_mass_Distance a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_tuple(args[0], law, "distance", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)))
+    return let_go(&held);
+  result = targets_rectangle_mass_normal_sum(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_rectangle_mass_student_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangle_mass:student_sum";
+  Held held;
+  const Py_buffer *view;
+  rectangle_mass_Distance a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "distance", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = targets_rectangle_mass_student_sum(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_rectangles_complete(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangles:complete";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "rows", 'd', 2, true, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_rectangles_complete(a0); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_training_calibration_fill_reaches(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.training.calibration:fill_reaches";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_array(&held, args[1], law, "tail", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "far", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  training_calibration_fill_reaches(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_assistance_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:add";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  T2d a4;
+  T5d a5;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_tuple(args[5], law, "way", 5)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
+        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)))
+    return let_go(&held);
+  result = transfer_assistance_add(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_transfer_assistance_assisted_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:assisted_step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T5d a1;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "report", 5)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)))
+    return let_go(&held);
+  result = transfer_assistance_assisted_step(a0, a1);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_transfer_assistance_guarded_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:guarded_step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T8d a1;
+  T5d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "report", 8)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)))
+    return let_go(&held);
+  result = transfer_assistance_guarded_step(a0, a1);
+  let_go(&held);
+  return give_T5d(result);
+}
+static PyObject *py_transfer_assistance_guide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:guide";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T2d a3;
+  T5d a4;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "way", 5)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.f4)))
+    return let_go(&held);
+  result = transfer_assistance_guide(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_transfer_assistance_guided_report_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:guided_report_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T8d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = transfer_assistance_guided_report_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T8d(result);
+}
+static PyObject *py_transfer_assistance_offset_report_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:offset_report_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T5d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = transfer_assistance_offset_report_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T5d(result);
+}
+static PyObject *py_transfer_assistance_pull(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:pull";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = transfer_assistance_pull(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_transfer_assistance_spread(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.assistance:spread";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = transfer_assistance_spread(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_transfer_bands_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.bands:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  bands_Model a2;
+  double a3;
+  int64_t a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "model", 3)
+        && take_int64_t(PyTuple_GetItem(args[2], 0), &a2.n)
+        && take_int64_t(PyTuple_GetItem(args[2], 1), &a2.linear)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.forgetting)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  transfer_bands_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_bands_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.bands:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = transfer_bands_states(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_transfer_functions_cursor_speed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.functions:cursor_speed";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = transfer_functions_cursor_speed(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_transfer_functions_evaluate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.functions:evaluate";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  bool a2;
+  Vector a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "speeds", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_bool(args[2], &a2)
+        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  transfer_functions_evaluate(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_functions_gain(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.functions:gain";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = transfer_functions_gain(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_transfer_identification_event_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:event_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T6d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = transfer_identification_event_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T6d(result);
+}
+static PyObject *py_transfer_identification_gather(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:gather";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  transfer_identification_gather(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_identification_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:learn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  transfer_identification_learn(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_identification_learn_speeds(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:learn_speeds";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  transfer_identification_learn_speeds(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_identification_open_window(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:open_window";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  transfer_identification_open_window(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_identification_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.identification:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T6d a1;
+  Td result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)))
+    return let_go(&held);
+  result = transfer_identification_step(a0, a1);
+  let_go(&held);
+  return give_Td(result);
+}
+static PyObject *py_transfer_pixels_accept(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:accept";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  Tbd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = transfer_pixels_accept(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_Tbd(result);
+}
+static PyObject *py_transfer_pixels_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:carry";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = transfer_pixels_carry(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_transfer_pixels_lay_out(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:lay_out";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  T4d a2;
+  Vector a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "device", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_array(&held, args[3], law, "function", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  transfer_pixels_lay_out(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_transfer_pixels_report_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:report_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = transfer_pixels_report_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_transfer_pixels_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T3d a1;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "report", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)))
+    return let_go(&held);
+  result = transfer_pixels_step(a0, a1);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_transfer_pixels_turn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.transfer.pixels:turn";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = transfer_pixels_turn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyMethodDef methods[] = {
+  {"pointpred.differentiators.difference:advance", (PyCFunction)(void (*)(void))py_differentiators_difference_advance, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.difference:step", (PyCFunction)(void (*)(void))py_differentiators_difference_step, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:advance", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_advance, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:chatter", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_chatter, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:fill", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_fill, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:place_poles", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_place_poles, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:settle", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_settle, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:settling", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_settling, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.homogeneous:step", (PyCFunction)(void (*)(void))py_differentiators_homogeneous_step, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:correct", (PyCFunction)(void (*)(void))py_differentiators_kalman_correct, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:fill", (PyCFunction)(void (*)(void))py_differentiators_kalman_fill, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:follow", (PyCFunction)(void (*)(void))py_differentiators_kalman_follow, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:narrow", (PyCFunction)(void (*)(void))py_differentiators_kalman_narrow, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:predict", (PyCFunction)(void (*)(void))py_differentiators_kalman_predict, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:restart", (PyCFunction)(void (*)(void))py_differentiators_kalman_restart, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:settle_s", (PyCFunction)(void (*)(void))py_differentiators_kalman_settle_s, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:spread", (PyCFunction)(void (*)(void))py_differentiators_kalman_spread, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.kalman:step", (PyCFunction)(void (*)(void))py_differentiators_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.sampling:accept", (PyCFunction)(void (*)(void))py_differentiators_sampling_accept, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.sampling:fill", (PyCFunction)(void (*)(void))py_differentiators_sampling_fill, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.sampling:motion", (PyCFunction)(void (*)(void))py_differentiators_sampling_motion, METH_FASTCALL, NULL},
+  {"pointpred.differentiators.sampling:settled", (PyCFunction)(void (*)(void))py_differentiators_sampling_settled, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_follow__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_follow__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_follow__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_follow__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_follow__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_follow__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_follow__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_follow__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_follow__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:_following (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_follow__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.difference:step) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_difference_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_homogeneous_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:joint_of (pointpred.differentiators.kalman:step) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_joint__differentiators_kalman_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_delphian_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_hold_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_kalman_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_kep_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_ktm_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_linear_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_switched_direction_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__follow__predictors_switched_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.difference:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_difference_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_delphian_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_hold_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_kalman_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_kep_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_ktm_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_linear_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_switched_direction_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__follow__predictors_switched_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.homogeneous:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_homogeneous_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.adaptation.predictor:step)) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_adaptation_predictor_step__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.delphian:step)) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_delphian_step__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.hold:step)) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_hold_step__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.kalman:step)) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_kalman_step__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.kep:step)) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_kep_step__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.ktm:step)) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.linear:step)) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_linear_step__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.minimum_jerk:step)) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.switched_direction:step)) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_switched_direction_step__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.pipeline:_following (pointpred.predictors.switched:step)) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__follow__predictors_switched_step__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.pipeline:last_of (pointpred.differentiators.kalman:step) (pointpred.predictors.kinematic.predictor:follow) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_last__differentiators_kalman_step__predictors_kinematic_predictor_follow__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.predictors.adaptation.predictor:conclude) (pointpred.records:row_at) (pointpred.predictors.adaptation.predictor:step)", (PyCFunction)(void (*)(void))py_loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.predictors.ktm:conclude) (pointpred.records:row_at) (pointpred.predictors.ktm:step)", (PyCFunction)(void (*)(void))py_loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.difference:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_event_at__differentiators_difference_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.homogeneous:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.kalman:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_event_at__differentiators_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.delphian:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.hold:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kalman:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kep:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kinematic.predictor:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.linear:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.minimum_jerk:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched_direction:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__records_row_at__predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.transfer.assistance:guided_report_at) (pointpred.transfer.assistance:guarded_step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__transfer_assistance_guided_report_at__transfer_assistance_guarded_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.arrival_intervals:judge", (PyCFunction)(void (*)(void))py_predictors_adaptation_arrival_intervals_judge, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.arrival_intervals:next_step", (PyCFunction)(void (*)(void))py_predictors_adaptation_arrival_intervals_next_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.arrival_intervals:spread", (PyCFunction)(void (*)(void))py_predictors_adaptation_arrival_intervals_spread, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:adapt", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_adapt, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:adapted_end", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_adapted_end, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:ahead_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_ahead_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:arrival", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_arrival, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:by_distances", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_by_distances, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:by_places", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_by_places, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:conclude", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_conclude, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:fading", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_fading, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_fault, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:follow", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_follow, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:heading_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_heading_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:learn_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn_place, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:prepare", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_prepare, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_record, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:state", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_state, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:with_centre_ahead", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_with_centre_ahead, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_write_mixture, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:candidates", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_candidates, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:combine", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_combine, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:favour_near", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_favour_near, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:geometric_median", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_geometric_median, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:likelihood", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_likelihood, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:prepare", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_prepare, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:scaled", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_scaled, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:shift_law", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_shift_law, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:spread_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_spread_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.destination:weigh", (PyCFunction)(void (*)(void))py_predictors_adaptation_destination_weigh, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:age_weight", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_age_weight, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:combine", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_combine, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_fault, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:judge", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_judge, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:likelihood", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_likelihood, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.distances:remember", (PyCFunction)(void (*)(void))py_predictors_adaptation_distances_remember, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_fault, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:forget", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_forget, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:judge", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_judge, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:median", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_median, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:mix", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_mix, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_mixture, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:remember", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_remember, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.durations:value_of_rank", (PyCFunction)(void (*)(void))py_predictors_adaptation_durations_value_of_rank, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:blend", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_blend, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:count_following", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_count_following, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:count_last", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_count_last, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:count_often", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_count_often, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:density_ratio", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_density_ratio, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:returns", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_returns, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:rule_weight", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_rule_weight, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:share_visit", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_share_visit, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:shares", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_shares, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:usual_width", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_usual_width, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.habits:width_weight", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_width_weight, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.levels:add", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_add, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.levels:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.levels:offset", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_offset, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.levels:step_after", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_step_after, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.mixed_region:claim", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_claim, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.mixed_region:judge", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_judge, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.mixed_region:likeliest", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_likeliest, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.mixed_region:write", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.mixed_region:write_part", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write_part, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_moment_at, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:new_moment", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_new_moment, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.places:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_fault, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.places:nearest", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_nearest, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.places:new_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_new_place, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.places:visit", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visit, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.places:visited", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visited, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:adapt", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_adapt, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:conclude", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_conclude, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:enter_scene", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_enter_scene, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:last_end", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_last_end, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:list_places", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_list_places, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:pace_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_pace_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:parts_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_parts_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:scene_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_scene_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:sizes", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_sizes, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:step", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_write_mixture, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.region_widening:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_region_widening_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.region_widening:probability_within", (PyCFunction)(void (*)(void))py_predictors_adaptation_region_widening_probability_within, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.region_widening:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_region_widening_record, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.region_widening:widen", (PyCFunction)(void (*)(void))py_predictors_adaptation_region_widening_widen, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:belief", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_belief, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:bias", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bias, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:bounded", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bounded, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:correct", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_correct, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:interpolation", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:interpolation_among", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation_among, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_moment_at, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_record, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:scale", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_scale, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_solve, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:tempo", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_tempo, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:tempo_factor", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_tempo_factor, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:width_log", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_width_log, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:factor", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_factor, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_fault, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_solve, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:stated", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_stated, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:terms", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_terms, METH_FASTCALL, NULL},
+  {"pointpred.predictors.delphian:step", (PyCFunction)(void (*)(void))py_predictors_delphian_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.hold:step", (PyCFunction)(void (*)(void))py_predictors_hold_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kalman:correct", (PyCFunction)(void (*)(void))py_predictors_kalman_correct, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kalman:expect", (PyCFunction)(void (*)(void))py_predictors_kalman_expect, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kalman:expect_rest", (PyCFunction)(void (*)(void))py_predictors_kalman_expect_rest, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kalman:step", (PyCFunction)(void (*)(void))py_predictors_kalman_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:add", (PyCFunction)(void (*)(void))py_predictors_kep_add, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:bends", (PyCFunction)(void (*)(void))py_predictors_kep_bends, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:derivative", (PyCFunction)(void (*)(void))py_predictors_kep_derivative, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:first_zero", (PyCFunction)(void (*)(void))py_predictors_kep_first_zero, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:judge", (PyCFunction)(void (*)(void))py_predictors_kep_judge, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:remaining", (PyCFunction)(void (*)(void))py_predictors_kep_remaining, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:step", (PyCFunction)(void (*)(void))py_predictors_kep_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:value", (PyCFunction)(void (*)(void))py_predictors_kep_value, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kep:zero_between", (PyCFunction)(void (*)(void))py_predictors_kep_zero_between, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:ahead", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_ahead, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:direction", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_direction, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:fill_lags", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_fill_lags, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:fill_pace", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_fill_pace, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:fill_shape", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_fill_shape, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:follow", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_follow, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:frame_of", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_frame_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:observe", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_observe, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:observe_all", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_observe_all, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.features:rewind", (PyCFunction)(void (*)(void))py_predictors_kinematic_features_rewind, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.history:begin", (PyCFunction)(void (*)(void))py_predictors_kinematic_history_begin, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.history:extend", (PyCFunction)(void (*)(void))py_predictors_kinematic_history_extend, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.history:past", (PyCFunction)(void (*)(void))py_predictors_kinematic_history_past, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.network:activate", (PyCFunction)(void (*)(void))py_predictors_kinematic_network_activate, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.network:evaluate", (PyCFunction)(void (*)(void))py_predictors_kinematic_network_evaluate, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.network:factor", (PyCFunction)(void (*)(void))py_predictors_kinematic_network_factor, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.network:layer", (PyCFunction)(void (*)(void))py_predictors_kinematic_network_layer, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.network:side", (PyCFunction)(void (*)(void))py_predictors_kinematic_network_side, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.predictor:bounded_exp", (PyCFunction)(void (*)(void))py_predictors_kinematic_predictor_bounded_exp, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.predictor:follow", (PyCFunction)(void (*)(void))py_predictors_kinematic_predictor_follow, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.predictor:step", (PyCFunction)(void (*)(void))py_predictors_kinematic_predictor_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.submovements:divide", (PyCFunction)(void (*)(void))py_predictors_kinematic_submovements_divide, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kinematic.track:advance", (PyCFunction)(void (*)(void))py_predictors_kinematic_track_advance, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:conclude", (PyCFunction)(void (*)(void))py_predictors_ktm_conclude, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:counts", (PyCFunction)(void (*)(void))py_predictors_ktm_counts, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:distance", (PyCFunction)(void (*)(void))py_predictors_ktm_distance, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:fill", (PyCFunction)(void (*)(void))py_predictors_ktm_fill, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:keep", (PyCFunction)(void (*)(void))py_predictors_ktm_keep, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:resample", (PyCFunction)(void (*)(void))py_predictors_ktm_resample, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:sample", (PyCFunction)(void (*)(void))py_predictors_ktm_sample, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:samples_of", (PyCFunction)(void (*)(void))py_predictors_ktm_samples_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:score", (PyCFunction)(void (*)(void))py_predictors_ktm_score, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:sizes", (PyCFunction)(void (*)(void))py_predictors_ktm_sizes, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:step", (PyCFunction)(void (*)(void))py_predictors_ktm_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:template", (PyCFunction)(void (*)(void))py_predictors_ktm_template, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:template_count", (PyCFunction)(void (*)(void))py_predictors_ktm_template_count, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:winner", (PyCFunction)(void (*)(void))py_predictors_ktm_winner, METH_FASTCALL, NULL},
+  {"pointpred.predictors.linear:before", (PyCFunction)(void (*)(void))py_predictors_linear_before, METH_FASTCALL, NULL},
+  {"pointpred.predictors.linear:remember", (PyCFunction)(void (*)(void))py_predictors_linear_remember, METH_FASTCALL, NULL},
+  {"pointpred.predictors.linear:step", (PyCFunction)(void (*)(void))py_predictors_linear_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.minimum_jerk:progress", (PyCFunction)(void (*)(void))py_predictors_minimum_jerk_progress, METH_FASTCALL, NULL},
+  {"pointpred.predictors.minimum_jerk:step", (PyCFunction)(void (*)(void))py_predictors_minimum_jerk_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:content", (PyCFunction)(void (*)(void))py_predictors_mixture_content, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:corrected_probability", (PyCFunction)(void (*)(void))py_predictors_mixture_corrected_probability, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:corrected_radius", (PyCFunction)(void (*)(void))py_predictors_mixture_corrected_radius, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:crossing", (PyCFunction)(void (*)(void))py_predictors_mixture_crossing, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:densities", (PyCFunction)(void (*)(void))py_predictors_mixture_densities, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:density", (PyCFunction)(void (*)(void))py_predictors_mixture_density, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:edge_of", (PyCFunction)(void (*)(void))py_predictors_mixture_edge_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:follow_cells", (PyCFunction)(void (*)(void))py_predictors_mixture_follow_cells, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:heaviness", (PyCFunction)(void (*)(void))py_predictors_mixture_heaviness, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:height", (PyCFunction)(void (*)(void))py_predictors_mixture_height, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:lines_of", (PyCFunction)(void (*)(void))py_predictors_mixture_lines_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:outlines", (PyCFunction)(void (*)(void))py_predictors_mixture_outlines, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:part_density", (PyCFunction)(void (*)(void))py_predictors_mixture_part_density, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:partner", (PyCFunction)(void (*)(void))py_predictors_mixture_partner, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:reach", (PyCFunction)(void (*)(void))py_predictors_mixture_reach, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:share_above", (PyCFunction)(void (*)(void))py_predictors_mixture_share_above, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:squared_radius", (PyCFunction)(void (*)(void))py_predictors_mixture_squared_radius, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:squared_radius_over_tail", (PyCFunction)(void (*)(void))py_predictors_mixture_squared_radius_over_tail, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:threshold_of", (PyCFunction)(void (*)(void))py_predictors_mixture_threshold_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.movement:fault_of", (PyCFunction)(void (*)(void))py_predictors_movement_fault_of, METH_FASTCALL, NULL},
+  {"pointpred.predictors.movement:follow", (PyCFunction)(void (*)(void))py_predictors_movement_follow, METH_FASTCALL, NULL},
+  {"pointpred.predictors.movement:phase", (PyCFunction)(void (*)(void))py_predictors_movement_phase, METH_FASTCALL, NULL},
+  {"pointpred.predictors.movement:refuse", (PyCFunction)(void (*)(void))py_predictors_movement_refuse, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched:advance", (PyCFunction)(void (*)(void))py_predictors_switched_advance, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:approach", (PyCFunction)(void (*)(void))py_predictors_switched_direction_approach, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:begin_submovement", (PyCFunction)(void (*)(void))py_predictors_switched_direction_begin_submovement, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:follow_submovement", (PyCFunction)(void (*)(void))py_predictors_switched_direction_follow_submovement, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:gain", (PyCFunction)(void (*)(void))py_predictors_switched_direction_gain, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:step", (PyCFunction)(void (*)(void))py_predictors_switched_direction_step, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched_direction:time_constant", (PyCFunction)(void (*)(void))py_predictors_switched_direction_time_constant, METH_FASTCALL, NULL},
+  {"pointpred.predictors.switched:step", (PyCFunction)(void (*)(void))py_predictors_switched_step, METH_FASTCALL, NULL},
+  {"pointpred.records:endpoint", (PyCFunction)(void (*)(void))py_records_endpoint, METH_FASTCALL, NULL},
+  {"pointpred.records:event_at", (PyCFunction)(void (*)(void))py_records_event_at, METH_FASTCALL, NULL},
+  {"pointpred.records:fault_of_event", (PyCFunction)(void (*)(void))py_records_fault_of_event, METH_FASTCALL, NULL},
+  {"pointpred.records:refused", (PyCFunction)(void (*)(void))py_records_refused, METH_FASTCALL, NULL},
+  {"pointpred.records:row_at", (PyCFunction)(void (*)(void))py_records_row_at, METH_FASTCALL, NULL},
+  {"pointpred.regions:reach", (PyCFunction)(void (*)(void))py_regions_reach, METH_FASTCALL, NULL},
+  {"pointpred.regression.delay:capacity", (PyCFunction)(void (*)(void))py_regression_delay_capacity, METH_FASTCALL, NULL},
+  {"pointpred.regression.delay:find", (PyCFunction)(void (*)(void))py_regression_delay_find, METH_FASTCALL, NULL},
+  {"pointpred.regression.delay:push", (PyCFunction)(void (*)(void))py_regression_delay_push, METH_FASTCALL, NULL},
+  {"pointpred.regression.delay:states", (PyCFunction)(void (*)(void))py_regression_delay_states, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:advance", (PyCFunction)(void (*)(void))py_regression_drem_advance, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:determinant", (PyCFunction)(void (*)(void))py_regression_drem_determinant, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:estimates", (PyCFunction)(void (*)(void))py_regression_drem_estimates, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:extend", (PyCFunction)(void (*)(void))py_regression_drem_extend, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:mix", (PyCFunction)(void (*)(void))py_regression_drem_mix, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:mix3", (PyCFunction)(void (*)(void))py_regression_drem_mix3, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:remember", (PyCFunction)(void (*)(void))py_regression_drem_remember, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:ring", (PyCFunction)(void (*)(void))py_regression_drem_ring, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:states", (PyCFunction)(void (*)(void))py_regression_drem_states, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:work", (PyCFunction)(void (*)(void))py_regression_drem_work, METH_FASTCALL, NULL},
+  {"pointpred.regression.gradient:descend", (PyCFunction)(void (*)(void))py_regression_gradient_descend, METH_FASTCALL, NULL},
+  {"pointpred.regression.gradient:descend_along", (PyCFunction)(void (*)(void))py_regression_gradient_descend_along, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:advance", (PyCFunction)(void (*)(void))py_regression_least_squares_advance, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:excitation", (PyCFunction)(void (*)(void))py_regression_least_squares_excitation, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:root", (PyCFunction)(void (*)(void))py_regression_least_squares_root, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:solve", (PyCFunction)(void (*)(void))py_regression_least_squares_solve, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:states", (PyCFunction)(void (*)(void))py_regression_least_squares_states, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.endpoint:hits", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_hits, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.endpoint:measure", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_measure, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.endpoint:measure_trial", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_measure_trial, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.endpoint:moments", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_moments, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:axis_score", (PyCFunction)(void (*)(void))py_scoring_measures_regions_axis_score, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:beta_fraction", (PyCFunction)(void (*)(void))py_scoring_measures_regions_beta_fraction, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:calibrate", (PyCFunction)(void (*)(void))py_scoring_measures_regions_calibrate, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:distribution", (PyCFunction)(void (*)(void))py_scoring_measures_regions_distribution, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:incomplete_beta", (PyCFunction)(void (*)(void))py_scoring_measures_regions_incomplete_beta, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:inside_by_time", (PyCFunction)(void (*)(void))py_scoring_measures_regions_inside_by_time, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:log_beta", (PyCFunction)(void (*)(void))py_scoring_measures_regions_log_beta, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:ranked_score", (PyCFunction)(void (*)(void))py_scoring_measures_regions_ranked_score, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:student_score", (PyCFunction)(void (*)(void))py_scoring_measures_regions_student_score, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.regions:surprise", (PyCFunction)(void (*)(void))py_scoring_measures_regions_surprise, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.time_left:inside_by_time", (PyCFunction)(void (*)(void))py_scoring_measures_time_left_inside_by_time, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.time_left:time_left", (PyCFunction)(void (*)(void))py_scoring_measures_time_left_time_left, METH_FASTCALL, NULL},
+  {"pointpred.scoring.measures.time_left:within", (PyCFunction)(void (*)(void))py_scoring_measures_time_left_within, METH_FASTCALL, NULL},
+  {"pointpred.scoring.summary.sums:add_trials", (PyCFunction)(void (*)(void))py_scoring_summary_sums_add_trials, METH_FASTCALL, NULL},
+  {"pointpred.scoring.target_choice:account", (PyCFunction)(void (*)(void))py_scoring_target_choice_account, METH_FASTCALL, NULL},
+  {"pointpred.scoring.target_choice:nearest", (PyCFunction)(void (*)(void))py_scoring_target_choice_nearest, METH_FASTCALL, NULL},
+  {"pointpred.scoring.target_choice:read", (PyCFunction)(void (*)(void))py_scoring_target_choice_read, METH_FASTCALL, NULL},
+  {"pointpred.scoring.target_choice:weigh", (PyCFunction)(void (*)(void))py_scoring_target_choice_weigh, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:cut", (PyCFunction)(void (*)(void))py_scoring_trials_cut, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:departure", (PyCFunction)(void (*)(void))py_scoring_trials_departure, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:divide", (PyCFunction)(void (*)(void))py_scoring_trials_divide, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:divided", (PyCFunction)(void (*)(void))py_scoring_trials_divided, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:fault", (PyCFunction)(void (*)(void))py_scoring_trials_fault, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:judge", (PyCFunction)(void (*)(void))py_scoring_trials_judge, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:selection", (PyCFunction)(void (*)(void))py_scoring_trials_selection, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:settling", (PyCFunction)(void (*)(void))py_scoring_trials_settling, METH_FASTCALL, NULL},
+  {"pointpred.scoring.trials:straight_through", (PyCFunction)(void (*)(void))py_scoring_trials_straight_through, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:acceleration", (PyCFunction)(void (*)(void))py_simulation_loop_acceleration, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:advance", (PyCFunction)(void (*)(void))py_simulation_loop_advance, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:assist", (PyCFunction)(void (*)(void))py_simulation_loop_assist, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:ballistic_force", (PyCFunction)(void (*)(void))py_simulation_loop_ballistic_force, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:correct", (PyCFunction)(void (*)(void))py_simulation_loop_correct, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:count", (PyCFunction)(void (*)(void))py_simulation_loop_count, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:cursor_distance", (PyCFunction)(void (*)(void))py_simulation_loop_cursor_distance, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:cursor_in_mind", (PyCFunction)(void (*)(void))py_simulation_loop_cursor_in_mind, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:cursor_rate", (PyCFunction)(void (*)(void))py_simulation_loop_cursor_rate, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:decide", (PyCFunction)(void (*)(void))py_simulation_loop_decide, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:enter", (PyCFunction)(void (*)(void))py_simulation_loop_enter, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:hand_distance", (PyCFunction)(void (*)(void))py_simulation_loop_hand_distance, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:launch", (PyCFunction)(void (*)(void))py_simulation_loop_launch, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:play", (PyCFunction)(void (*)(void))py_simulation_loop_play, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:profile", (PyCFunction)(void (*)(void))py_simulation_loop_profile, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:report", (PyCFunction)(void (*)(void))py_simulation_loop_report, METH_FASTCALL, NULL},
+  {"pointpred.simulation.loop:step", (PyCFunction)(void (*)(void))py_simulation_loop_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:copy_values", (PyCFunction)(void (*)(void))py_stage_copy_values, METH_FASTCALL, NULL},
+  {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
+  {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:changes", (PyCFunction)(void (*)(void))py_targets_choice_law_changes, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:enter", (PyCFunction)(void (*)(void))py_targets_choice_law_enter, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:holder", (PyCFunction)(void (*)(void))py_targets_choice_law_holder, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:innermost", (PyCFunction)(void (*)(void))py_targets_choice_law_innermost, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:propose", (PyCFunction)(void (*)(void))py_targets_choice_law_propose, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:step", (PyCFunction)(void (*)(void))py_targets_choice_law_step, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:step_with_shares", (PyCFunction)(void (*)(void))py_targets_choice_law_step_with_shares, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:unusable", (PyCFunction)(void (*)(void))py_targets_choice_law_unusable, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:walk", (PyCFunction)(void (*)(void))py_targets_choice_law_walk, METH_FASTCALL, NULL},
+  {"pointpred.targets.cursor:follow", (PyCFunction)(void (*)(void))py_targets_cursor_follow, METH_FASTCALL, NULL},
+  {"pointpred.targets.cursor:until", (PyCFunction)(void (*)(void))py_targets_cursor_until, METH_FASTCALL, NULL},
+  {"pointpred.targets.cursor:usable", (PyCFunction)(void (*)(void))py_targets_cursor_usable, METH_FASTCALL, NULL},
+  {"pointpred.targets.decision:decide", (PyCFunction)(void (*)(void))py_targets_decision_decide, METH_FASTCALL, NULL},
+  {"pointpred.targets.decision:early", (PyCFunction)(void (*)(void))py_targets_decision_early, METH_FASTCALL, NULL},
+  {"pointpred.targets.decision:likeliest", (PyCFunction)(void (*)(void))py_targets_decision_likeliest, METH_FASTCALL, NULL},
+  {"pointpred.targets.decision:rank", (PyCFunction)(void (*)(void))py_targets_decision_rank, METH_FASTCALL, NULL},
+  {"pointpred.targets.expectation:expect", (PyCFunction)(void (*)(void))py_targets_expectation_expect, METH_FASTCALL, NULL},
+  {"pointpred.targets.expectation:target_of", (PyCFunction)(void (*)(void))py_targets_expectation_target_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:begin", (PyCFunction)(void (*)(void))py_targets_ledger_begin, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:close", (PyCFunction)(void (*)(void))py_targets_ledger_close, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:enter", (PyCFunction)(void (*)(void))py_targets_ledger_enter, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:propose", (PyCFunction)(void (*)(void))py_targets_ledger_propose, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:withdraw", (PyCFunction)(void (*)(void))py_targets_ledger_withdraw, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:bend", (PyCFunction)(void (*)(void))py_targets_posterior_bend, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:feature", (PyCFunction)(void (*)(void))py_targets_posterior_feature, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:features", (PyCFunction)(void (*)(void))py_targets_posterior_features, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:lawful", (PyCFunction)(void (*)(void))py_targets_posterior_lawful, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:normalise", (PyCFunction)(void (*)(void))py_targets_posterior_normalise, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:scores", (PyCFunction)(void (*)(void))py_targets_posterior_scores, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:situation", (PyCFunction)(void (*)(void))py_targets_posterior_situation, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:unclaimed", (PyCFunction)(void (*)(void))py_targets_posterior_unclaimed, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:begin", (PyCFunction)(void (*)(void))py_targets_prefetch_begin, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:contact", (PyCFunction)(void (*)(void))py_targets_prefetch_contact, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:inside", (PyCFunction)(void (*)(void))py_targets_prefetch_inside, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:log_odds", (PyCFunction)(void (*)(void))py_targets_prefetch_log_odds, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:step", (PyCFunction)(void (*)(void))py_targets_prefetch_step, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:urgency", (PyCFunction)(void (*)(void))py_targets_prefetch_urgency, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:visit", (PyCFunction)(void (*)(void))py_targets_prefetch_visit, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:enough", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_enough, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:log_density", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_log_density, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:log_mass", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_log_mass, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:node_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_node_sum, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:normal_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_normal_sum, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangle_mass:student_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_student_sum, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangles:complete", (PyCFunction)(void (*)(void))py_targets_rectangles_complete, METH_FASTCALL, NULL},
+  {"pointpred.training.calibration:fill_reaches", (PyCFunction)(void (*)(void))py_training_calibration_fill_reaches, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:add", (PyCFunction)(void (*)(void))py_transfer_assistance_add, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:assisted_step", (PyCFunction)(void (*)(void))py_transfer_assistance_assisted_step, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:guarded_step", (PyCFunction)(void (*)(void))py_transfer_assistance_guarded_step, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:guide", (PyCFunction)(void (*)(void))py_transfer_assistance_guide, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:guided_report_at", (PyCFunction)(void (*)(void))py_transfer_assistance_guided_report_at, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:offset_report_at", (PyCFunction)(void (*)(void))py_transfer_assistance_offset_report_at, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:pull", (PyCFunction)(void (*)(void))py_transfer_assistance_pull, METH_FASTCALL, NULL},
+  {"pointpred.transfer.assistance:spread", (PyCFunction)(void (*)(void))py_transfer_assistance_spread, METH_FASTCALL, NULL},
+  {"pointpred.transfer.bands:learn", (PyCFunction)(void (*)(void))py_transfer_bands_learn, METH_FASTCALL, NULL},
+  {"pointpred.transfer.bands:states", (PyCFunction)(void (*)(void))py_transfer_bands_states, METH_FASTCALL, NULL},
+  {"pointpred.transfer.functions:cursor_speed", (PyCFunction)(void (*)(void))py_transfer_functions_cursor_speed, METH_FASTCALL, NULL},
+  {"pointpred.transfer.functions:evaluate", (PyCFunction)(void (*)(void))py_transfer_functions_evaluate, METH_FASTCALL, NULL},
+  {"pointpred.transfer.functions:gain", (PyCFunction)(void (*)(void))py_transfer_functions_gain, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:event_at", (PyCFunction)(void (*)(void))py_transfer_identification_event_at, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:gather", (PyCFunction)(void (*)(void))py_transfer_identification_gather, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:learn", (PyCFunction)(void (*)(void))py_transfer_identification_learn, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:learn_speeds", (PyCFunction)(void (*)(void))py_transfer_identification_learn_speeds, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:open_window", (PyCFunction)(void (*)(void))py_transfer_identification_open_window, METH_FASTCALL, NULL},
+  {"pointpred.transfer.identification:step", (PyCFunction)(void (*)(void))py_transfer_identification_step, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:accept", (PyCFunction)(void (*)(void))py_transfer_pixels_accept, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:carry", (PyCFunction)(void (*)(void))py_transfer_pixels_carry, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:lay_out", (PyCFunction)(void (*)(void))py_transfer_pixels_lay_out, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:report_at", (PyCFunction)(void (*)(void))py_transfer_pixels_report_at, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:step", (PyCFunction)(void (*)(void))py_transfer_pixels_step, METH_FASTCALL, NULL},
+  {"pointpred.transfer.pixels:turn", (PyCFunction)(void (*)(void))py_transfer_pixels_turn, METH_FASTCALL, NULL},
+  {NULL, NULL, 0, NULL},
+};
+static PyModuleDef_Slot slots[] = {{0, NULL}};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};
+PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

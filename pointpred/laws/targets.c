@@ -1,0 +1,1059 @@
+/* Written by `make laws` from the laws: change those and run it again. */
+#include "laws.h"
+
+static const double records_LARGEST = 1000000000.0;
+static const double records_LATEST_S = 100000000000.0;
+static const double records_ROUNDING_S = 1e-06;
+static const double targets_choice_law_ENTERED = 2.0;
+static const double targets_choice_law_INSIDE = 1.0;
+static const double targets_choice_law_KEEP = 0.4;
+static const double targets_choice_law_OUTSIDE = 0.0;
+static const double targets_choice_law_RELEASED = 3.0;
+static const int64_t targets_cursor_KNOWN = 0;
+static const double targets_cursor_PAUSE_S = 0.3;
+static const int64_t targets_cursor_PEAK = 14;
+static const int64_t targets_cursor_PRESSED = 4;
+static const int64_t targets_cursor_SLOW = 13;
+static const double targets_cursor_SLOWER_S = 0.06;
+static const int64_t targets_cursor_SPEED = 12;
+static const double targets_cursor_SPEED_S = 0.03;
+static const int64_t targets_cursor_T = 1;
+static const int64_t targets_cursor_T0 = 5;
+static const double targets_cursor_TRAIL_SHARE = 0.35;
+static const int64_t targets_cursor_TRAIL_X = 8;
+static const int64_t targets_cursor_TRAIL_Y = 9;
+static const int64_t targets_cursor_VX = 10;
+static const int64_t targets_cursor_VY = 11;
+static const int64_t targets_cursor_X = 2;
+static const int64_t targets_cursor_X0 = 6;
+static const int64_t targets_cursor_Y = 3;
+static const int64_t targets_cursor_Y0 = 7;
+static const int64_t targets_decision_NOBODY = -1;
+static const int64_t targets_expectation_BEFORE = 3;
+static const int64_t targets_expectation_NONE = -1;
+static const int64_t targets_expectation_SPREAD = 4;
+static const int64_t targets_expectation_X = 0;
+static const int64_t targets_expectation_Y = 1;
+static const int64_t targets_ledger_ENDED = 2;
+static const int64_t targets_ledger_ENDED_AT = 3;
+static const int64_t targets_ledger_ENDED_SINCE = 4;
+static const int64_t targets_ledger_ENTRY = 1;
+static const int64_t targets_ledger_ENTRY_SINCE = 2;
+static const int64_t targets_ledger_MADE = 0;
+static const int64_t targets_ledger_PROPOSED = 5;
+static const int64_t targets_ledger_RETRACTED = 6;
+static const int64_t targets_ledger_SINCE = 1;
+static const int64_t targets_ledger_STANDING = 0;
+static const double targets_posterior_ACROSS = 0.2;
+static const double targets_posterior_ALONG = 0.5;
+static const double targets_posterior_ANGLE = 0.15;
+static const int64_t targets_posterior_ELSEWHERE = 1;
+static const int64_t targets_posterior_FEATURES = 6;
+static const double targets_posterior_FITTED_NONE = 0.25;
+static const double targets_posterior_FITTED_TARGETS = 16.0;
+static const double targets_posterior_FLATTEST = 1e-12;
+static const int64_t targets_posterior_HEADING = 2;
+static const double targets_posterior_LEAST = 0.1;
+static const int64_t targets_posterior_LEAST_LEAD_S = 2;
+static const int64_t targets_posterior_LEAST_WAY_PX = 3;
+static const int64_t targets_posterior_MASS = 0;
+static const int64_t targets_posterior_NEAR = 5;
+static const int64_t targets_posterior_PER_SPEED = 4;
+static const int64_t targets_posterior_PER_WAY = 3;
+static const int64_t targets_posterior_PRECISION = 0;
+static const int64_t targets_posterior_SET = 14;
+static const T2d targets_posterior_TAILS = {0.001, 1000000000.0};
+static const int64_t targets_posterior_TRAIL = 1;
+static const int64_t targets_prefetch_AGE = 5;
+static const double targets_prefetch_AGE_S = 1.0;
+static const double targets_prefetch_ARMED = 0.0;
+static const int64_t targets_prefetch_BASE = 0;
+static const int64_t targets_prefetch_BEGAN = 15;
+static const int64_t targets_prefetch_COUNT = 16;
+static const int64_t targets_prefetch_END = 1;
+static const double targets_prefetch_ENTERED = 4.0;
+static const int64_t targets_prefetch_FAR = 4;
+static const double targets_prefetch_FIRED = 1.0;
+static const int64_t targets_prefetch_LATE = 9;
+static const int64_t targets_prefetch_LATE_S = 8;
+static const double targets_prefetch_LEAST_VISITS = 0.05;
+static const double targets_prefetch_LEAST_WAY_PX = 3.0;
+static const double targets_prefetch_LONGEST_S = 5.0;
+static const int64_t targets_prefetch_NEAR = 3;
+static const double targets_prefetch_NEGLIGIBLE = 0.001;
+static const int64_t targets_prefetch_PASSED = 6;
+static const int64_t targets_prefetch_PATHS = 8;
+static const double targets_prefetch_PREDICTED = 3.0;
+static const double targets_prefetch_REFERENCE_S = 0.25;
+static const double targets_prefetch_RESTING = 2.0;
+static const double targets_prefetch_SHORTEST_S = 0.005;
+static const double targets_prefetch_SMALLEST = 1e-06;
+static const int64_t targets_prefetch_SPENT = 2;
+static const int64_t targets_prefetch_SURE = 7;
+static const T6q targets_rectangle_mass_BEGINS = {0, 0, 0, 0, 3, 7};
+static const double targets_rectangle_mass_EFFECTIVE = 4.133;
+static const double targets_rectangle_mass_FLAT3 = 16.0;
+static const double targets_rectangle_mass_FLAT4 = 6.0;
+static const double targets_rectangle_mass_HEAVIEST = 8.0;
+static const double targets_rectangle_mass_INNER = 0.5384693101056831;
+static const double targets_rectangle_mass_NEGLIGIBLE = -40.0;
+static const T5d targets_rectangle_mass_NODES = {-0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664};
+static const double targets_rectangle_mass_OUTER = 0.906179845938664;
+static const T12d targets_rectangle_mass_PLACES = {-0.7745966692414834, 0.0, 0.7745966692414834, -0.8611363115940526, -0.33998104358485626, 0.33998104358485626, 0.8611363115940526, -0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664};
+static const T12d targets_rectangle_mass_SHARES = {0.5555555555555557, 0.8888888888888888, 0.5555555555555557, 0.34785484513745357, 0.6521451548625464, 0.6521451548625464, 0.34785484513745357, 0.23692688505618928, 0.4786286704993663, 0.5688888888888887, 0.4786286704993663, 0.23692688505618928};
+static const double targets_rectangle_mass_STEEPEST = 300.0;
+static const T5d targets_rectangle_mass_WEIGHTS = {0.23692688505618928, 0.4786286704993663, 0.5688888888888887, 0.4786286704993663, 0.23692688505618928};
+static const double targets_rectangle_mass_W_INNER = 0.4786286704993663;
+static const double targets_rectangle_mass_W_MIDDLE = 0.5688888888888887;
+static const double targets_rectangle_mass_W_OUTER = 0.23692688505618928;
+static const int64_t targets_rectangles_CENTRE_X = 0;
+static const int64_t targets_rectangles_CENTRE_Y = 1;
+static const int64_t targets_rectangles_HEIGHT = 3;
+static const int64_t targets_rectangles_LOG_WEIGHT = 4;
+static const int64_t targets_rectangles_WIDTH = 2;
+
+/* Take an event in, a usable one that is not before the last; returns whether a button was released. */
+bool targets_cursor_follow(Vector memory, double t, double x, double y, double pressed) {
+  double dt, way, far, share;
+  bool released, starts;
+  dt = t - memory.p[targets_cursor_T];
+  released = memory.p[targets_cursor_PRESSED] == 1.0 && pressed == 0.0;
+  starts = memory.p[targets_cursor_KNOWN] == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
+  if (starts) {
+    memory.p[targets_cursor_T0] = t;
+    memory.p[targets_cursor_X0] = x;
+    memory.p[targets_cursor_Y0] = y;
+    memory.p[targets_cursor_TRAIL_X] = x;
+    memory.p[targets_cursor_TRAIL_Y] = y;
+    memory.p[targets_cursor_PEAK] = 0.0;
+    memory.p[targets_cursor_SLOW] = memory.p[targets_cursor_PEAK];
+    memory.p[targets_cursor_SPEED] = memory.p[targets_cursor_PEAK];
+    memory.p[targets_cursor_VY] = memory.p[targets_cursor_PEAK];
+    memory.p[targets_cursor_VX] = memory.p[targets_cursor_PEAK];
+  } else {
+    way = hypot(x - memory.p[targets_cursor_X], y - memory.p[targets_cursor_Y]);
+    far = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]);
+    share = far > 0.0 ? 1.0 - exp(-way / (targets_cursor_TRAIL_SHARE * far)) : 1.0;
+    memory.p[targets_cursor_TRAIL_X] += share * (x - memory.p[targets_cursor_TRAIL_X]);
+    memory.p[targets_cursor_TRAIL_Y] += share * (y - memory.p[targets_cursor_TRAIL_Y]);
+    if (dt > 0.0) {
+      share = 1.0 - exp(-dt / targets_cursor_SPEED_S);
+      memory.p[targets_cursor_VX] += share * ((x - memory.p[targets_cursor_X]) / dt - memory.p[targets_cursor_VX]);
+      memory.p[targets_cursor_VY] += share * ((y - memory.p[targets_cursor_Y]) / dt - memory.p[targets_cursor_VY]);
+      memory.p[targets_cursor_SPEED] = hypot(memory.p[targets_cursor_VX], memory.p[targets_cursor_VY]);
+      memory.p[targets_cursor_SLOW] += (1.0 - exp(-dt / targets_cursor_SLOWER_S)) * (memory.p[targets_cursor_SPEED] - memory.p[targets_cursor_SLOW]);
+    }
+    memory.p[targets_cursor_PEAK] = max_float(memory.p[targets_cursor_PEAK], memory.p[targets_cursor_SPEED]);
+  }
+  memory.p[targets_cursor_KNOWN] = 1.0;
+  memory.p[targets_cursor_PRESSED] = pressed;
+  memory.p[targets_cursor_T] = t;
+  memory.p[targets_cursor_X] = x;
+  memory.p[targets_cursor_Y] = y;
+  return released;
+}
+
+/* Whether a predicted law can be used: a region of finite size, and a tail that is one, or none. */
+bool targets_posterior_lawful(posterior_Law predicted) {
+  double sxx, sxy, syy, tail;
+  sxx = predicted.sxx;
+  sxy = predicted.sxy;
+  syy = predicted.syy;
+  tail = predicted.tail;
+  if (!((0.0 < sxx && sxx <= records_LARGEST * records_LARGEST) && (0.0 < syy && syy <= records_LARGEST * records_LARGEST) && fabs(sxy) <= records_LARGEST * records_LARGEST)) {
+    return false;
+  }
+  return sxx * syy - sxy * sxy > targets_posterior_FLATTEST * sxx * syy && (tail != tail || (targets_posterior_TAILS.f0 <= tail && tail <= targets_posterior_TAILS.f1));
+}
+
+/* The scale matrix of a law for which the predictor claims none: long along the way left, px^2. */
+T3d targets_posterior_unclaimed(Vector memory, double x, double y) {
+  double gx, gy, done_x, done_y, left, done, size, reach, across, more, ux, uy;
+  gx = x - memory.p[targets_cursor_X];
+  gy = y - memory.p[targets_cursor_Y];
+  done_x = memory.p[targets_cursor_X] - memory.p[targets_cursor_X0];
+  done_y = memory.p[targets_cursor_Y] - memory.p[targets_cursor_Y0];
+  left = hypot(gx, gy);
+  done = hypot(done_x, done_y);
+  if (left == 0.0) {
+    gx = done_x;
+    gy = done_y;
+  }
+  size = hypot(gx, gy);
+  reach = max_float(left + targets_posterior_LEAST * done, 1.0);
+  across = square(targets_posterior_ACROSS * reach);
+  if (size == 0.0) {
+    return (T3d){across, 0.0, across};
+  }
+  more = square(targets_posterior_ALONG * reach) - across;
+  ux = gx / size;
+  uy = gy / size;
+  return (T3d){across + more * ux * ux, more * ux * uy, across + more * uy * uy};
+}
+
+/* What the features of all targets share. */
+posterior_Situation targets_posterior_situation(Vector memory) {
+  double x, y, way, sweep, trail_x, trail_y, vx, vy;
+  x = memory.p[targets_cursor_X];
+  y = memory.p[targets_cursor_Y];
+  way = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]);
+  sweep = memory.p[targets_cursor_SPEED] * (memory.p[targets_cursor_T] - memory.p[targets_cursor_T0]);
+  trail_x = x - memory.p[targets_cursor_TRAIL_X];
+  trail_y = y - memory.p[targets_cursor_TRAIL_Y];
+  vx = memory.p[targets_cursor_VX];
+  vy = memory.p[targets_cursor_VY];
+  return (posterior_Situation){x, y, trail_x, trail_y, vx, vy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
+}
+
+/* ``node_sum`` of a normal law less its value at the centre: a product along x, along y and of both. */
+double targets_rectangle_mass_normal_sum(rectangle_mass_Distance distance) {
+  double gx, gy, gxy, hx, hy, xo, xi, yo, yi, po, pi_, qo, qi, oo, oi, ii, x1, x2, x4, x5, y1, y2, y4, y5, outer, between, inner, cross;
+  gx = distance.gx;
+  gy = distance.gy;
+  gxy = distance.gxy;
+  hx = distance.hx;
+  hy = distance.hy;
+  xo = targets_rectangle_mass_W_OUTER * exp(-0.5 * targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * hx);
+  xi = targets_rectangle_mass_W_INNER * exp(-0.5 * targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * hx);
+  yo = targets_rectangle_mass_W_OUTER * exp(-0.5 * targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * hy);
+  yi = targets_rectangle_mass_W_INNER * exp(-0.5 * targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * hy);
+  po = exp(targets_rectangle_mass_OUTER * gx);
+  pi_ = exp(targets_rectangle_mass_INNER * gx);
+  qo = exp(targets_rectangle_mass_OUTER * gy);
+  qi = exp(targets_rectangle_mass_INNER * gy);
+  oo = exp(-targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * gxy);
+  oi = exp(-targets_rectangle_mass_OUTER * targets_rectangle_mass_INNER * gxy);
+  ii = exp(-targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * gxy);
+  x1 = xo * po;
+  x2 = xi * pi_;
+  x4 = xi / pi_;
+  x5 = xo / po;
+  y1 = yo * qo;
+  y2 = yi * qi;
+  y4 = yi / qi;
+  y5 = yo / qo;
+  outer = (x1 * y1 + x5 * y5) * oo + (x1 * y5 + x5 * y1) / oo;
+  between = (x1 * y2 + x5 * y4 + x2 * y1 + x4 * y5) * oi + (x1 * y4 + x5 * y2 + x2 * y5 + x4 * y1) / oi;
+  inner = (x2 * y2 + x4 * y4) * ii + (x2 * y4 + x4 * y2) / ii;
+  cross = targets_rectangle_mass_W_MIDDLE * (x1 + x2 + x4 + x5 + y1 + y2 + y4 + y5 + targets_rectangle_mass_W_MIDDLE);
+  return log(outer + between + inner + cross);
+}
+
+/* How many nodes a Student law needs along an axis, by the squared half size in deviations. */
+int64_t targets_rectangle_mass_enough(double half2, double tail) {
+  if (targets_rectangle_mass_FLAT3 * half2 < tail) {
+    return 3;
+  }
+  return targets_rectangle_mass_FLAT4 * half2 < tail ? 4 : 5;
+}
+
+/* Logarithm of a law's density, less that at its centre, at a squared Mahalanobis distance. */
+double targets_rectangle_mass_log_density(double far, double tail) {
+  if (tail != tail) {
+    return -0.5 * far;
+  }
+  return -0.5 * (tail + 2.0) * log(1.0 + far / tail);
+}
+
+/* ``node_sum`` of a heavy-tailed law, with fewer nodes where it is flat over the rectangle. */
+double targets_rectangle_mass_student_sum(rectangle_mass_Distance distance, double tail) {
+  double far, gx, gy, gxy, hx, hy, power, whole, total, u, part, fixed, slope, v;
+  int64_t across, along;
+  far = distance.far;
+  gx = distance.gx;
+  gy = distance.gy;
+  gxy = distance.gxy;
+  hx = distance.hx;
+  hy = distance.hy;
+  power = -0.5 * (tail + 2.0);
+  whole = 1.0 / (tail + far);
+  across = targets_rectangle_mass_enough(hy, tail);
+  along = targets_rectangle_mass_enough(hx, tail);
+  total = 0.0;
+  for (int64_t i = ((const int64_t *)&targets_rectangle_mass_BEGINS)[along], end_1 = ((const int64_t *)&targets_rectangle_mass_BEGINS)[along] + along; i < end_1; i++) {
+    u = ((const double *)&targets_rectangle_mass_PLACES)[i];
+    part = 0.0;
+    fixed = 1.0 + whole * (2.0 * u * gx + u * u * hx);
+    slope = 2.0 * whole * (gy + u * gxy);
+    for (int64_t j = ((const int64_t *)&targets_rectangle_mass_BEGINS)[across], end_2 = ((const int64_t *)&targets_rectangle_mass_BEGINS)[across] + across; j < end_2; j++) {
+      v = ((const double *)&targets_rectangle_mass_PLACES)[j];
+      part += ((const double *)&targets_rectangle_mass_SHARES)[j] * exp(power * log(fixed + v * (slope + v * whole * hy)));
+    }
+    total += ((const double *)&targets_rectangle_mass_SHARES)[i] * part;
+  }
+  return log(total) + targets_rectangle_mass_log_density(far, tail);
+}
+
+/* Logarithm of the weighted densities at 5 x 5 nodes: any law, any distance. */
+double targets_rectangle_mass_node_sum(rectangle_mass_Distance distance, double tail) {
+  double far, gx, gy, gxy, hx, hy, nearest, u, v, here, top, total, less;
+  far = distance.far;
+  gx = distance.gx;
+  gy = distance.gy;
+  gxy = distance.gxy;
+  hx = distance.hx;
+  hy = distance.hy;
+  nearest = INFINITY;
+  for (int64_t i = 0; i < 5; i++) {
+    u = ((const double *)&targets_rectangle_mass_NODES)[i];
+    for (int64_t j = 0; j < 5; j++) {
+      v = ((const double *)&targets_rectangle_mass_NODES)[j];
+      here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy;
+      nearest = min_float(nearest, here);
+    }
+  }
+  top = targets_rectangle_mass_log_density(nearest, tail);
+  total = 0.0;
+  for (int64_t i = 0; i < 5; i++) {
+    u = ((const double *)&targets_rectangle_mass_NODES)[i];
+    for (int64_t j = 0; j < 5; j++) {
+      v = ((const double *)&targets_rectangle_mass_NODES)[j];
+      here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy;
+      less = targets_rectangle_mass_log_density(here, tail) - top;
+      if (less > targets_rectangle_mass_NEGLIGIBLE) {
+        total += ((const double *)&targets_rectangle_mass_WEIGHTS)[i] * ((const double *)&targets_rectangle_mass_WEIGHTS)[j] * exp(less);
+      }
+    }
+  }
+  return log(total) + top;
+}
+
+/* Logarithm of a law's mass in a rectangle: (dx, dy, width, height) px, its centre from the law's. */
+double targets_rectangle_mass_log_mass(T4d rectangle, T4d spread) {
+  double dx, dy, width, height, sxx, sxy, syy, tail, det, a, b, ixx, ixy, iyy, far, gx, gy, gxy, hx, hy, total;
+  rectangle_mass_Distance distance;
+  dx = rectangle.f0;
+  dy = rectangle.f1;
+  width = rectangle.f2;
+  height = rectangle.f3;
+  sxx = spread.f0;
+  sxy = spread.f1;
+  syy = spread.f2;
+  tail = spread.f3;
+  sxx += square(width / targets_rectangle_mass_EFFECTIVE);
+  syy += square(height / targets_rectangle_mass_EFFECTIVE);
+  det = sxx * syy - sxy * sxy;
+  a = 0.5 * width;
+  b = 0.5 * height;
+  ixx = syy / det;
+  ixy = -sxy / det;
+  iyy = sxx / det;
+  far = ixx * dx * dx + 2.0 * ixy * dx * dy + iyy * dy * dy;
+  gx = a * (ixx * dx + ixy * dy);
+  gy = b * (ixy * dx + iyy * dy);
+  gxy = a * b * ixy;
+  hx = ixx * a * a;
+  hy = iyy * b * b;
+  distance = (rectangle_mass_Distance){far, gx, gy, gxy, hx, hy};
+  if (tail != tail && fabs(gx) + fabs(gy) + fabs(gxy) + hx + hy < targets_rectangle_mass_STEEPEST) {
+    total = targets_rectangle_mass_normal_sum(distance) - 0.5 * far;
+  } else if (tail <= targets_rectangle_mass_HEAVIEST) {
+    total = targets_rectangle_mass_student_sum(distance, tail);
+  } else {
+    total = targets_rectangle_mass_node_sum(distance, tail);
+  }
+  return total + log(0.25 * width * height / (2.0 * 3.141592653589793 * sqrt(det)));
+}
+
+/* How little a direction u speaks for a goal at g: logarithm of 1 + (angle / what is straight)^2. */
+double targets_posterior_bend(T2d u, T2d g, double far2, double size) {
+  double ux, uy, gx, gy, angle;
+  ux = u.f0;
+  uy = u.f1;
+  gx = g.f0;
+  gy = g.f1;
+  if ((ux == 0.0 && uy == 0.0) || far2 == 0.0) {
+    return 0.0;
+  }
+  angle = atan2(ux * gy - uy * gx, ux * gx + uy * gy);
+  return log(1.0 + angle * angle / (targets_posterior_ANGLE * targets_posterior_ANGLE + 0.0625 * size * size / far2));
+}
+
+/* The features of one target, a row of a table; MASS only where it is asked for. */
+T6d targets_posterior_feature(Vector row, posterior_Situation now, posterior_Law predicted, bool mass) {
+  double x, y, width, height, gx, gy, size, far2, left, log_left, inside;
+  T4d spread;
+  x = row.p[targets_rectangles_CENTRE_X];
+  y = row.p[targets_rectangles_CENTRE_Y];
+  width = row.p[targets_rectangles_WIDTH];
+  height = row.p[targets_rectangles_HEIGHT];
+  gx = x - now.x;
+  gy = y - now.y;
+  size = 0.5 * (width + height);
+  far2 = gx * gx + gy * gy;
+  left = max_float(sqrt(far2), 1.0);
+  log_left = log(left);
+  inside = 0.0;
+  if (mass) {
+    spread = (T4d){predicted.sxx, predicted.sxy, predicted.syy, predicted.tail};
+    inside = targets_rectangle_mass_log_mass((T4d){x - predicted.x, y - predicted.y, width, height}, spread);
+  }
+  return (T6d){inside, targets_posterior_bend((T2d){now.trail_x, now.trail_y}, (T2d){gx, gy}, far2, size), targets_posterior_bend((T2d){now.vx, now.vy}, (T2d){gx, gy}, far2, size), log_left - now.log_way, log_left - now.log_sweep, log(1.0 + 2.0 * left / size)};
+}
+
+/* The logarithm of each target's share, up to a constant; behind them that of none of them. */
+void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector coefficients, double elsewhere, Vector out) {
+  double x, y, sxx, sxy, syy, tail, fast, usual, f0, f1, f2, f3, f4, f5, score, none;
+  bool claimed, mass;
+  int64_t first, count, at;
+  posterior_Law predicted;
+  posterior_Situation now;
+  Vector weight;
+  double buffer_2[6];
+  x = answer.f1;
+  y = answer.f2;
+  sxx = answer.f3;
+  sxy = answer.f4;
+  syy = answer.f5;
+  tail = answer.f8;
+  claimed = fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
+  if (!claimed) {
+    x = memory.p[targets_cursor_X];
+    y = memory.p[targets_cursor_Y];
+  }
+  first = 0;
+  predicted = (posterior_Law){x, y, sxx, sxy, syy, tail};
+  if (!claimed || !targets_posterior_lawful(predicted)) {
+    T3d values_1 = targets_posterior_unclaimed(memory, x, y);
+    sxx = values_1.f0;
+    sxy = values_1.f1;
+    syy = values_1.f2;
+    first = targets_posterior_SET;
+    predicted = (posterior_Law){x, y, sxx, sxy, syy, NAN};
+  }
+  now = targets_posterior_situation(memory);
+  weight = (Vector){buffer_2, targets_posterior_FEATURES};
+  fast = memory.p[targets_cursor_PEAK] > 0.0 ? min_float(memory.p[targets_cursor_SPEED] / memory.p[targets_cursor_PEAK], 1.0) : 0.0;
+  for (int64_t j = 0; j < targets_posterior_FEATURES; j++) {
+    weight.p[j] = (1.0 - fast) * coefficients.p[first + j] + fast * coefficients.p[first + targets_posterior_FEATURES + j];
+  }
+  count = table.n;
+  mass = weight.p[0] != 0.0;
+  usual = log(targets_posterior_FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - targets_posterior_FITTED_NONE));
+  for (int64_t i = 0; i < count; i++) {
+    if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
+      out.p[i] = -INFINITY;
+      continue;
+    }
+    T6d values_3 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted, mass);
+    f0 = values_3.f0;
+    f1 = values_3.f1;
+    f2 = values_3.f2;
+    f3 = values_3.f3;
+    f4 = values_3.f4;
+    f5 = values_3.f5;
+    score = weight.p[0] * f0 + weight.p[1] * f1 + weight.p[2] * f2;
+    out.p[i] = table.p[i * table.m + targets_rectangles_LOG_WEIGHT] + usual + score + weight.p[3] * f3 + weight.p[4] * f4 + weight.p[5] * f5;
+  }
+  at = first + 2 * targets_posterior_FEATURES;
+  none = (1.0 - fast) * coefficients.p[at] + fast * coefficients.p[at + 1];
+  out.p[count] = none + log(elsewhere / targets_posterior_FITTED_NONE);
+}
+
+/* Scores become shares of one; the last score is finite. */
+void targets_posterior_normalise(Vector out) {
+  double most, total;
+  most = -INFINITY;
+  for (int64_t i = 0; i < out.n; i++) {
+    most = max_float(most, out.p[i]);
+  }
+  total = 0.0;
+  for (int64_t i = 0; i < out.n; i++) {
+    out.p[i] = exp(out.p[i] - most);
+    total += out.p[i];
+  }
+  for (int64_t i = 0; i < out.n; i++) {
+    out.p[i] = out.p[i] / total;
+  }
+}
+
+/* The target with the largest share, the first of equal ones; NOBODY where there is none. */
+int64_t targets_decision_likeliest(Vector shares, int64_t count) {
+  int64_t best;
+  best = targets_decision_NOBODY;
+  for (int64_t i = 0; i < count; i++) {
+    if (best == targets_decision_NOBODY || shares.p[i] > shares.p[best]) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+/* Nothing is known of a movement yet, nor of the targets of these rows. */
+void targets_ledger_begin(Vector movement, Table rows) {
+  fill((Vector){movement.p, movement.n}, 0.0);
+  movement.p[targets_ledger_ENDED] = targets_decision_NOBODY;
+  movement.p[targets_ledger_STANDING] = movement.p[targets_ledger_ENDED];
+  for (int64_t i = 0; i < rows.n; i++) {
+    rows.p[i * rows.m + targets_ledger_MADE] = 0.0;
+    rows.p[i * rows.m + targets_ledger_ENTRY] = NAN;
+    rows.p[i * rows.m + targets_ledger_ENTRY_SINCE] = NAN;
+  }
+}
+
+/* The cursor goes into a target; only the first time in a movement counts. */
+void targets_ledger_enter(Vector movement, Table rows, double t, int64_t place) {
+  if (place != targets_decision_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
+    rows.p[place * rows.m + targets_ledger_ENTRY] = t;
+    rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = movement.p[targets_ledger_STANDING] == place ? movement.p[targets_ledger_SINCE] : NAN;
+  }
+}
+
+/* Seconds until the cursor enters a rectangle at its present speed; 0 inside, infinite at rest. */
+double targets_cursor_until(Vector memory, double x, double y, double width, double height) {
+  double dx, dy, way;
+  dx = max_float(fabs(x - memory.p[targets_cursor_X]) - 0.5 * width, 0.0);
+  dy = max_float(fabs(y - memory.p[targets_cursor_Y]) - 0.5 * height, 0.0);
+  way = hypot(dx, dy);
+  if (way == 0.0) {
+    return 0.0;
+  }
+  return memory.p[targets_cursor_SPEED] > 0.0 ? way / memory.p[targets_cursor_SPEED] : INFINITY;
+}
+
+/* Whether a proposal of this target would still come in time: the cursor is not there at once. */
+bool targets_decision_early(Vector memory, Vector row, double remaining_s, double least_s) {
+  double left;
+  left = targets_cursor_until(memory, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
+  if (left == 0.0) {
+    return false;
+  }
+  if (remaining_s == remaining_s) {
+    left = max_float(left, remaining_s);
+  }
+  return left >= least_s;
+}
+
+/* The target that is proposed from now on, NOBODY for none; ``bounds``: (ask, keep, least_s, least_px). */
+int64_t targets_decision_decide(Vector memory, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds) {
+  double ask, keep, least_s, least_px, far;
+  int64_t best;
+  ask = bounds.f0;
+  keep = bounds.f1;
+  least_s = bounds.f2;
+  least_px = bounds.f3;
+  best = targets_decision_likeliest(shares, table.n);
+  if (best == targets_decision_NOBODY) {
+    return targets_decision_NOBODY;
+  }
+  if (standing != targets_decision_NOBODY && (best == standing || shares.p[best] < ask)) {
+    return shares.p[standing] >= keep ? standing : targets_decision_NOBODY;
+  }
+  far = hypot(memory.p[targets_cursor_X] - memory.p[targets_cursor_X0], memory.p[targets_cursor_Y] - memory.p[targets_cursor_Y0]);
+  if (shares.p[best] >= ask && far >= least_px && targets_decision_early(memory, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
+    return best;
+  }
+  if (standing != targets_decision_NOBODY && shares.p[standing] >= keep) {
+    return standing;
+  }
+  return targets_decision_NOBODY;
+}
+
+/* The proposal that stands ends; where this target's does not stand, nothing happens. */
+void targets_ledger_withdraw(Vector movement, double t, int64_t place, bool released) {
+  if (place == targets_decision_NOBODY || movement.p[targets_ledger_STANDING] != place) {
+    return;
+  }
+  movement.p[targets_ledger_STANDING] = targets_decision_NOBODY;
+  if (released) {
+    int64_t value_1 = place;
+    double value_2 = t;
+    double value_3 = movement.p[targets_ledger_SINCE];
+    movement.p[targets_ledger_ENDED] = value_1;
+    movement.p[targets_ledger_ENDED_AT] = value_2;
+    movement.p[targets_ledger_ENDED_SINCE] = value_3;
+  } else {
+    movement.p[targets_ledger_RETRACTED] += 1.0;
+  }
+}
+
+/* A proposal is made; it takes the place of one that stands. */
+void targets_ledger_propose(Vector movement, Table rows, double t, int64_t place) {
+  movement.p[targets_ledger_PROPOSED] += 1.0;
+  movement.p[targets_ledger_STANDING] = place;
+  movement.p[targets_ledger_SINCE] = t;
+  if (place != targets_decision_NOBODY) {
+    rows.p[place * rows.m + targets_ledger_MADE] += 1.0;
+  }
+}
+
+/* How often the target of the movement was proposed, and the leads before its entry and its click, s. */
+T3d targets_ledger_close(Vector movement, Table rows, double t, int64_t place) {
+  double entry, since;
+  if (place == targets_decision_NOBODY) {
+    return (T3d){0.0, NAN, NAN};
+  }
+  entry = rows.p[place * rows.m + targets_ledger_ENTRY];
+  since = rows.p[place * rows.m + targets_ledger_ENTRY_SINCE];
+  if (entry != entry) {
+    entry = t;
+    if (movement.p[targets_ledger_ENDED] == place && movement.p[targets_ledger_ENDED_AT] == t) {
+      since = movement.p[targets_ledger_ENDED_SINCE];
+    } else if (movement.p[targets_ledger_STANDING] == place) {
+      since = movement.p[targets_ledger_SINCE];
+    }
+  }
+  return (T3d){rows.p[place * rows.m + targets_ledger_MADE], entry - since, t - since};
+}
+
+/* The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none. */
+int64_t targets_choice_law_innermost(Table table, Vector inside) {
+  int64_t best;
+  double area;
+  best = targets_decision_NOBODY;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (inside.p[i] == targets_choice_law_OUTSIDE || inside.p[i] == targets_choice_law_RELEASED || table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
+      continue;
+    }
+    area = table.p[i * table.m + targets_rectangles_WIDTH] * table.p[i * table.m + targets_rectangles_HEIGHT];
+    if (best == targets_decision_NOBODY || area <= table.p[best * table.m + targets_rectangles_WIDTH] * table.p[best * table.m + targets_rectangles_HEIGHT]) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+/* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
+int64_t targets_choice_law_holder(Table table, double x, double y) {
+  int64_t best;
+  double smallest, least, across, down, area, away;
+  Vector row;
+  best = targets_decision_NOBODY;
+  smallest = INFINITY;
+  least = INFINITY;
+  for (int64_t i = 0; i < table.n; i++) {
+    row = (Vector){table.p + i * table.m, table.m};
+    across = fabs(row.p[targets_rectangles_CENTRE_X] - x);
+    down = fabs(row.p[targets_rectangles_CENTRE_Y] - y);
+    if (across <= 0.5 * row.p[targets_rectangles_WIDTH] && down <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
+      area = row.p[targets_rectangles_WIDTH] * row.p[targets_rectangles_HEIGHT];
+      away = across + down;
+      if (area < smallest || (area == smallest && away < least)) {
+        best = i;
+        smallest = area;
+        least = away;
+      }
+    }
+  }
+  return best;
+}
+
+/* Write where the cursor is for each target; returns how many it has just gone into. */
+int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y, bool released) {
+  int64_t count;
+  Vector row;
+  count = 0;
+  for (int64_t i = 0; i < table.n; i++) {
+    row = (Vector){table.p + i * table.m, table.m};
+    if (fabs(row.p[targets_rectangles_CENTRE_X] - x) <= 0.5 * row.p[targets_rectangles_WIDTH] && fabs(row.p[targets_rectangles_CENTRE_Y] - y) <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
+      if (inside.p[i] == targets_choice_law_OUTSIDE) {
+        inside.p[i] = targets_choice_law_ENTERED;
+        count += 1;
+      } else {
+        inside.p[i] = released || inside.p[i] == targets_choice_law_RELEASED ? targets_choice_law_RELEASED : targets_choice_law_INSIDE;
+      }
+    } else {
+      inside.p[i] = targets_choice_law_OUTSIDE;
+    }
+  }
+  return count;
+}
+
+/* What follows from the shares at an event that ``cursor.follow`` has taken in, as ``step``. */
+T3q targets_choice_law_propose(Vector memory, T4d event, bool released, double remaining_s, T_Table_2_Vector_ targets, Vector settings, int64_t standing) {
+  double x, y, ask, least_s;
+  Table table;
+  Vector inside, shares;
+  int64_t count, chosen, over;
+  T4d bounds;
+  x = event.f1;
+  y = event.f2;
+  table = targets.f0;
+  inside = targets.f1;
+  shares = targets.f2;
+  if (released) {
+    standing = targets_decision_NOBODY;
+  }
+  count = targets_choice_law_enter(table, inside, x, y, released);
+  ask = settings.p[targets_posterior_PRECISION];
+  least_s = settings.p[targets_posterior_LEAST_LEAD_S];
+  bounds = (T4d){ask, targets_choice_law_KEEP * ask, least_s, settings.p[targets_posterior_LEAST_WAY_PX]};
+  chosen = targets_decision_decide(memory, table, shares, standing, remaining_s, bounds);
+  over = targets_choice_law_innermost(table, inside);
+  return (T3q){chosen, over == chosen ? targets_decision_NOBODY : over, count};
+}
+
+/* ``step`` where the shares have been written by somebody who knows them. */
+T3q targets_choice_law_step_with_shares(Vector memory, T4d event, double remaining_s, T_Table_2_Vector_ targets, Vector settings, int64_t standing) {
+  double t, x, y, pressed;
+  bool released;
+  t = event.f0;
+  x = event.f1;
+  y = event.f2;
+  pressed = event.f3;
+  released = targets_cursor_follow(memory, t, x, y, pressed);
+  return targets_choice_law_propose(memory, event, released, remaining_s, targets, settings, standing);
+}
+
+/* Take in one usable event (t, x, y, pressed), with the prediction made at it. */
+T3q targets_choice_law_step(Vector memory, T4d event, T10d answer, T_Table_2_Vector_ targets, T2_Vector_ model, int64_t standing) {
+  double t, x, y, pressed;
+  Table table;
+  Vector shares, coefficients, settings;
+  records_PredictionRow p;
+  bool released;
+  t = event.f0;
+  x = event.f1;
+  y = event.f2;
+  pressed = event.f3;
+  table = targets.f0;
+  shares = targets.f2;
+  coefficients = model.f0;
+  settings = model.f1;
+  p = records_PredictionRow_of_T10d(answer);
+  released = targets_cursor_follow(memory, t, x, y, pressed);
+  targets_posterior_scores(memory, table, answer, coefficients, settings.p[targets_posterior_ELSEWHERE], shares);
+  targets_posterior_normalise(shares);
+  return targets_choice_law_propose(memory, event, released, p.remaining_s, targets, settings, standing);
+}
+
+/* What ends and what begins: a prediction and an entry that end, a prediction and an entry that begin. */
+T4q targets_choice_law_changes(T2q before, T2q now) {
+  int64_t predicted, entered, chosen, over, ends, leaves, begins, enters;
+  predicted = before.f0;
+  entered = before.f1;
+  chosen = now.f0;
+  over = now.f1;
+  ends = predicted;
+  leaves = entered;
+  begins = chosen;
+  enters = over;
+  if (predicted == chosen) {
+    begins = targets_decision_NOBODY;
+    ends = begins;
+  }
+  if (entered == over) {
+    enters = targets_decision_NOBODY;
+    leaves = enters;
+  }
+  if (predicted == over) {
+    enters = targets_decision_NOBODY;
+    ends = enters;
+  }
+  if (entered == chosen) {
+    begins = targets_decision_NOBODY;
+    leaves = begins;
+  }
+  return (T4q){ends, leaves, begins, enters};
+}
+
+/* Whether an event's numbers are finite and within the bounds of events. */
+bool targets_cursor_usable(double t, double x, double y) {
+  return fabs(t) < records_LATEST_S && fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
+}
+
+/* The first row that ``step`` must not be given, -1 where all are usable. */
+int64_t targets_choice_law_unusable(Vector memory, Table events) {
+  double before, t;
+  before = memory.p[targets_cursor_KNOWN] == 1.0 ? memory.p[targets_cursor_T] : -INFINITY;
+  for (int64_t i = 0; i < events.n; i++) {
+    t = events.p[i * events.m + 0];
+    if (!targets_cursor_usable(t, events.p[i * events.m + 1], events.p[i * events.m + 2]) || t < before) {
+      return i;
+    }
+    before = t;
+  }
+  return -1;
+}
+
+/* The places of the largest shares into ``order``, best first, the first of equal ones before the others. */
+void targets_decision_rank(Vector shares, int64_t count, Vector order) {
+  int64_t place;
+  for (int64_t k = 0; k < order.n; k++) {
+    order.p[k] = targets_decision_NOBODY;
+  }
+  for (int64_t i = 0; i < count; i++) {
+    place = order.n;
+    while (place > 0 && (order.p[place - 1] == targets_decision_NOBODY || shares.p[i] > shares.p[(int64_t)order.p[place - 1]])) {
+      place -= 1;
+    }
+    if (place < order.n) {
+      for (int64_t later = order.n - 1; later > place; later--) {
+        order.p[later] = order.p[later - 1];
+      }
+      order.p[place] = i;
+    }
+  }
+}
+
+/* Take in rows, from ``first`` up to and with the one at which there is something to note. */
+T4q targets_choice_law_walk(Vector memory, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, T2_Vector_ model, T2q proposed) {
+  Table events, answers, likeliest, table;
+  Vector shares;
+  int64_t standing, over, most, chosen, now_over, entered, place;
+  T4d event;
+  events = tables.f0;
+  answers = tables.f1;
+  likeliest = tables.f2;
+  table = targets.f0;
+  shares = targets.f2;
+  standing = proposed.f0;
+  over = proposed.f1;
+  most = floor_divided_whole(likeliest.m, 2);
+  for (int64_t i = first; i < events.n; i++) {
+    event = (T4d){events.p[i * events.m + 0], events.p[i * events.m + 1], events.p[i * events.m + 2], (double)((int64_t)events.p[i * events.m + 5] & 1)};
+    T3q values_1 = targets_choice_law_step(memory, event, records_row_at(answers, i), targets, model, standing);
+    chosen = values_1.f0;
+    now_over = values_1.f1;
+    entered = values_1.f2;
+    place = i - (events.n - likeliest.n);
+    if (place >= 0) {
+      targets_decision_rank(shares, table.n, (Vector){likeliest.p + place * likeliest.m + 0, most - 0});
+      for (int64_t k = 0; k < most; k++) {
+        likeliest.p[place * likeliest.m + most + k] = shares.p[(int64_t)likeliest.p[place * likeliest.m + k]];
+      }
+    }
+    if (chosen != standing || now_over != over || entered > 0) {
+      return (T4q){i + 1, chosen, now_over, entered};
+    }
+  }
+  return (T4q){events.n, standing, over, 0};
+}
+
+/* The target that a place belongs to; NONE for none. */
+int64_t targets_expectation_target_of(Table table, Vector place) {
+  int64_t best;
+  double least, smallest, across, away, area;
+  Vector target;
+  bool nearer;
+  best = targets_expectation_NONE;
+  least = INFINITY;
+  smallest = INFINITY;
+  for (int64_t i = 0; i < table.n; i++) {
+    target = (Vector){table.p + i * table.m, table.m};
+    across = fabs(place.p[targets_expectation_X] - target.p[targets_rectangles_CENTRE_X]) - 0.5 * target.p[targets_rectangles_WIDTH];
+    away = max_float(max_float(across, fabs(place.p[targets_expectation_Y] - target.p[targets_rectangles_CENTRE_Y]) - 0.5 * target.p[targets_rectangles_HEIGHT]), 0.0);
+    area = target.p[targets_rectangles_WIDTH] * target.p[targets_rectangles_HEIGHT];
+    nearer = away < least || (away == least && area < smallest);
+    if (target.p[targets_rectangles_LOG_WEIGHT] > -INFINITY && away <= place.p[targets_expectation_SPREAD] && nearer) {
+      best = i;
+      least = away;
+      smallest = area;
+    }
+  }
+  return best;
+}
+
+/* Write the weights of targets with what is known of the person. */
+void targets_expectation_expect(Table table, Vector own, Table known) {
+  int64_t count, owner;
+  Vector shares;
+  double total;
+  count = table.n;
+  RELEASED double *buffer_1 = reserved(count);
+  shares = (Vector){buffer_1, count};
+  for (int64_t i = 0; i < count; i++) {
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = own.p[i];
+  }
+  for (int64_t k = 0; k < known.n; k++) {
+    owner = targets_expectation_target_of(table, (Vector){known.p + k * known.m, known.m});
+    if (owner != targets_expectation_NONE) {
+      shares.p[owner] += known.p[k * known.m + targets_expectation_BEFORE];
+    }
+  }
+  total = 0.0;
+  for (int64_t i = 0; i < count; i++) {
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] += log(1.0 + count * shares.p[i]);
+    total += exp(table.p[i * table.m + targets_rectangles_LOG_WEIGHT]);
+  }
+  if (total == 0.0) {
+    return;
+  }
+  for (int64_t i = 0; i < count; i++) {
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] -= log(total);
+  }
+}
+
+/* A row of features for each target and a predicted law. */
+void targets_posterior_features(Vector memory, Table table, posterior_Law predicted, Table out) {
+  posterior_Situation now;
+  Vector f;
+  now = targets_posterior_situation(memory);
+  for (int64_t i = 0; i < table.n; i++) {
+    f = (Vector){out.p + i * out.m, out.m};
+    T6d values_1 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted, true);
+    f.p[targets_posterior_MASS] = values_1.f0;
+    f.p[targets_posterior_TRAIL] = values_1.f1;
+    f.p[targets_posterior_HEADING] = values_1.f2;
+    f.p[targets_posterior_PER_WAY] = values_1.f3;
+    f.p[targets_posterior_PER_SPEED] = values_1.f4;
+    f.p[targets_posterior_NEAR] = values_1.f5;
+  }
+}
+
+/* How many steps (dx, dy) from (x, y) until the rectangle is met, 0 inside; infinite if it never is. */
+double targets_prefetch_contact(double x, double y, double dx, double dy, Vector row) {
+  double enters, leaves, step, off, half, near, far;
+  enters = 0.0;
+  leaves = INFINITY;
+  for (int64_t axis = 0; axis < 2; axis++) {
+    step = axis == 0 ? dx : dy;
+    off = axis == 0 ? row.p[targets_rectangles_CENTRE_X] - x : row.p[targets_rectangles_CENTRE_Y] - y;
+    half = 0.5 * (axis == 0 ? row.p[targets_rectangles_WIDTH] : row.p[targets_rectangles_HEIGHT]);
+    if (step == 0.0) {
+      if (fabs(off) > half) {
+        return INFINITY;
+      }
+    } else {
+      near = (off - half) / step;
+      far = (off + half) / step;
+      enters = max_float(enters, min_float(near, far));
+      leaves = min_float(leaves, max_float(near, far));
+    }
+  }
+  return enters <= leaves ? enters : INFINITY;
+}
+
+/* Whether a point lies in a rectangle, its border included. */
+bool targets_prefetch_inside(double x, double y, Vector row) {
+  return fabs(row.p[targets_rectangles_CENTRE_X] - x) <= 0.5 * row.p[targets_rectangles_WIDTH] && fabs(row.p[targets_rectangles_CENTRE_Y] - y) <= 0.5 * row.p[targets_rectangles_HEIGHT];
+}
+
+/* How likely the cursor goes through each target: its share, and the shares of what lies behind it. */
+void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vector out) {
+  Vector ends;
+  double total, to_x, to_y;
+  int64_t end;
+  double buffer_1[8];
+  ends = (Vector){buffer_1, targets_prefetch_PATHS};
+  targets_decision_rank(shares, table.n, ends);
+  for (int64_t i = 0; i < table.n; i++) {
+    total = shares.p[i];
+    for (int64_t place = 0; place < targets_prefetch_PATHS; place++) {
+      end = (int64_t)ends.p[place];
+      if (end == targets_decision_NOBODY || end == i || shares.p[end] < targets_prefetch_NEGLIGIBLE) {
+        continue;
+      }
+      to_x = table.p[end * table.m + targets_rectangles_CENTRE_X] - x;
+      to_y = table.p[end * table.m + targets_rectangles_CENTRE_Y] - y;
+      if (targets_prefetch_contact(x, y, to_x, to_y, (Vector){table.p + i * table.m, table.m}) <= 1.0) {
+        total += shares.p[end];
+      }
+    }
+    out.p[i] = total;
+  }
+}
+
+/* Arm every target anew where a movement has begun; those that it starts in first have to be left. */
+void targets_prefetch_begin(Vector memory, Table table, Vector fired) {
+  for (int64_t i = 0; i < table.n; i++) {
+    if (fired.p[i] == targets_prefetch_PREDICTED || fired.p[i] == targets_prefetch_ENTERED) {
+      fired.p[i] = targets_prefetch_FIRED;
+    }
+  }
+  if (memory.p[targets_prefetch_BEGAN] == memory.p[targets_cursor_T0]) {
+    return;
+  }
+  memory.p[targets_prefetch_BEGAN] = memory.p[targets_cursor_T0];
+  memory.p[targets_prefetch_COUNT] = 0.0;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (fired.p[i] != targets_prefetch_ARMED) {
+      fired.p[i] = targets_prefetch_inside(memory.p[targets_cursor_X0], memory.p[targets_cursor_Y0], (Vector){table.p + i * table.m, table.m}) ? targets_prefetch_RESTING : targets_prefetch_ARMED;
+    }
+  }
+}
+
+/* The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S. */
+double targets_prefetch_urgency(Vector memory, Vector row, Vector settings) {
+  double left_s, near;
+  left_s = targets_cursor_until(memory, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
+  near = -log(min_float(max_float(left_s, targets_prefetch_SHORTEST_S), targets_prefetch_LONGEST_S) / targets_prefetch_REFERENCE_S);
+  return settings.p[targets_prefetch_NEAR] * near - settings.p[targets_prefetch_FAR] * near * near;
+}
+
+/* Logarithm of p over 1 - p, finite also at 0 and 1. */
+double targets_prefetch_log_odds(double p) {
+  p = min_float(max_float(p, targets_prefetch_SMALLEST), 1.0 - targets_prefetch_SMALLEST);
+  return log(p / (1.0 - p));
+}
+
+/* Decide which targets fire now; returns how many. */
+int64_t targets_prefetch_step(Vector memory, T_Table_3_Vector_ targets, Vector shares, Vector settings) {
+  Table table;
+  Vector thresholds, visits, fired;
+  double x, y, passed, sure, common, likely, score, line_s;
+  bool moves, late;
+  int64_t count;
+  table = targets.f0;
+  thresholds = targets.f1;
+  visits = targets.f2;
+  fired = targets.f3;
+  targets_prefetch_begin(memory, table, fired);
+  x = memory.p[targets_cursor_X];
+  y = memory.p[targets_cursor_Y];
+  targets_prefetch_visit(x, y, table, shares, visits);
+  passed = 0.0;
+  sure = 0.0;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (!targets_prefetch_inside(x, y, (Vector){table.p + i * table.m, table.m})) {
+      passed = passed + visits.p[i];
+      sure = max_float(sure, shares.p[i]);
+    }
+  }
+  common = settings.p[targets_prefetch_BASE] + settings.p[targets_prefetch_PASSED] * log(max_float(passed, targets_prefetch_LEAST_VISITS)) - settings.p[targets_prefetch_SURE] * sure;
+  common += settings.p[targets_prefetch_AGE] * min_float(memory.p[targets_cursor_T] - memory.p[targets_cursor_T0], targets_prefetch_AGE_S);
+  moves = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]) >= targets_prefetch_LEAST_WAY_PX;
+  count = 0;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
+      continue;
+    }
+    if (targets_prefetch_inside(x, y, (Vector){table.p + i * table.m, table.m})) {
+      if (fired.p[i] == targets_prefetch_ARMED) {
+        fired.p[i] = targets_prefetch_ENTERED;
+        count = count + 1;
+      }
+      continue;
+    }
+    if (fired.p[i] == targets_prefetch_RESTING) {
+      fired.p[i] = targets_prefetch_ARMED;
+    }
+    if (fired.p[i] != targets_prefetch_ARMED || !moves) {
+      continue;
+    }
+    likely = max_float(visits.p[i], targets_prefetch_SMALLEST);
+    score = common + targets_prefetch_log_odds(likely) + settings.p[targets_prefetch_END] * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
+    score += targets_prefetch_urgency(memory, (Vector){table.p + i * table.m, table.m}, settings) - settings.p[targets_prefetch_SPENT] * (memory.p[targets_prefetch_COUNT] + count);
+    line_s = targets_prefetch_contact(x, y, memory.p[targets_cursor_VX], memory.p[targets_cursor_VY], (Vector){table.p + i * table.m, table.m});
+    late = line_s <= settings.p[targets_prefetch_LATE_S] && likely >= max_float(settings.p[targets_prefetch_LATE], thresholds.p[i]);
+    if (late || score >= targets_prefetch_log_odds(thresholds.p[i])) {
+      fired.p[i] = targets_prefetch_PREDICTED;
+      count = count + 1;
+    }
+  }
+  memory.p[targets_prefetch_COUNT] += count;
+  return count;
+}
+
+/* Rows of an upper left corner, a size and a weight become the table: centres, logarithms of weights. */
+void targets_rectangles_complete(Table rows) {
+  double most, weight, total;
+  most = -INFINITY;
+  for (int64_t i = 0; i < rows.n; i++) {
+    rows.p[i * rows.m + targets_rectangles_CENTRE_X] += 0.5 * rows.p[i * rows.m + targets_rectangles_WIDTH];
+    rows.p[i * rows.m + targets_rectangles_CENTRE_Y] += 0.5 * rows.p[i * rows.m + targets_rectangles_HEIGHT];
+    weight = rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT];
+    rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT] = weight > 0.0 ? log(weight) : -INFINITY;
+    most = max_float(most, rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT]);
+  }
+  if (most == -INFINITY) {
+    return;
+  }
+  total = 0.0;
+  for (int64_t i = 0; i < rows.n; i++) {
+    total += exp(rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT] - most);
+  }
+  for (int64_t i = 0; i < rows.n; i++) {
+    rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT] -= most + log(total);
+  }
+}

@@ -1,0 +1,534 @@
+"""The expressions of a law in C.
+
+A tuple, and a row, becomes a struct; an array a struct of its place and size. What C means differently is a
+call of a function of ``laws.h``: the remainder, ``max``, ``min``, whole powers.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from translation.c_names import Law, c_name, local
+from translation.kinds import (
+    FLAG,
+    FLOAT,
+    NOTHING,
+    WHOLE,
+    Array,
+    Kind,
+    Number,
+    Parts,
+    annotated,
+    joined,
+    kind_of_value,
+)
+from translation.source import Module, Name, UntranslatableError, is_law, member, module, origin, row_of
+
+SAME = frozenset(
+    [
+        "acos",
+        "asin",
+        "atan",
+        "cos",
+        "cosh",
+        "exp",
+        "expm1",
+        "log",
+        "log1p",
+        "sin",
+        "sinh",
+        "sqrt",
+        "tan",
+        "tanh",
+        "erf",
+        "lgamma",
+        "atan2",
+        "hypot",
+        "copysign",
+        "pow",
+    ]
+)
+"""Functions of Python's ``math`` that are also functions of ``math.h``."""
+BINARY = {ast.Add: ("+", 12), ast.Sub: ("-", 12), ast.Mult: ("*", 13)}
+COMPARE = {ast.Eq: "==", ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
+ATOM, CALL, UNARY, PRODUCT, SUM, ORDER, EQUAL, BITS, AND, OR, CHOICE = 20, 18, 15, 13, 12, 10, 9, 8, 5, 4, 3
+LONGEST_LOCAL = 4096
+"""Floats of an array of a fixed size that stands on the stack."""
+
+
+class Value(NamedTuple):
+    """An expression in C, its kind, and how tightly its outermost operator binds."""
+
+    text: str
+    kind: Kind
+    binds: int = ATOM
+
+    def within(self, binds: int) -> str:
+        """The expression where something that binds so tightly is expected."""
+        return self.text if self.binds >= binds else f"({self.text})"
+
+
+class Expressions:
+    """The expressions of one law.
+
+    ``uses``: the laws and constants that they need; ``structs``: the kinds of tuples; ``casts``: from which to
+    which tuples are turned; ``written``: the arguments whose arrays are changed; ``before``: lines that go before
+    the present statement.
+    """
+
+    def __init__(self, reader: Module, function: ast.FunctionDef, bound: dict[str, Law], known: Any) -> None:
+        self.reader, self.function, self.bound, self.known = reader, function, bound, known
+        self.uses: set[Law] = set()
+        self.structs: dict[str, Parts] = {}
+        self.casts: set[tuple[Parts, Parts]] = set()
+        self.locals: dict[str, Kind] = {}
+        self.stars: dict[str, list[str]] = {}
+        self.before: list[str] = []
+        self.buffers: list[str] = []
+        self.written: set[str] = set()
+        self.sources: dict[str, set[str]] = {}
+        self._guarded = False
+        self._temporary = 0
+
+    def error(self, node: ast.AST, what: str) -> UntranslatableError:
+        """The error for a construct, with its file, line and law."""
+        line = getattr(node, "lineno", self.function.lineno)
+        return UntranslatableError(f"{self.reader.path}:{line}: {self.function.name}: {what}")
+
+    def fresh(self, word: str) -> str:
+        """A name that the law does not have."""
+        self._temporary += 1
+        return f"{word}_{self._temporary}"
+
+    def struct(self, kind: Kind) -> Kind:
+        """The same kind, whose struct is then declared."""
+        if isinstance(kind, Parts):
+            for one in kind.kinds:
+                self.struct(one)
+            self.structs.setdefault(kind.c, kind)
+        return kind
+
+    def cast(self, value: Value, to: Kind, node: ast.AST) -> Value:
+        """A value as another kind takes it."""
+        if value.kind.c == to.c:
+            return value
+        if isinstance(value.kind, Parts) and isinstance(to, Parts) and len(value.kind.kinds) == len(to.kinds):
+            self.struct(value.kind), self.struct(to)
+            self.casts.add((value.kind, to))
+            for one, other in zip(value.kind.kinds, to.kinds, strict=True):
+                self.cast(Value("", one), other, node)
+            return Value(f"{to.c}_of_{value.kind.c}({value.text})", to, CALL)
+        if to == FLOAT and value.kind in (WHOLE, FLAG):
+            return Value(value.text, FLOAT, value.binds)
+        if to == WHOLE and value.kind == FLAG:
+            return Value(value.text, WHOLE, value.binds)
+        raise self.error(node, f"{value.kind.c} where {to.c} is expected: {ast.unparse(node)}")
+
+    def condition(self, node: ast.expr) -> Value:
+        """An expression as a condition."""
+        value = self.value(node)
+        if value.kind == FLOAT:
+            raise self.error(node, f"the float {ast.unparse(node)} as a condition")
+        return value
+
+    def value(self, node: ast.expr) -> Value:
+        """An expression; raises UntranslatableError."""
+        match node:
+            case ast.Constant(value=bool() | int() | float() as constant):
+                return literal(constant)
+            case ast.Name(id=name) if name in self.locals:
+                return Value(local(name), self.locals[name])
+            case ast.Name(id=name):
+                return self._named(node, origin(self.reader, name))
+            case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
+                return self._named(node, member(self.reader, owner, name))
+            case ast.Attribute(value=whole, attr=name):
+                value = self.value(whole)
+                if not isinstance(value.kind, Parts) or name not in value.kind.names:
+                    raise self.error(node, f".{name} of {ast.unparse(whole)}, which is {value.kind.c}")
+                return Value(
+                    f"{value.within(CALL)}.{name}", value.kind.kinds[value.kind.names.index(name)], CALL
+                )
+            case ast.Tuple(elts=parts):
+                values = self._arguments(parts)
+                return self._made(Parts(tuple(one.kind for one in values)), values)
+            case ast.UnaryOp(op=ast.Not(), operand=operand):
+                return Value(f"!{self.condition(operand).within(UNARY)}", FLAG, UNARY)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                value = self.value(operand)
+                return Value(
+                    f"-{value.within(UNARY + 1)}", WHOLE if value.kind == FLAG else value.kind, UNARY
+                )
+            case ast.UnaryOp(op=ast.Invert(), operand=operand):
+                return Value(f"~{self.value(operand).within(UNARY)}", WHOLE, UNARY)
+            case ast.BinOp():
+                return self._binary(node)
+            case ast.BoolOp(op=op, values=operands):
+                binds, sign = (AND, " && ") if isinstance(op, ast.And) else (OR, " || ")
+                return Value(sign.join(self._each(operands, binds + (binds == OR) * 2)), FLAG, binds)
+            case ast.Compare():
+                return self._compare(node)
+            case ast.IfExp(test=test, body=body, orelse=orelse):
+                return self._choice(node, test, body, orelse)
+            case ast.Subscript():
+                return self._subscript(node)
+            case ast.Call():
+                return self._call(node)
+        raise self.error(node, type(node).__name__)
+
+    def _is_module(self, owner: str) -> bool:
+        return owner in self.reader.imports and owner not in self.locals
+
+    def _each(self, operands: list[ast.expr], binds: int) -> list[str]:
+        """Conditions one after the other; only the first may need lines before the statement."""
+        texts = [self.condition(operands[0]).within(binds + 1)]
+        outer, self._guarded = self._guarded, True
+        texts += [self.condition(one).within(binds + 1) for one in operands[1:]]
+        self._guarded = outer
+        return texts
+
+    def _choice(self, node: ast.expr, test: ast.expr, body: ast.expr, orelse: ast.expr) -> Value:
+        condition = self.condition(test)
+        outer, self._guarded = self._guarded, True
+        one, other = self.value(body), self.value(orelse)
+        self._guarded = outer
+        kind = self.struct(joined(one.kind, other.kind))
+        one, other = self.cast(one, kind, node), self.cast(other, kind, node)
+        text = f"{condition.within(CHOICE + 1)} ? {one.within(CHOICE + 1)} : {other.within(CHOICE)}"
+        return Value(text, kind, CHOICE)
+
+    def _made(self, kind: Parts, values: list[Value]) -> Value:
+        self.struct(kind)
+        return Value(f"({kind.c}){{{', '.join(one.text for one in values)}}}", kind, CALL)
+
+    def _named(self, node: ast.expr, name: Name) -> Value:
+        """A constant."""
+        if name.module in ("math", "numpy") and name.name in ("nan", "inf", "pi"):
+            return literal(getattr(math, name.name))
+        if name.module.startswith("pointpred") and not is_law(name):
+            value = module(name.module).values[name.name]
+            kind = kind_of_value(value)
+            if kind is not None:
+                row = row_of(Name(type(value).__module__, type(value).__name__))
+                if row is not None:
+                    kind = annotated(module(type(value).__module__), ast.Name(type(value).__name__))
+                self.uses.add(name)
+                self.struct(kind)
+                if isinstance(kind, Array):
+                    sizes = ", ".join(map(str, value.shape))
+                    return Value(f"({kind.c}){{(double *){c_name(name)}, {sizes}}}", kind, CALL)
+                return Value(c_name(name), kind)
+        raise self.error(node, f"the name {ast.unparse(node)}")
+
+    def _compare(self, node: ast.Compare) -> Value:
+        operands = [node.left, *node.comparators]
+        if any(isinstance(one, ast.Call) for one in operands[1:-1]):
+            raise self.error(node, f"a call in the middle of {ast.unparse(node)}")
+        if wrong := [one for one in node.ops if type(one) not in COMPARE]:
+            raise self.error(node, f"{type(wrong[0]).__name__} in {ast.unparse(node)}")
+        texts = [self.value(one).within(ORDER + 1) for one in operands]
+        parts = [f"{texts[i]} {COMPARE[type(op)]} {texts[i + 1]}" for i, op in enumerate(node.ops)]
+        return Value(" && ".join(parts), FLAG, AND if len(parts) > 1 else EQUAL)
+
+    def _binary(self, node: ast.BinOp) -> Value:
+        if isinstance(node.op, ast.Pow):
+            return self._power(node)
+        left, right = self.value(node.left), self.value(node.right)
+        numbers = (FLAG, WHOLE, FLOAT)
+        if left.kind not in numbers or right.kind not in numbers:
+            raise self.error(node, f"{left.kind.c} and {right.kind.c} in {ast.unparse(node)}")
+        whole = FLOAT not in (left.kind, right.kind)
+        match node.op:
+            case ast.Div():
+                first = f"(double){left.within(UNARY)}" if whole else left.within(PRODUCT)
+                return Value(f"{first} / {right.within(PRODUCT + 1)}", FLOAT, PRODUCT)
+            case ast.FloorDiv() | ast.Mod():
+                word = "floor_divided" if isinstance(node.op, ast.FloorDiv) else "remainder"
+                suffix = "_whole" if whole else "_float"
+                return Value(f"{word}{suffix}({left.text}, {right.text})", WHOLE if whole else FLOAT, CALL)
+            case ast.BitAnd():
+                return Value(f"{left.within(BITS)} & {right.within(BITS + 1)}", WHOLE, BITS)
+        if type(node.op) not in BINARY:
+            raise self.error(node, f"{type(node.op).__name__} in {ast.unparse(node)}")
+        sign, binds = BINARY[type(node.op)]
+        text = f"{left.within(binds)} {sign} {right.within(binds + 1)}"
+        return Value(text, WHOLE if whole else FLOAT, binds)
+
+    def _power(self, node: ast.BinOp) -> Value:
+        """Products for whole exponents, a root for 0.5, else ``pow``."""
+        base, exponent = self.value(node.left), node.right
+        number = ast.literal_eval(exponent) if isinstance(exponent, ast.Constant) else None
+        if number == 0.5:
+            return Value(f"sqrt({base.text})", FLOAT, CALL)
+        if number == 2 and base.kind == FLOAT:
+            return Value(f"square({base.text})", FLOAT, CALL)
+        power = self.value(exponent)
+        if power.kind == WHOLE:
+            word, kind = ("whole_power", FLOAT) if base.kind == FLOAT else ("power_of_whole", WHOLE)
+            return Value(f"{word}({base.text}, {power.text})", kind, CALL)
+        return Value(f"pow({base.text}, {power.text})", FLOAT, CALL)
+
+    def constant(self, node: ast.expr) -> int | None:
+        """The value of a whole number that is known, else None."""
+        match node:
+            case ast.Constant(value=int() as value):
+                return value
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                value = self.constant(operand)
+                return None if value is None else -value
+            case ast.Name(id=name) if name not in self.locals:
+                found = origin(self.reader, name)
+            case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
+                found = member(self.reader, owner, name)
+            case ast.BinOp(left=left, op=op, right=right):
+                one, other = self.constant(left), self.constant(right)
+                if one is None or other is None or type(op) not in BINARY:
+                    return None
+                return {"+": one + other, "-": one - other, "*": one * other}[BINARY[type(op)][0]]
+            case ast.Call(func=ast.Name(id="len"), args=[one]):
+                kind = self.value(one).kind
+                return len(kind.kinds) if isinstance(kind, Parts) else None
+            case _:
+                return None
+        value = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
+        return value if isinstance(value, int) else None
+
+    def whole(self, node: ast.expr) -> Value:
+        """An index."""
+        value = self.value(node)
+        if value.kind not in (WHOLE, FLAG):
+            raise self.error(node, f"an index that is no whole number: {ast.unparse(node)}")
+        return value
+
+    def _subscript(self, node: ast.Subscript) -> Value:
+        whole = node.value
+        if isinstance(whole, ast.Attribute) and whole.attr == "shape":
+            array = self.value(whole.value)
+            return Value(f"{array.within(CALL)}.{'nm'[self.constant(node.slice) or 0]}", WHOLE, CALL)
+        value = self.value(whole)
+        if isinstance(value.kind, Parts):
+            return self._part(node, value, value.kind)
+        if not isinstance(value.kind, Array):
+            raise self.error(node, f"an index into {ast.unparse(whole)}, which is {value.kind.c}")
+        indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        if any(isinstance(one, ast.UnaryOp) for one in indices):
+            raise self.error(node, f"an index from the end in {ast.unparse(node)}")
+        return self._element(node, value, value.kind, indices)
+
+    def _part(self, node: ast.Subscript, value: Value, kind: Parts) -> Value:
+        place = self.constant(node.slice)
+        if place is not None:
+            place %= len(kind.kinds)
+            return Value(f"{value.within(CALL)}.{kind.field(place)}", kind.kinds[place], CALL)
+        if len({one.c for one in kind.kinds}) != 1 or not isinstance(
+            node.value, ast.Name | ast.Attribute | ast.Subscript
+        ):
+            raise self.error(node, f"an index that is not known into {ast.unparse(node.value)}")
+        inside = kind.kinds[0]
+        return Value(
+            f"((const {inside.c} *)&{value.within(UNARY)})[{self.whole(node.slice).text}]", inside, CALL
+        )
+
+    def _element(self, node: ast.Subscript, value: Value, kind: Array, indices: list[ast.expr]) -> Value:
+        """A number of an array, or a part of it, which shares its memory."""
+        array, flat = value.within(CALL), Array(kind.of, 1)
+        last = indices[-1]
+        if kind.dimensions == 1 or (len(indices) == 1 and isinstance(last, ast.Slice)):
+            if not isinstance(last, ast.Slice):
+                return Value(f"{array}.p[{self.whole(last).text}]", kind.of, CALL)
+            start = self.whole(last.lower).within(SUM + 1) if last.lower else ""
+            end = self.whole(last.upper).within(SUM) if last.upper else f"{array}.n"
+            count = f"{end} - {start}" if start else end
+            if kind.dimensions == 2:
+                first = f"{array}.p + {start} * {array}.m" if start else f"{array}.p"
+                return Value(f"(Table){{{first}, {count}, {array}.m}}", kind, CALL)
+            return Value(f"({kind.c}){{{array}.p{f' + {start}' if start else ''}, {count}}}", kind, CALL)
+        row = f"{array}.p + {self.whole(indices[0]).within(PRODUCT)} * {array}.m"
+        if len(indices) == 1:
+            return Value(f"({flat.c}){{{row}, {array}.m}}", flat, CALL)
+        if isinstance(indices[0], ast.Slice):
+            raise self.error(node, f"a column of a table: {ast.unparse(node)}")
+        if isinstance(last, ast.Slice):
+            start = self.whole(last.lower).within(SUM + 1) if last.lower else "0"
+            end = self.whole(last.upper).within(SUM) if last.upper else f"{array}.m"
+            return Value(f"({flat.c}){{{row} + {start}, {end} - {start}}}", flat, CALL)
+        place = f"{self.whole(indices[0]).within(PRODUCT)} * {array}.m + {self.whole(last).within(SUM)}"
+        return Value(f"{array}.p[{place}]", kind.of, CALL)
+
+    def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
+        """Values one after the other; a star gives the parts of a tuple, or the shared arrays of a closure."""
+        values = []
+        for node in nodes:
+            if not isinstance(node, ast.Starred):
+                values.append(self.value(node))
+            elif isinstance(node.value, ast.Name) and node.value.id in self.stars:
+                values += [Value(local(one), self.locals[one]) for one in self.stars[node.value.id]]
+            else:
+                whole = self.value(node.value)
+                if not isinstance(whole.kind, Parts) or not isinstance(node.value, ast.Name | ast.Attribute):
+                    raise self.error(node, f"the parts of {ast.unparse(node.value)}")
+                kind = whole.kind
+                values += [
+                    Value(f"{whole.within(CALL)}.{kind.field(i)}", one, CALL)
+                    for i, one in enumerate(kind.kinds)
+                ]
+        return values
+
+    def _call(self, node: ast.Call) -> Value:
+        if node.keywords and not (
+            isinstance(node.func, ast.Attribute) and node.func.attr in ("empty", "zeros")
+        ):
+            raise self.error(node, f"a named argument in {ast.unparse(node)}")
+        match node.func:
+            case ast.Name(id=word) if word in self.bound:
+                return self._law(node, self.bound[word])
+            case ast.Name(id=word) if word not in self.locals:
+                name = origin(self.reader, word)
+            case ast.Attribute(value=ast.Name(id=owner), attr=word) if self._is_module(owner):
+                name = member(self.reader, owner, word)
+            case ast.Attribute(value=array, attr="copy") if not node.args:
+                return self._copy(node, self.value(array))
+            case _:
+                raise self.error(node, f"call of {ast.unparse(node.func)}")
+        if (row := row_of(name)) is not None:
+            kind = annotated(module(name.module), ast.Name(name.name))
+            assert isinstance(kind, Parts)
+            self.struct(kind)
+            if len(node.args) == 1 and isinstance(node.args[0], ast.Starred):
+                return self.cast(self.value(node.args[0].value), kind, node)
+            values = self._arguments(node.args)
+            if len(values) != len(row):
+                raise self.error(node, f"{len(values)} parts of {len(row)} in {ast.unparse(node)}")
+            return self._made(kind, [self.cast(*pair, node) for pair in zip(values, kind.kinds, strict=True)])
+        if name.module == "numpy" and name.name in ("empty", "zeros"):
+            return self._array(node, name.name)
+        if name.module == "math":
+            return self._math(node, name.name, self._arguments(node.args))
+        if not name.module:
+            return self._builtin(node, name.name, self._arguments(node.args))
+        if not is_law(name):
+            raise self.error(node, f"call of {ast.unparse(node.func)}")
+        return self._law(node, name)
+
+    def _law(self, node: ast.Call, law: Law) -> Value:
+        self.uses.add(law)
+        called = self.known(law)
+        values = self._arguments(node.args)
+        if len(values) != len(called.kinds):
+            raise self.error(node, f"{len(values)} arguments of {len(called.kinds)} in {ast.unparse(node)}")
+        for argument, name in zip(node.args, called.arguments, strict=False):
+            if name in called.written:
+                self.write(argument)
+        texts = [self.cast(one, kind, node).text for one, kind in zip(values, called.kinds, strict=True)]
+        return Value(f"{c_name(law)}({', '.join(texts)})", self.struct(called.returns), CALL)
+
+    def write(self, node: ast.expr) -> None:
+        """Note that what an expression stands for is changed."""
+        for name in self.base(node):
+            self.written.add(name)
+
+    def base(self, node: ast.expr) -> set[str]:
+        """The arguments whose memory an expression shares."""
+        match node:
+            case ast.Name(id=name):
+                return self.sources.get(name, {name})
+            case ast.Subscript(value=value) | ast.Attribute(value=value) | ast.Starred(value=value):
+                return self.base(value)
+            case ast.Tuple(elts=parts):
+                return set().union(*map(self.base, parts))
+            case ast.Call(args=parts):
+                return set().union(*map(self.base, parts))
+        return set()
+
+    def _copy(self, node: ast.Call, value: Value) -> Value:
+        if not isinstance(value.kind, Array) or value.kind.dimensions != 1:
+            raise self.error(node, f"a copy of {value.kind.c}")
+        name, of = self._buffer(node), value.kind.of
+        self.before.append(
+            f"RELEASED {of.c} *{name} = copied({value.within(CALL)}.p, sizeof({of.c}) * {value.within(CALL)}.n);"
+        )
+        return Value(f"({value.kind.c}){{{name}, {value.within(CALL)}.n}}", value.kind, CALL)
+
+    def _buffer(self, node: ast.AST) -> str:
+        if self._guarded:
+            raise self.error(node, "a new array within a condition")
+        return self.fresh("buffer")
+
+    def _array(self, node: ast.Call, word: str) -> Value:
+        """A new array: on the stack where its size is known."""
+        shape = node.args[0].elts if isinstance(node.args[0], ast.Tuple) else [node.args[0]]
+        of = WHOLE if node.keywords else FLOAT
+        known = [self.constant(one) for one in shape]
+        sizes = [self.whole(one) for one in shape]
+        kind, name = Array(of, len(shape)), self._buffer(node)
+        counts = [one for one in known if one is not None]
+        if len(counts) == len(known) and math.prod(counts) <= LONGEST_LOCAL:
+            self.buffers.append(f"{of.c} {name}[{math.prod(counts)}];")
+            if word == "zeros":
+                self.before.append(f"memset({name}, 0, sizeof {name});")
+        else:
+            size = " * ".join(one.within(PRODUCT + 1) for one in sizes)
+            self.before.append(f"RELEASED {of.c} *{name} = reserved({size});")
+        return Value(f"({kind.c}){{{name}, {', '.join(one.text for one in sizes)}}}", kind, CALL)
+
+    def _builtin(self, node: ast.Call, word: str, values: list[Value]) -> Value:
+        match word, values:
+            case "abs", [one]:
+                return Value(f"{'fabs' if one.kind == FLOAT else 'llabs'}({one.text})", one.kind, CALL)
+            case "int", [one]:
+                return one if one.kind == WHOLE else Value(f"(int64_t){one.within(UNARY)}", WHOLE, UNARY)
+            case "float", [one]:
+                return one if one.kind == FLOAT else Value(f"(double){one.within(UNARY)}", FLOAT, UNARY)
+            case "bool", [one]:
+                return one if one.kind == FLAG else Value(f"{one.within(EQUAL + 1)} != 0", FLAG, EQUAL)
+            case "len", [one]:
+                if isinstance(one.kind, Parts):
+                    return literal(len(one.kind.kinds))
+                return Value(f"{one.within(CALL)}.n", WHOLE, CALL)
+            case (("max" | "min"), [first, *others]) if others:
+                for other in others:
+                    kind = joined(first.kind, other.kind)
+                    suffix = "_float" if kind == FLOAT else "_whole"
+                    first = Value(f"{word}{suffix}({first.text}, {other.text})", kind, CALL)
+                return first
+        raise self.error(node, f"call of {word}")
+
+    def _math(self, node: ast.Call, word: str, values: list[Value]) -> Value:
+        if word in ("floor", "ceil", "trunc"):
+            return (
+                Value(f"(int64_t){word}({values[0].text})", WHOLE, UNARY)
+                if values[0].kind == FLOAT
+                else values[0]
+            )
+        if word == "isfinite":
+            return Value(f"isfinite({values[0].text})", FLAG, CALL)
+        if word in SAME:
+            return Value(f"{word}({', '.join(one.text for one in values)})", FLOAT, CALL)
+        raise self.error(node, f"call of math.{word}")
+
+
+def literal(value: Any) -> Value:
+    """A constant."""
+    if isinstance(value, bool):
+        return Value("true" if value else "false", FLAG)
+    if isinstance(value, int | np.integer):
+        text = f"{int(value)}" if abs(int(value)) < 2**31 else f"INT64_C({int(value)})"
+        return Value(text, WHOLE, UNARY if value < 0 else ATOM)
+    if isinstance(value, float):
+        if math.isinf(value):
+            return Value("INFINITY", FLOAT) if value > 0 else Value("-INFINITY", FLOAT, UNARY)
+        if value != value:
+            return Value("NAN", FLOAT)
+        return Value(repr(float(value)), FLOAT, UNARY if math.copysign(1.0, value) < 0 else ATOM)
+    if isinstance(value, tuple):
+        kind = kind_of_value(value)
+        assert kind is not None
+        return Value("{" + ", ".join(literal(one).text for one in value) + "}", kind)
+    raise TypeError(f"no constant: {value!r}")
+
+
+__all__ = ["NOTHING", "Expressions", "Number", "Value", "literal"]

@@ -1,0 +1,179 @@
+"""The files of C: a header, a file a room of the package, and the module that Python calls."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from pointpred.pipeline import joint_of, last_of
+from pointpred.predictors import Predictor
+from pointpred.differentiators import Differentiator
+from pointpred.stage import CompiledStage
+from translation.c_expressions import literal
+from translation.c_law import Function
+from translation.c_module import module_text
+from translation.c_names import Law, Made, c_name
+from translation.kinds import Parts, kind_of_value
+from translation.source import PLAIN, Name, is_law, module
+
+WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"
+
+
+def write(package: str, folder: Path) -> None:
+    """Write the files of a package's laws; those that are there and not written are removed."""
+    files = texts(package)
+    folder.mkdir(exist_ok=True)
+    for path in folder.iterdir():
+        if path.name not in files:
+            path.unlink()
+    for name, text in files.items():
+        path = folder / name
+        if not path.exists() or path.read_text("utf-8") != text:  # what is not changed is not compiled again
+            path.write_text(text, "utf-8")
+
+
+def texts(package: str) -> dict[str, str]:
+    """The files by their names; raises UntranslatableError."""
+    known: dict[Law, Function] = {}
+
+    def read(law: Law) -> Function:
+        if law not in known:
+            known[law] = Function(law, read)
+        return known[law]
+
+    for law in [*laws_in(package), *closures(package)]:
+        read(law)
+    entries = [one for law, one in known.items() if law.module.partition(".")[0] == package or isinstance(law, Made)]
+    rooms: dict[str, list[Function]] = {}
+    for one in known.values():
+        rooms.setdefault(room_of(one.law), []).append(one)
+    here = Path(__file__).parent
+    files = {
+        "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values())),
+        "module.c": module_text(sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")),
+    }
+    return files | {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+
+
+def laws_in(package: str) -> list[Law]:
+    """Every law of a package's modules."""
+    found: list[Law] = []
+    for name in modules_of(package):
+        if name not in PLAIN:
+            found += [Name(name, word) for word in module(name).laws]
+    return found
+
+
+def modules_of(package: str) -> list[str]:
+    """The modules of a package that have laws."""
+    home = importlib.import_module(package)
+    if hasattr(home, "__getattr__"):
+        list(dir(home))
+    names = [one.name for one in pkgutil.walk_packages(home.__path__, f"{package}.")]
+    return [name for name in names if any(mark in _source(name) for mark in ("@law", "@layout"))]
+
+
+def _source(name: str) -> str:
+    found = importlib.util.find_spec(name)
+    return Path(found.origin).read_text("utf-8") if found and found.origin and found.origin.endswith(".py") else ""
+
+
+def closures(package: str) -> list[Law]:
+    """The loops of all stages, and for every pair of a differentiator and a predictor its joint laws."""
+    stages = [one for one in subclasses(CompiledStage) if one.__module__.partition(".")[0] == package]
+    made = [made_of(one.loop) for one in stages if hasattr(one, "loop") and hasattr(one, "step")]
+    for predictor in (one for one in stages if issubclass(one, Predictor) and hasattr(one, "step")):
+        for first in (one for one in stages if issubclass(one, Differentiator) and hasattr(one, "step")):
+            made.append(made_of(joint_of(first.step, predictor.step)))
+            made.append(made_of(last_of(first.step, predictor.step, predictor.follow)))
+    return list(dict.fromkeys(made))
+
+
+def subclasses(of: type[Any]) -> list[type[Any]]:
+    """All children of a class, and theirs."""
+    return [one for child in of.__subclasses__() for one in (child, *subclasses(child))]
+
+
+def made_of(function: Any) -> Law:
+    """The law that a function is: by its name, or by what it closes over."""
+    if function.__closure__ is None:
+        return Name(function.__module__, function.__name__)
+    outer = function.__qualname__.partition(".<locals>")[0]
+    cells = zip(function.__code__.co_freevars, function.__closure__, strict=True)
+    return Made(function.__module__, outer, function.__name__, tuple((name, made_of(one.cell_contents)) for name, one in cells))
+
+
+def room_of(law: Law) -> str:
+    """The room of a law: the packages that its module lies in."""
+    if isinstance(law, Made):
+        return room_of(dict(law.bound).get("second") or dict(law.bound).get("step") or law.bound[-1][1])
+    words = law.module.split(".")[1:-1]
+    return "_".join(words) or law.module.rpartition(".")[2]
+
+
+def header(prelude: str, functions: list[Function]) -> str:
+    """The arrays and tuples, and the heads of all laws."""
+    structs: dict[str, Parts] = {}
+    casts: dict[tuple[str, str], tuple[Parts, Parts]] = {}
+    for one in functions:
+        for kind in one.structs.values():
+            _declare(kind, structs)
+        for source, target in one.casts:
+            casts[source.c, target.c] = source, target
+    lines = [WRITTEN, "#ifndef POINTPRED_LAWS", "#define POINTPRED_LAWS", prelude.rstrip(), ""]
+    for kind in structs.values():
+        fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
+        lines.append(f"typedef struct {{ {fields} }} {kind.c};")
+    for source, target in sorted(casts.values(), key=lambda pair: _depth(pair[0])):
+        parts = []
+        for i, (one, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
+            part = f"value.{source.field(i)}"
+            parts.append(f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part)
+        lines.append(
+            f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) {{ return ({target.c}){{{', '.join(parts)}}}; }}"
+        )
+    lines += [f"{one.head};" for one in sorted(functions, key=lambda one: c_name(one.law))]
+    return "\n".join([*lines, "#endif", ""])
+
+
+def _declare(kind: Parts, structs: dict[str, Parts]) -> None:
+    for one in kind.kinds:
+        if isinstance(one, Parts):
+            _declare(one, structs)
+    structs.setdefault(kind.c, kind)
+
+
+def _depth(kind: Parts) -> int:
+    return 1 + max((_depth(one) for one in kind.kinds if isinstance(one, Parts)), default=0)
+
+
+def room_text(functions: list[Function]) -> str:
+    """A room: its constants, its laws."""
+    constants = {use for one in functions for use in one.uses if isinstance(use, Name) and not is_law(use)}
+    lines = [WRITTEN, '#include "laws.h"', ""]
+    lines += [constant(one) for one in sorted(constants)]
+    for one in functions:
+        lines += ["", one.text]
+    return "\n".join([*lines, ""])
+
+
+def constant(name: Name) -> str:
+    """The declaration of a constant."""
+    value = module(name.module).values[name.name]
+    kind = kind_of_value(value)
+    if isinstance(value, np.ndarray):
+        return f"static const double {c_name(name)}[] = {literal(tuple(value.ravel().tolist())).text};"
+    assert kind is not None
+    word = kind.c
+    if isinstance(kind, Parts) and type(value) is not tuple:
+        word = f"{type(value).__module__.rpartition('.')[2]}_{type(value).__name__}"
+    return f"static const {word} {c_name(name)} = {literal(value).text};"
+
+
+__all__ = ["ModuleType", "Iterable", "texts", "write"]

@@ -1,0 +1,130 @@
+"""What the values of a law are in C: numbers, arrays, tuples; read from the annotations."""
+
+from __future__ import annotations
+
+import ast
+from itertools import groupby
+from typing import Any, NamedTuple, TypeAlias
+
+from translation.source import Module, Name, UntranslatableError, module, origin, row_of
+
+
+class Number(NamedTuple):
+    """A single value."""
+
+    c: str
+    letter: str
+
+
+class Array(NamedTuple):
+    """Numbers of one kind, one behind the other (``dimensions`` 1) or in rows (2)."""
+
+    of: Number
+    dimensions: int
+
+    @property
+    def c(self) -> str:
+        """The struct that ``laws.h`` has for it."""
+        word = {"d": "", "q": "Whole", "b": "Flag"}[self.of.letter]
+        return f"{word}{'Vector' if self.dimensions == 1 else 'Table'}"
+
+
+class Parts(NamedTuple):
+    """A tuple; ``of`` names the class, and ``names`` the parts, where it is a row."""
+
+    kinds: tuple[Kind, ...]
+    of: Name | None = None
+    names: tuple[str, ...] = ()
+
+    @property
+    def c(self) -> str:
+        """The struct in C: after the class, or by the kinds of the parts."""
+        if self.of is not None:
+            return f"{self.of.module.rpartition('.')[2]}_{self.of.name}"
+        codes = [one.letter if isinstance(one, Number) else f"_{one.c}_" for one in self.kinds]
+        runs = [(code, len(list(same))) for code, same in groupby(codes)]
+        return "T" + "".join(f"{count}{code}" if count > 1 else code for code, count in runs)
+
+    def field(self, place: int) -> str:
+        """The name of a part in C."""
+        return f"{self.names[place]}" if self.names else f"f{place}"
+
+
+Kind: TypeAlias = Number | Array | Parts
+FLOAT, WHOLE, FLAG, NOTHING = (
+    Number("double", "d"),
+    Number("int64_t", "q"),
+    Number("bool", "b"),
+    Number("void", "v"),
+)
+NUMBERS = {"float": FLOAT, "int": WHOLE, "bool": FLAG, "None": NOTHING}
+ARRAYS = {
+    "FloatArray": Array(FLOAT, 1),
+    "FloatTable": Array(FLOAT, 2),
+    "IntArray": Array(WHOLE, 1),
+    "IntTable": Array(WHOLE, 2),
+    "BoolArray": Array(FLAG, 1),
+}
+"""The names of ``pointpred.records`` for arrays."""
+
+
+def annotated(reader: Module, annotation: ast.expr | None) -> Kind:
+    """The kind that an annotation says; raises UntranslatableError where it says none."""
+    match annotation:
+        case ast.Constant(value=None):
+            return NOTHING
+        case ast.Name(id=word):
+            name = origin(reader, word)
+        case ast.Attribute(value=ast.Name(id=owner), attr=word):
+            name = origin(module(reader.imports[owner]), word)
+        case ast.Subscript(value=ast.Name(id="tuple"), slice=ast.Tuple(elts=parts)):
+            return Parts(tuple(annotated(reader, one) for one in parts))
+        case ast.Subscript(value=ast.Name(id="tuple"), slice=part):
+            return Parts((annotated(reader, part),))
+        case _:
+            raise UntranslatableError(f"{reader.path}: no kind: {annotation and ast.unparse(annotation)}")
+    if not name.module and word in NUMBERS:
+        return NUMBERS[word]
+    if name.module == "pointpred.records" and word in ARRAYS:
+        return ARRAYS[name.name]
+    if (row := row_of(name)) is not None:
+        kinds = tuple(annotated(module(name.module), one) for _, one in row)
+        return Parts(kinds, name, tuple(word for word, _ in row))
+    if not name.module.startswith("pointpred"):
+        raise UntranslatableError(f"{reader.path}: no kind: {word}")
+    if (alias := module(name.module).aliases.get(name.name)) is not None:
+        return annotated(module(name.module), alias)
+    raise UntranslatableError(f"{reader.path}: no kind: {word}")
+
+
+def joined(one: Kind | None, other: Kind) -> Kind:
+    """The kind of a name that stands for both; raises UntranslatableError."""
+    if one is None or one.c == other.c:
+        return other
+    if isinstance(one, Parts) and isinstance(other, Parts) and len(one.kinds) == len(other.kinds):
+        kinds = tuple(map(joined, one.kinds, other.kinds))
+        return Parts(kinds)
+    numbers = (FLAG, WHOLE, FLOAT)
+    if one in numbers and other in numbers:
+        return numbers[max(numbers.index(one), numbers.index(other))]  # type: ignore[arg-type]
+    raise UntranslatableError(f"{one} and {other} under one name")
+
+
+def kind_of_value(value: Any) -> Kind | None:
+    """The kind of a constant; None where it is none."""
+    if isinstance(value, bool):
+        return FLAG
+    if isinstance(value, int):
+        return WHOLE
+    if isinstance(value, float):
+        return FLOAT
+    if isinstance(value, tuple):
+        kinds = [kind_of_value(one) for one in value]
+        if None in kinds:
+            return None
+        if set(kinds) == {FLOAT, WHOLE}:
+            kinds = [FLOAT] * len(kinds)
+        return Parts(tuple(one for one in kinds if one is not None))
+    if type(value).__name__ == "ndarray" and value.dtype == float:
+        return Array(FLOAT, value.ndim)
+    return None
