@@ -1,10 +1,22 @@
-"""Write the laws in JavaScript for the page: ``python -m translation``, or ``make page``."""
+"""Write the laws in C and in JavaScript: ``python -m translation``, or ``make laws``."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
-from translation.modules import write
+os.environ["POINTPRED_COMPILED"] = "0"  # what is translated is read from the functions in Python
+
+from translation import c_files, modules
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDERS = {
+    "pointpred": ROOT / "pointpred" / "laws",
+    "pointpred_observers": ROOT / "observers" / "pointpred_observers" / "laws",
+}
+"""Where the C of each distribution lies."""
 
 if __name__ == "__main__":
-    write(Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web" / "laws")
+    for package, folder in FOLDERS.items():
+        c_files.write(package, folder)
+    modules.write(ROOT / "server" / "pointpred_server" / "web" / "laws")

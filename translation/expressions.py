@@ -10,6 +10,8 @@ import ast
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from translation.local_names import Locals
 from translation.names import qualified, renamed
 from translation.row_types import Types
@@ -322,11 +324,11 @@ def number(value: object) -> Text:
 
 
 def is_constant(name: Name) -> bool:
-    """Whether a name of a module of the package is a number, or a tuple of numbers."""
+    """Whether a name of a module of the package is a number, a tuple of numbers, or an array."""
     if not name.module.startswith("pointpred"):
         return False
     value = module(name.module).values.get(name.name)
-    return _is_number(value) or (isinstance(value, tuple) and _is_table(value))
+    return _is_number(value) or isinstance(value, np.ndarray) or (isinstance(value, tuple) and _is_table(value))
 
 
 def _is_number(value: object) -> bool:

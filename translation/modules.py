@@ -69,9 +69,7 @@ def reach(roots: Iterable[Name]) -> set[Name]:
             known.add(name)
             if is_law(name):
                 waiting += law(name).uses
-            elif not is_constant(name) and not isinstance(
-                module(name.module).values.get(name.name), np.ndarray
-            ):
+            elif not is_constant(name):
                 raise UntranslatableError(f"{name.module}.{name.name} is neither a law nor a constant")
     return known
 

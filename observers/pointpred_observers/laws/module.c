@@ -1,0 +1,1602 @@
+/* Written by `make laws` from the laws: change those and run it again. */
+/* How Python's values become those of a law, and back. */
+#define Py_LIMITED_API 0x030B0000
+#include <Python.h>
+#include <stdbool.h>
+#include <string.h>
+
+#define MOST_ARRAYS 16
+typedef struct { Py_buffer views[MOST_ARRAYS]; int count; } Held;
+
+static void *let_go(Held *held) {
+  while (held->count > 0) PyBuffer_Release(&held->views[--held->count]);
+  return NULL;
+}
+
+static bool counted(const char *law, Py_ssize_t given, Py_ssize_t wanted) {
+  if (given == wanted) return true;
+  PyErr_Format(PyExc_TypeError, "%s takes %zd arguments, received %zd", law, wanted, given);
+  return false;
+}
+
+static bool is_format(const Py_buffer *view, char letter) {
+  const char *format = view->format == NULL ? "B" : view->format;
+  if (*format == '@' || *format == '=' || *format == '<') format++;
+  if (format[0] == '\0' || format[1] != '\0') return false;
+  if (letter == 'q') return view->itemsize == 8 && strchr("lqn", *format) != NULL;
+  return *format == (letter == 'b' ? '?' : letter);
+}
+
+/* The memory of an array of so many dimensions; false, with a TypeError, for anything else. */
+static bool take_array(Held *held, PyObject *given, const char *law, const char *argument, char letter, int dimensions,
+                       bool written, const Py_buffer **taken) {
+  Py_buffer *view = &held->views[held->count];
+  int flags = PyBUF_FORMAT | PyBUF_C_CONTIGUOUS | (written ? PyBUF_WRITABLE : 0);
+  if (PyObject_GetBuffer(given, view, flags) == 0) {
+    held->count++;
+    *taken = view;
+    if (view->ndim == dimensions && is_format(view, letter)) return true;
+  }
+  PyErr_Clear();
+  const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
+  PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+  return false;
+}
+
+static bool take_tuple(PyObject *given, const char *law, const char *argument, Py_ssize_t count) {
+  if (PyTuple_Check(given) && PyTuple_Size(given) == count) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must be a tuple of %zd, received %R", law, argument, count, given);
+  return false;
+}
+
+static bool take_double(PyObject *given, double *value) {
+  *value = PyFloat_AsDouble(given);
+  return *value != -1.0 || PyErr_Occurred() == NULL;
+}
+
+static bool take_int64_t(PyObject *given, int64_t *value) {
+  *value = PyLong_AsLongLong(given);
+  return *value != -1 || PyErr_Occurred() == NULL;
+}
+
+static bool take_bool(PyObject *given, bool *value) {
+  int truth = PyObject_IsTrue(given);
+  *value = truth == 1;
+  return truth >= 0;
+}
+#include "laws.h"
+
+static PyObject *give_T9d(T9d value) {
+  PyObject *tuple = PyTuple_New(9);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
+  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
+  return tuple;
+}
+static PyObject *give_T2d(T2d value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  return tuple;
+}
+static PyObject *give_T7d(T7d value) {
+  PyObject *tuple = PyTuple_New(7);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  return tuple;
+}
+static PyObject *give_T3d(T3d value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  return tuple;
+}
+static PyObject *give_T4d(T4d value) {
+  PyObject *tuple = PyTuple_New(4);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  return tuple;
+}
+static PyObject *py_camera_camera_stage_sample_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.camera_stage:sample_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T9d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = camera_camera_stage_sample_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T9d(result);
+}
+static PyObject *py_camera_camera_stage_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.camera_stage:usable";
+  Held held;
+  const Py_buffer *view;
+  samples_SampleRow a0;
+  double a1;
+  double a2;
+  double a3;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_tuple(args[0], law, "sample", 9)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.wx)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.wz)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.ax)
+        && take_double(PyTuple_GetItem(args[0], 7), &a0.ay)
+        && take_double(PyTuple_GetItem(args[0], 8), &a0.az)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = camera_camera_stage_usable(a0, a1, a2, a3);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.depth:carry";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  depth_Measured a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "m", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.wx)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.wy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.wz)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.az)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  camera_depth_carry(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_depth_inside(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.depth:inside";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = camera_depth_inside(a0, a1, a2);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_depth_rate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.depth:rate";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  depth_Measured a2;
+  double a3;
+  double a4;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "m", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.wx)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.wy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.wz)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.az)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = camera_depth_rate(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.depth:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T9d a1;
+  T7d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "sample", 9)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)))
+    return let_go(&held);
+  result = camera_depth_step(a0, a1);
+  let_go(&held);
+  return give_T7d(result);
+}
+static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:add_noise";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  camera_kinematics_add_noise(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_kinematics_back(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:back";
+  Held held;
+  const Py_buffer *view;
+  T3d a0;
+  T3d a1;
+  T3d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.f2)
+        && take_tuple(args[1], law, "vector", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)))
+    return let_go(&held);
+  result = camera_kinematics_back(a0, a1);
+  let_go(&held);
+  return give_T3d(result);
+}
+static PyObject *py_camera_kinematics_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:carry";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  T3d a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
+    return let_go(&held);
+  camera_kinematics_carry(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:push";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T3d a3;
+  T3d a4;
+  T3d a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_tuple(args[4], law, "before", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_tuple(args[5], law, "after", 3)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)))
+    return let_go(&held);
+  camera_kinematics_push(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_kinematics_turn_covariance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:turn_covariance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  T3d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  camera_kinematics_turn_covariance(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_point_filter_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.point_filter:correct";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  camera_point_filter_correct(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_point_filter_look(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.point_filter:look";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  camera_point_filter_look(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_point_filter_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.point_filter:predict";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  T3d a2;
+  T3d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "w", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "a", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  camera_point_filter_predict(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.point_filter:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_point_filter_step(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.starting:begin";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  camera_starting_begin(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_starting_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.starting:factor";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = camera_starting_factor(a0, a1);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_starting_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.starting:solve";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  camera_starting_solve(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_starting_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.starting:start";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  double a5;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = camera_starting_start(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_starting_take(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.starting:take";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  camera_starting_take(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.unknown_input_filter:flow";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  result = camera_unknown_input_filter_flow(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.unknown_input_filter:predict";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.unknown_input_filter:row_at";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T7d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = camera_unknown_input_filter_row_at(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T7d(result);
+}
+static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.unknown_input_filter:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T7d a1;
+  T4d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "row", 7)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)))
+    return let_go(&held);
+  result = camera_unknown_input_filter_step(a0, a1);
+  let_go(&held);
+  return give_T4d(result);
+}
+static PyObject *py_interconnected_persidskii_law_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:advance";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_advance(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_bridge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:bridge";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  double a3;
+  double a4;
+  int64_t a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  interconnected_persidskii_law_bridge(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_floats(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:floats";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_floats(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:flow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  Vector a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  interconnected_persidskii_law_flow(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_injected_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:injected_at";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_injected_at(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:move";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  int64_t a2;
+  int64_t a3;
+  bool a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_bool(args[4], &a4)))
+    return let_go(&held);
+  interconnected_persidskii_law_move(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_onward(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:onward";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_onward(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_interconnected_persidskii_law_read(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:read";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "out", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  interconnected_persidskii_law_read(a0, a1);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:replace";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  interconnected_persidskii_law_replace(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_replaced_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:replaced_at";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_replaced_at(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_room(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:room";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_room(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:slope";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_int64_t(args[4], &a4)))
+    return let_go(&held);
+  interconnected_persidskii_law_slope(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_interconnected_persidskii_law_start_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:start_at";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_start_at(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_state_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:state_at";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_state_at(a0, a1, a2, a3);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_step(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_point_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__interconnected_persidskii_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.interconnected.persidskii_law:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__interconnected_persidskii_law_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.nonlinearity:value";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = nonlinearity_value(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regressors_gradient_finite(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:finite";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = regressors_gradient_finite(a0);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:flow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  regressors_gradient_flow(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:jump";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  regressors_gradient_jump(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regressors_gradient_state_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:state_at";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regressors_gradient_state_at(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_gradient_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regressors_gradient_states(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_gradient_steepness(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:steepness";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  int64_t a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = regressors_gradient_steepness(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = regressors_gradient_step(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_gradient_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:width";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regressors_gradient_width(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_nonlinear_regression_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:flow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  double a2;
+  double a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regressors_nonlinear_regression_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:pace";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "sample", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  result = regressors_nonlinear_regression_pace(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_regressors_nonlinear_regression_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:slope";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  int64_t a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  regressors_nonlinear_regression_slope(a0, a1, a2, a3);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_regressors_nonlinear_regression_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regressors_nonlinear_regression_states(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_nonlinear_regression_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = regressors_nonlinear_regression_step(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_regressors_nonlinear_regression_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:width";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = regressors_nonlinear_regression_width(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.interlaced_observer:drive";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  double a3;
+  double a4;
+  Vector a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "row", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = triangular_interlaced_observer_drive(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_triangular_interlaced_observer_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.interlaced_observer:follow";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  double a2;
+  int64_t a3;
+  Vector a4;
+  bool a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_array(&held, args[4], law, "row", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_bool(args[5], &a5)))
+    return let_go(&held);
+  triangular_interlaced_observer_follow(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_triangular_interlaced_observer_settings(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.interlaced_observer:settings";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = triangular_interlaced_observer_settings(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_triangular_interlaced_observer_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.interlaced_observer:states";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_int64_t(args[0], &a0)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = triangular_interlaced_observer_states(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_triangular_interlaced_observer_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.interlaced_observer:step";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = triangular_interlaced_observer_step(a0, a1, a2);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_triangular_program_apply(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.program:apply";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_int64_t(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = triangular_program_apply(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.triangular.program:execute";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  int64_t a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  triangular_program_execute(a0, a1, a2);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyMethodDef methods[] = {
+  {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.camera_stage:usable", (PyCFunction)(void (*)(void))py_camera_camera_stage_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.depth:carry", (PyCFunction)(void (*)(void))py_camera_depth_carry, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.depth:inside", (PyCFunction)(void (*)(void))py_camera_depth_inside, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.depth:rate", (PyCFunction)(void (*)(void))py_camera_depth_rate, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:carry", (PyCFunction)(void (*)(void))py_camera_kinematics_carry, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:push", (PyCFunction)(void (*)(void))py_camera_kinematics_push, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:turn_covariance", (PyCFunction)(void (*)(void))py_camera_kinematics_turn_covariance, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.point_filter:correct", (PyCFunction)(void (*)(void))py_camera_point_filter_correct, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.starting:begin", (PyCFunction)(void (*)(void))py_camera_starting_begin, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.starting:factor", (PyCFunction)(void (*)(void))py_camera_starting_factor, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.starting:solve", (PyCFunction)(void (*)(void))py_camera_starting_solve, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.starting:start", (PyCFunction)(void (*)(void))py_camera_starting_start, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.starting:take", (PyCFunction)(void (*)(void))py_camera_starting_take, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.unknown_input_filter:flow", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.unknown_input_filter:predict", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_predict, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.unknown_input_filter:row_at", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_row_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.unknown_input_filter:step", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:bridge", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bridge, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:floats", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_floats, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:flow", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:injected_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_injected_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:move", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_move, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:onward", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_onward, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:read", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_read, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:replaced_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replaced_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:room", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_room, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:start_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_start_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:state_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_state_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.interconnected.persidskii_law:step)", (PyCFunction)(void (*)(void))py_loop__interconnected_persidskii_law_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:finite", (PyCFunction)(void (*)(void))py_regressors_gradient_finite, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:state_at", (PyCFunction)(void (*)(void))py_regressors_gradient_state_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:states", (PyCFunction)(void (*)(void))py_regressors_gradient_states, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:width", (PyCFunction)(void (*)(void))py_regressors_gradient_width, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:flow", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:pace", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_pace, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:slope", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_slope, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:states", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_states, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:step", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.nonlinear_regression:width", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_width, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.interlaced_observer:drive", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_drive, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.interlaced_observer:follow", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_follow, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.interlaced_observer:settings", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_settings, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.interlaced_observer:states", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_states, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.interlaced_observer:step", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.program:apply", (PyCFunction)(void (*)(void))py_triangular_program_apply, METH_FASTCALL, NULL},
+  {"pointpred_observers.triangular.program:execute", (PyCFunction)(void (*)(void))py_triangular_program_execute, METH_FASTCALL, NULL},
+  {NULL, NULL, 0, NULL},
+};
+static PyModuleDef_Slot slots[] = {{0, NULL}};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};
+PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }
