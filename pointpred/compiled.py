@@ -9,7 +9,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import Any, TypeVar
+from functools import wraps
+from inspect import unwrap
+from typing import Any, TypeVar, cast
+
+from pointpred.layout import Layout
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -27,15 +31,50 @@ COMPILED = bool(_functions)
 
 
 def law(function: Function) -> Function:
-    """The law in C, or as it is where there is none, as in a package of somebody else."""
-    return _functions.get(key_of(function), function) if _functions else function
+    """The law in C, or in Python where there is none, as in a package of somebody else."""
+    return _functions.get(key_of(function)) or with_names(function)
+
+
+def with_names(function: Function) -> Function:
+    """A law in Python that takes flat memories where its arguments are layouts."""
+    layouts = {i: one for i, word in enumerate(_annotations(function)) if (one := _layout(function, word))}
+    if not layouts:
+        return function
+
+    @wraps(function)
+    def named(*arguments: Any) -> Any:
+        given = list(arguments)
+        for i, layout in layouts.items():
+            if not isinstance(given[i], Layout):
+                given[i] = layout(given[i])
+        return function(*given)
+
+    return cast(Function, named)
+
+
+def _annotations(function: Callable[..., Any]) -> list[str]:
+    names = function.__code__.co_varnames[: function.__code__.co_argcount]
+    return [str(function.__annotations__.get(name, "")) for name in names]
+
+
+def _layout(function: Callable[..., Any], annotation: str) -> type[Layout] | None:
+    """The layout that an annotation names, such as ``Memory`` or ``sampling.State``."""
+    owner, _, word = annotation.rpartition(".")
+    values = function.__globals__
+    value = getattr(values.get(owner), word, None) if owner else values.get(word)
+    return value if isinstance(value, type) and issubclass(value, Layout) else None
 
 
 def key_of(function: Any) -> str:
     """What a law is called: its module and name; of one that is made around laws, its maker's, and theirs."""
+    function = unwrap(function)
     closed = getattr(function, "__closure__", None)
     if closed is None:
-        return function.__name__ if ":" in function.__name__ else f"{function.__module__}:{function.__qualname__}"
+        return (
+            function.__name__
+            if ":" in function.__name__
+            else f"{function.__module__}:{function.__qualname__}"
+        )
     maker = function.__qualname__.partition(".<locals>")[0]
     return " ".join([f"{function.__module__}:{maker}", *(f"({key_of(one.cell_contents)})" for one in closed)])
 

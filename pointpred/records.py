@@ -39,6 +39,7 @@ FloatTable = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 IntTable = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
+BoolTable = NDArray[np.bool_]
 """Arrays of one dimension, tables of two: as arguments of laws, contiguous."""
 
 Phase = Literal["still", "ballistic", "corrective"]

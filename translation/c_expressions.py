@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from pointpred.layout import Layout
 from translation.c_names import Law, c_name, local
 from translation.kinds import (
     FLAG,
@@ -20,11 +21,15 @@ from translation.kinds import (
     WHOLE,
     Array,
     Kind,
+    Memories,
+    Memory,
     Number,
     Parts,
     annotated,
     joined,
     kind_of_value,
+    layout_at,
+    layout_of,
 )
 from translation.source import Module, Name, UntranslatableError, is_law, member, module, origin, row_of
 
@@ -56,6 +61,7 @@ SAME = frozenset(
 BINARY = {ast.Add: ("+", 12), ast.Sub: ("-", 12), ast.Mult: ("*", 13)}
 COMPARE = {ast.Eq: "==", ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
 ATOM, CALL, UNARY, PRODUCT, SUM, ORDER, EQUAL, BITS, AND, OR, CHOICE = 20, 18, 15, 13, 12, 10, 9, 8, 5, 4, 3
+CLEAR = Name("pointpred.layout", "clear")
 LONGEST_LOCAL = 4096
 """Floats of an array of a fixed size that stands on the stack."""
 
@@ -66,6 +72,8 @@ class Value(NamedTuple):
     text: str
     kind: Kind
     binds: int = ATOM
+    place: str = ""
+    """Of an array within a memory: its own name, which is indexed directly."""
 
     def within(self, binds: int) -> str:
         """The expression where something that binds so tightly is expected."""
@@ -86,6 +94,7 @@ class Expressions:
         self.structs: dict[str, Parts] = {}
         self.casts: set[tuple[Parts, Parts]] = set()
         self.locals: dict[str, Kind] = {}
+        self.layouts: set[type[Layout]] = set()
         self.stars: dict[str, list[str]] = {}
         self.before: list[str] = []
         self.buffers: list[str] = []
@@ -106,6 +115,8 @@ class Expressions:
 
     def struct(self, kind: Kind) -> Kind:
         """The same kind, whose struct is then declared."""
+        if isinstance(kind, Memory | Memories):
+            self.layouts.add(kind.of)
         if isinstance(kind, Parts):
             for one in kind.kinds:
                 self.struct(one)
@@ -122,6 +133,9 @@ class Expressions:
             for one, other in zip(value.kind.kinds, to.kinds, strict=True):
                 self.cast(Value("", one), other, node)
             return Value(f"{to.c}_of_{value.kind.c}({value.text})", to, CALL)
+        if isinstance(to, Memory) and value.kind == Array(FLOAT, 1):
+            self.struct(to)
+            return Value(f"({to.c}){value.within(CALL)}.p", to, UNARY)
         if to == FLOAT and value.kind in (WHOLE, FLAG):
             return Value(value.text, FLOAT, value.binds)
         if to == WHOLE and value.kind == FLAG:
@@ -144,10 +158,14 @@ class Expressions:
                 return Value(local(name), self.locals[name])
             case ast.Name(id=name):
                 return self._named(node, origin(self.reader, name))
+            case ast.Attribute(attr="length") if (size := self.constant(node)) is not None:
+                return literal(size)
             case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
                 return self._named(node, member(self.reader, owner, name))
             case ast.Attribute(value=whole, attr=name):
                 value = self.value(whole)
+                if isinstance(value.kind, Memory):
+                    return self._inside(node, value, value.kind.of, name)
                 if not isinstance(value.kind, Parts) or name not in value.kind.names:
                     raise self.error(node, f".{name} of {ast.unparse(whole)}, which is {value.kind.c}")
                 return Value(
@@ -179,6 +197,29 @@ class Expressions:
             case ast.Call():
                 return self._call(node)
         raise self.error(node, type(node).__name__)
+
+    def _inside(self, node: ast.Attribute, value: Value, layout: type[Layout], name: str) -> Value:
+        """A part of a memory."""
+        self.struct(value.kind)
+        if name == "memory":
+            return Value(
+                f"(Vector){{(double *){value.within(UNARY)}, {layout.length}}}", Array(FLOAT, 1), CALL
+            )
+        part = next((one for one in layout.parts if one.name == name), None)
+        if part is None:
+            raise self.error(node, f".{name} of {ast.unparse(node.value)}, which is {value.kind.c}")
+        whole = value.text[1:] + "." if value.text.startswith("&") else value.within(CALL) + "->"
+        text = f"{whole}{local(name)}"
+        if part.of is not None:
+            kind = Memories(part.of, part.shape[0]) if part.shape else Memory(part.of)
+            self.struct(kind)
+            return Value(text, kind, CALL) if part.shape else Value(f"&{text}", kind, UNARY)
+        if not part.shape:
+            return Value(text, FLOAT, CALL)
+        kind = Array(FLOAT, len(part.shape))
+        first = f"{text}[0]" if len(part.shape) == 2 else text
+        sizes = ", ".join(map(str, part.shape))
+        return Value(f"({kind.c}){{{first}, {sizes}}}", kind, CALL, text)
 
     def _is_module(self, owner: str) -> bool:
         return owner in self.reader.imports and owner not in self.locals
@@ -280,6 +321,9 @@ class Expressions:
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 value = self.constant(operand)
                 return None if value is None else -value
+            case ast.Attribute(value=whole, attr="length"):
+                layout = layout_at(self.reader, whole)
+                return None if layout is None else layout.length
             case ast.Name(id=name) if name not in self.locals:
                 found = origin(self.reader, name)
             case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
@@ -290,8 +334,12 @@ class Expressions:
                     return None
                 return {"+": one + other, "-": one - other, "*": one * other}[BINARY[type(op)][0]]
             case ast.Call(func=ast.Name(id="len"), args=[one]):
-                kind = self.value(one).kind
-                return len(kind.kinds) if isinstance(kind, Parts) else None
+                whole = self.value(one)
+                if isinstance(whole.kind, Memories):
+                    return whole.kind.count
+                if whole.place:
+                    return int(whole.text.rpartition("{")[2].rstrip("}").split(", ")[1])
+                return len(whole.kind.kinds) if isinstance(whole.kind, Parts) else None
             case _:
                 return None
         value = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
@@ -310,6 +358,8 @@ class Expressions:
             array = self.value(whole.value)
             return Value(f"{array.within(CALL)}.{'nm'[self.constant(node.slice) or 0]}", WHOLE, CALL)
         value = self.value(whole)
+        if isinstance(value.kind, Memories):
+            return Value(f"&{value.text}[{self.whole(node.slice).text}]", Memory(value.kind.of), UNARY)
         if isinstance(value.kind, Parts):
             return self._part(node, value, value.kind)
         if not isinstance(value.kind, Array):
@@ -337,6 +387,13 @@ class Expressions:
         """A number of an array, or a part of it, which shares its memory."""
         array, flat = value.within(CALL), Array(kind.of, 1)
         last = indices[-1]
+        if len(indices) > kind.dimensions:
+            raise self.error(node, f"{len(indices)} indices into {value.kind.c}")
+        if value.place and not any(isinstance(one, ast.Slice) for one in indices):
+            text = value.place + "".join(f"[{self.whole(one).text}]" for one in indices)
+            if len(indices) == kind.dimensions:
+                return Value(text, kind.of, CALL)
+            return Value(f"(Vector){{{text}, {value.text.rpartition(' ')[2]}", flat, CALL)
         if kind.dimensions == 1 or (len(indices) == 1 and isinstance(last, ast.Slice)):
             if not isinstance(last, ast.Slice):
                 return Value(f"{array}.p[{self.whole(last).text}]", kind.of, CALL)
@@ -394,6 +451,10 @@ class Expressions:
                 return self._copy(node, self.value(array))
             case _:
                 raise self.error(node, f"call of {ast.unparse(node.func)}")
+        if (layout := layout_of(name)) is not None:
+            return self._memory(node, layout)
+        if name == CLEAR:
+            return self._clear(node)
         if (row := row_of(name)) is not None:
             kind = annotated(module(name.module), ast.Name(name.name))
             assert isinstance(kind, Parts)
@@ -413,6 +474,22 @@ class Expressions:
         if not is_law(name):
             raise self.error(node, f"call of {ast.unparse(node.func)}")
         return self._law(node, name)
+
+    def _memory(self, node: ast.Call, layout: type[Layout]) -> Value:
+        """A memory with names, from a place of a flat one on."""
+        kind = self.struct(Memory(layout))
+        array, *at = [self.value(one) for one in node.args]
+        if array.kind != Array(FLOAT, 1):
+            raise self.error(node, f"{layout.__name__} of {array.kind.c}")
+        start = f" + {at[0].within(SUM)}" if at else ""
+        return Value(f"({kind.c})({array.within(CALL)}.p{start})", kind, UNARY)
+
+    def _clear(self, node: ast.Call) -> Value:
+        value = self.value(node.args[0])
+        if not isinstance(value.kind, Memory):
+            raise self.error(node, f"clear of {value.kind.c}")
+        self.write(node.args[0])
+        return Value(f"memset({value.text}, 0, sizeof({value.kind.struct}))", NOTHING, CALL)
 
     def _law(self, node: ast.Call, law: Law) -> Value:
         self.uses.add(law)
@@ -440,6 +517,8 @@ class Expressions:
                 return self.base(value)
             case ast.Tuple(elts=parts):
                 return set().union(*map(self.base, parts))
+            case ast.Call(func=ast.Attribute(attr="empty" | "zeros" | "copy")):
+                return set()
             case ast.Call(args=parts):
                 return set().union(*map(self.base, parts))
         return set()
@@ -486,6 +565,9 @@ class Expressions:
             case "bool", [one]:
                 return one if one.kind == FLAG else Value(f"{one.within(EQUAL + 1)} != 0", FLAG, EQUAL)
             case "len", [one]:
+                known = self.constant(node)
+                if known is not None:
+                    return literal(known)
                 if isinstance(one.kind, Parts):
                     return literal(len(one.kind.kinds))
                 return Value(f"{one.within(CALL)}.n", WHOLE, CALL)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import pkgutil
 from collections.abc import Iterable
 from pathlib import Path
@@ -11,15 +12,16 @@ from typing import Any
 
 import numpy as np
 
+from pointpred.differentiators import Differentiator
+from pointpred.layout import Layout
 from pointpred.pipeline import joint_of, last_of
 from pointpred.predictors import Predictor
-from pointpred.differentiators import Differentiator
 from pointpred.stage import CompiledStage
 from translation.c_expressions import literal
 from translation.c_law import Function
 from translation.c_module import module_text
-from translation.c_names import Law, Made, c_name
-from translation.kinds import Parts, kind_of_value
+from translation.c_names import Law, Made, c_name, local
+from translation.kinds import Memory, Parts, kind_of_value
 from translation.source import PLAIN, Name, is_law, module
 
 WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"
@@ -49,14 +51,18 @@ def texts(package: str) -> dict[str, str]:
 
     for law in [*laws_in(package), *closures(package)]:
         read(law)
-    entries = [one for law, one in known.items() if law.module.partition(".")[0] == package or isinstance(law, Made)]
+    entries = [
+        one for law, one in known.items() if law.module.partition(".")[0] == package or isinstance(law, Made)
+    ]
     rooms: dict[str, list[Function]] = {}
     for one in known.values():
         rooms.setdefault(room_of(one.law), []).append(one)
     here = Path(__file__).parent
     files = {
         "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values())),
-        "module.c": module_text(sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")),
+        "module.c": module_text(
+            sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")
+        ),
     }
     return files | {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
 
@@ -81,7 +87,11 @@ def modules_of(package: str) -> list[str]:
 
 def _source(name: str) -> str:
     found = importlib.util.find_spec(name)
-    return Path(found.origin).read_text("utf-8") if found and found.origin and found.origin.endswith(".py") else ""
+    return (
+        Path(found.origin).read_text("utf-8")
+        if found and found.origin and found.origin.endswith(".py")
+        else ""
+    )
 
 
 def closures(package: str) -> list[Law]:
@@ -102,11 +112,17 @@ def subclasses(of: type[Any]) -> list[type[Any]]:
 
 def made_of(function: Any) -> Law:
     """The law that a function is: by its name, or by what it closes over."""
+    function = inspect.unwrap(function)
     if function.__closure__ is None:
         return Name(function.__module__, function.__name__)
     outer = function.__qualname__.partition(".<locals>")[0]
     cells = zip(function.__code__.co_freevars, function.__closure__, strict=True)
-    return Made(function.__module__, outer, function.__name__, tuple((name, made_of(one.cell_contents)) for name, one in cells))
+    return Made(
+        function.__module__,
+        outer,
+        function.__name__,
+        tuple((name, made_of(one.cell_contents)) for name, one in cells),
+    )
 
 
 def room_of(law: Law) -> str:
@@ -130,16 +146,42 @@ def header(prelude: str, functions: list[Function]) -> str:
     for kind in structs.values():
         fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
+    layouts: list[type[Layout]] = []
+    for one in functions:
+        for layout in one.layouts:
+            _lay_out(layout, layouts)
+    lines += [struct_text(layout) for layout in layouts]
     for source, target in sorted(casts.values(), key=lambda pair: _depth(pair[0])):
         parts = []
         for i, (one, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
             part = f"value.{source.field(i)}"
-            parts.append(f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part)
+            parts.append(
+                f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part
+            )
         lines.append(
             f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) {{ return ({target.c}){{{', '.join(parts)}}}; }}"
         )
     lines += [f"{one.head};" for one in sorted(functions, key=lambda one: c_name(one.law))]
     return "\n".join([*lines, "#endif", ""])
+
+
+def _lay_out(layout: type[Layout], layouts: list[type[Layout]]) -> None:
+    """Put a layout, and before it those that it is made of, into a list."""
+    for part in layout.parts:
+        if part.of is not None:
+            _lay_out(part.of, layouts)
+    if layout not in layouts:
+        layouts.append(layout)
+
+
+def struct_text(layout: type[Layout]) -> str:
+    """The struct of a layout: nothing but numbers, one behind the other."""
+    lines = []
+    for part in layout.parts:
+        kind = "double" if part.of is None else Memory(part.of).struct
+        sizes = "".join("[]" if one == -1 else f"[{one}]" for one in part.shape)
+        lines.append(f"  {kind} {local(part.name)}{sizes};")
+    return "\n".join(["typedef struct {", *lines, f"}} {Memory(layout).struct};"])
 
 
 def _declare(kind: Parts, structs: dict[str, Parts]) -> None:
@@ -176,4 +218,4 @@ def constant(name: Name) -> str:
     return f"static const {word} {c_name(name)} = {literal(value).text};"
 
 
-__all__ = ["ModuleType", "Iterable", "texts", "write"]
+__all__ = ["Iterable", "ModuleType", "texts", "write"]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from translation.c_expressions import BINARY, CALL, Expressions, Value
 from translation.c_names import Law, Made, c_name, local, source_of
-from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Parts, annotated, joined
+from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined
 from translation.source import UntranslatableError
 
 ROUNDS = 8
@@ -35,7 +35,8 @@ class Function:
             self._at.struct(kind)
         body = self.node.body[1:] if ast.get_docstring(self.node) else self.node.body
         lines = self._read(body)
-        self.uses, self.structs, self.casts = self._at.uses, self._at.structs, self._at.casts
+        at = self._at
+        self.uses, self.structs, self.casts, self.layouts = at.uses, at.structs, at.casts, at.layouts
         self.written = self._at.written & set(self.arguments)
         self.text = "\n".join([*self._comment(), f"{self.head} {{", *_indent(self._declared() + lines), "}"])
 
@@ -79,7 +80,8 @@ class Function:
             if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in bound:
                 for place, one in enumerate(call.args):
                     if isinstance(one, ast.Name) and one.id == name:
-                        return self._known(bound[call.func.id]).kinds[place]
+                        kind = self._known(bound[call.func.id]).kinds[place]
+                        return None if isinstance(kind, Memory) else kind
         return None
 
     def _shared(self, star: str, bound: dict[str, Law]) -> int:
@@ -119,7 +121,14 @@ class Function:
                     names.setdefault(kind.c, []).append(local(name))
             elif kind.c != self.kinds[self.arguments.index(name)].c:
                 lines.append(f"{kind.c} {local(name)} = given_{name};")
-        return [f"{kind} {', '.join(some)};" for kind, some in names.items()] + lines + self._at.buffers
+        return (
+            [
+                f"{kind} {', *'.join(some) if kind.endswith('*') else ', '.join(some)};"
+                for kind, some in names.items()
+            ]
+            + lines
+            + self._at.buffers
+        )
 
     # Statements
 
@@ -281,7 +290,7 @@ class Function:
                     if not _is_unused(one):
                         part = Value(f"{value.within(CALL)}.{value.kind.field(i)}", value.kind.kinds[i], CALL)
                         yield from self._store(one, part, source)
-            case ast.Subscript():
+            case ast.Subscript() | ast.Attribute():
                 at.write(target.value)
                 place = at.value(target)
                 if isinstance(place.kind, Array):
@@ -317,13 +326,15 @@ class Function:
             except UntranslatableError as error:
                 raise at.error(target, f"{target.id}: {error}") from error
             return Value(local(target.id), at.locals[target.id])
-        if isinstance(target, ast.Subscript):
+        if isinstance(target, ast.Subscript | ast.Attribute):
             at.write(target.value)
         return at.value(target)
 
 
 def _holds_arrays(kind: Kind) -> bool:
-    return isinstance(kind, Array) or (isinstance(kind, Parts) and any(map(_holds_arrays, kind.kinds)))
+    return isinstance(kind, Array | Memory) or (
+        isinstance(kind, Parts) and any(map(_holds_arrays, kind.kinds))
+    )
 
 
 def _stores(node: ast.AST, name: str) -> bool:

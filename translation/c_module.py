@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from translation.c_law import Function
 from translation.c_names import c_name, key_of
-from translation.kinds import FLAG, FLOAT, NOTHING, WHOLE, Array, Kind, Number, Parts
+from translation.kinds import FLAG, FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Number, Parts
 
 GIVE = {FLOAT: "PyFloat_FromDouble", WHOLE: "PyLong_FromLongLong", FLAG: "PyBool_FromLong"}
 
@@ -32,7 +32,7 @@ def module_text(functions: list[Function], prelude: str) -> str:
             "  {NULL, NULL, 0, NULL},",
             "};",
             "static PyModuleDef_Slot slots[] = {{0, NULL}};",
-            "static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, \"_laws\", NULL, 0, methods, slots, NULL, NULL, NULL};",
+            'static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};',
             "PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }",
             "",
         ]
@@ -41,7 +41,7 @@ def module_text(functions: list[Function], prelude: str) -> str:
 
 def _wrapper(function: Function, givers: dict[str, str]) -> str:
     name, key = c_name(function.law), key_of(function.law)
-    declared, taken = [], [f'counted(law, count, {len(function.kinds)})']
+    declared, taken = [], [f"counted(law, count, {len(function.kinds)})"]
     for i, (word, kind) in enumerate(zip(function.arguments, function.kinds, strict=True)):
         declared.append(f"  {kind.c} a{i};")
         taken += _taken(f"a{i}", f"args[{i}]", word, kind, word in function.written)
@@ -69,22 +69,34 @@ def _wrapper(function: Function, givers: dict[str, str]) -> str:
 
 
 def _is_table(kind: Kind) -> bool:
-    return kind.dimensions == 2 if isinstance(kind, Array) else isinstance(kind, Parts) and any(map(_is_table, kind.kinds))
+    return (
+        kind.dimensions == 2
+        if isinstance(kind, Array)
+        else isinstance(kind, Parts) and any(map(_is_table, kind.kinds))
+    )
 
 
 def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Iterator[str]:
     """Conditions that hold once a value of Python stands in its place."""
     if isinstance(kind, Number):
         yield f"take_{kind.c}({source}, &{place})"
+    elif isinstance(kind, Memory):
+        flag = "true" if written else "false"
+        yield f"take_array(&held, {source}, law, \"{word}\", 'd', 1, {flag}, &view)"
+        yield f'is_long_enough(view, law, "{word}", {kind.of.length})'
+        yield f"({place} = view->buf, true)"
     elif isinstance(kind, Array):
         flag = "true" if written else "false"
         yield f"take_array(&held, {source}, law, \"{word}\", '{kind.of.letter}', {kind.dimensions}, {flag}, &view)"
         sizes = "view->shape[0]" + (", view->shape[1]" if kind.dimensions == 2 else "")
         yield f"({place} = ({kind.c}){{view->buf, {sizes}}}, true)"
     else:
+        assert isinstance(kind, Parts)
         yield f'take_tuple({source}, law, "{word}", {len(kind.kinds)})'
         for i, one in enumerate(kind.kinds):
-            yield from _taken(f"{place}.{kind.field(i)}", f"PyTuple_GetItem({source}, {i})", word, one, written)
+            yield from _taken(
+                f"{place}.{kind.field(i)}", f"PyTuple_GetItem({source}, {i})", word, one, written
+            )
 
 
 def _given(text: str, kind: Kind, givers: dict[str, str]) -> str:

@@ -328,7 +328,9 @@ def is_constant(name: Name) -> bool:
     if not name.module.startswith("pointpred"):
         return False
     value = module(name.module).values.get(name.name)
-    return _is_number(value) or isinstance(value, np.ndarray) or (isinstance(value, tuple) and _is_table(value))
+    return (
+        _is_number(value) or isinstance(value, np.ndarray) or (isinstance(value, tuple) and _is_table(value))
+    )
 
 
 def _is_number(value: object) -> bool:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import copy
 from collections.abc import Iterable, Iterator
 
+from translation.flat import flattened
 from translation.expressions import BINARY, CALL, COMPARE, Expressions, Text, number
 from translation.names import renamed
 from translation.source import Module
@@ -14,13 +16,16 @@ class Law:
     """A law in JavaScript: ``text``; what it needs of the package, ``uses``, and of ``arithmetic.js``."""
 
     def __init__(self, reader: Module, function: ast.FunctionDef) -> None:
+        function, places = flattened(reader, copy.deepcopy(function))
         self.function = function
         self._expressions = Expressions(reader, function)
         self.uses, self.arithmetic = self._expressions.uses, self._expressions.arithmetic
         self._locals = self._expressions.locals
         self._temporary = 0
         self._check_arguments()
-        names = ", ".join(renamed(one.arg) for one in function.args.args)
+        names = ", ".join(
+            renamed(one.arg) + (" = 0" if one.arg in places else "") for one in function.args.args
+        )
         body = function.body[1:] if ast.get_docstring(function) else function.body
         first = [renamed(name) for name in self._locals.declared_first()]
         lines = [*([f"let {', '.join(first)};"] if first else []), *self._block(body)]

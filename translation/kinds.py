@@ -6,7 +6,8 @@ import ast
 from itertools import groupby
 from typing import Any, NamedTuple, TypeAlias
 
-from translation.source import Module, Name, UntranslatableError, module, origin, row_of
+from pointpred.layout import Layout
+from translation.source import Module, Name, UntranslatableError, member, module, origin, row_of
 
 
 class Number(NamedTuple):
@@ -50,7 +51,35 @@ class Parts(NamedTuple):
         return f"{self.names[place]}" if self.names else f"f{place}"
 
 
-Kind: TypeAlias = Number | Array | Parts
+class Memory(NamedTuple):
+    """A memory with names: a pointer to the struct of its layout."""
+
+    of: type[Layout]
+
+    @property
+    def struct(self) -> str:
+        """The name of the struct."""
+        return f"{self.of.__module__.rpartition('.')[2]}_{self.of.__name__}"
+
+    @property
+    def c(self) -> str:
+        """The pointer."""
+        return f"{self.struct} *"
+
+
+class Memories(NamedTuple):
+    """So many memories with the same names, within another one."""
+
+    of: type[Layout]
+    count: int
+
+    @property
+    def c(self) -> str:
+        """What an error calls it."""
+        return f"{Memory(self.of).struct}[{self.count}]"
+
+
+Kind: TypeAlias = Number | Array | Parts | Memory | Memories
 FLOAT, WHOLE, FLAG, NOTHING = (
     Number("double", "d"),
     Number("int64_t", "q"),
@@ -64,6 +93,7 @@ ARRAYS = {
     "IntArray": Array(WHOLE, 1),
     "IntTable": Array(WHOLE, 2),
     "BoolArray": Array(FLAG, 1),
+    "BoolTable": Array(FLAG, 2),
 }
 """The names of ``pointpred.records`` for arrays."""
 
@@ -87,6 +117,8 @@ def annotated(reader: Module, annotation: ast.expr | None) -> Kind:
         return NUMBERS[word]
     if name.module == "pointpred.records" and word in ARRAYS:
         return ARRAYS[name.name]
+    if (layout := layout_of(name)) is not None:
+        return Memory(layout)
     if (row := row_of(name)) is not None:
         kinds = tuple(annotated(module(name.module), one) for _, one in row)
         return Parts(kinds, name, tuple(word for word, _ in row))
@@ -95,6 +127,22 @@ def annotated(reader: Module, annotation: ast.expr | None) -> Kind:
     if (alias := module(name.module).aliases.get(name.name)) is not None:
         return annotated(module(name.module), alias)
     raise UntranslatableError(f"{reader.path}: no kind: {word}")
+
+
+def layout_of(name: Name) -> type[Layout] | None:
+    """The layout that a name stands for; None for any other name."""
+    value = module(name.module).values.get(name.name) if name.module.startswith("pointpred") else None
+    return value if isinstance(value, type) and issubclass(value, Layout) else None
+
+
+def layout_at(reader: Module, node: ast.expr | None) -> type[Layout] | None:
+    """The layout that an expression or an annotation names; None for any other."""
+    match node:
+        case ast.Name(id=word):
+            return layout_of(origin(reader, word))
+        case ast.Attribute(value=ast.Name(id=owner), attr=word) if owner in reader.imports:
+            return layout_of(member(reader, owner, word))
+    return None
 
 
 def joined(one: Kind | None, other: Kind) -> Kind:

@@ -43,6 +43,12 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
+  if (view->shape[0] >= least) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+  return false;
+}
+
 static bool take_tuple(PyObject *given, const char *law, const char *argument, Py_ssize_t count) {
   if (PyTuple_Check(given) && PyTuple_Size(given) == count) return true;
   PyErr_Format(PyExc_TypeError, "%s: %s must be a tuple of %zd, received %R", law, argument, count, given);

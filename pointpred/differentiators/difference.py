@@ -2,49 +2,77 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.records import EventRow, FloatArray, TenFloats, refused
-from pointpred.stage import offsets
 
-# The parameters: those of sampling, the shortest interval. The state: that of sampling; time and position of
-# the last difference; velocity, acceleration; the time over which that velocity was taken.
-_, SHORTEST_S, AT, TIME, UX, VX, AX, SPAN_S, LENGTH = offsets(
-    sampling.SETTINGS, 1, sampling.STATES, 1, 2, 2, 2, 1
-)
+
+class Settings(Layout):
+    """The parameters."""
+
+    sampling: sampling.Settings
+    shortest_s: float
+
+
+class Differences(Layout):
+    """Time and position of the last difference; velocity, acceleration; the time over which it was taken."""
+
+    t: float
+    u: Annotated[FloatArray, 2]
+    v: Annotated[FloatArray, 2]
+    a: Annotated[FloatArray, 2]
+    span_s: float
+
+
+class State(Layout):
+    """What is remembered of the samples."""
+
+    sampling: sampling.State
+    last: Differences
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def advance(memory: FloatArray, axis: int, u: float, dt: float) -> None:
+def advance(last: Differences, axis: int, u: float, dt: float) -> None:
     """Velocity over the last interval, acceleration between the middles of the last two."""
-    velocity = (u - memory[UX + axis]) / dt
-    if memory[SPAN_S] > 0.0:
-        memory[AX + axis] = (velocity - memory[VX + axis]) / (0.5 * (dt + memory[SPAN_S]))
-    memory[VX + axis] = velocity
-    memory[UX + axis] = u
+    velocity = (u - last.u[axis]) / dt
+    if last.span_s > 0.0:
+        last.a[axis] = (velocity - last.v[axis]) / (0.5 * (dt + last.span_s))
+    last.v[axis] = velocity
+    last.u[axis] = u
 
 
 @law
-def step(memory: FloatArray, event: EventRow) -> TenFloats:
+def step(memory: Memory, event: EventRow) -> TenFloats:
     """One event through the differences of both axes."""
-    verdict, _, _, _, start = sampling.accept(memory, AT, event)
+    settings, samples, last = memory.settings, memory.state.sampling, memory.state.last
+    verdict, _, _, _, start = sampling.accept(settings.sampling, samples, event)
     if verdict < 0:
-        return refused(-verdict, memory[AT + sampling.T])
+        return refused(-verdict, samples.t)
     if verdict == sampling.RESTARTED:
-        memory[TIME : SPAN_S + 1] = 0.0
-        memory[TIME] = memory[AT + sampling.T]
-    dt = memory[AT + sampling.T] - memory[TIME]
-    if verdict == sampling.MOVED and dt >= memory[SHORTEST_S]:
-        advance(memory, 0, memory[AT + sampling.U], dt)
-        advance(memory, 1, memory[AT + sampling.V], dt)
-        memory[TIME] = memory[AT + sampling.T]
-        memory[SPAN_S] = dt
-    velocity = memory[VX], memory[VX + 1]
-    acceleration = memory[AX], memory[AX + 1]
-    settled = sampling.settled(memory, AT, 3.0, 2.0 * memory[SHORTEST_S])
-    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
+        clear(last)
+        last.t = samples.t
+    dt = samples.t - last.t
+    if verdict == sampling.MOVED and dt >= settings.shortest_s:
+        advance(last, 0, samples.u, dt)
+        advance(last, 1, samples.v, dt)
+        last.t = samples.t
+        last.span_s = dt
+    velocity = last.v[0], last.v[1]
+    acceleration = last.a[0], last.a[1]
+    settled = sampling.settled(samples, 3.0, 2.0 * settings.shortest_s)
+    return sampling.motion(samples, event, (velocity, acceleration), settled, start)
 
 
 class BackwardDifferentiator(Differentiator):
@@ -74,5 +102,4 @@ class BackwardDifferentiator(Differentiator):
 
     shortest_s: float = parameter("s", 1e-6, 1e-1, "shortest interval differenced", default=1e-4)
     step = staticmethod(step)
-    at = AT
-    states = LENGTH - AT
+    states = State.length

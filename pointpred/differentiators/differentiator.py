@@ -12,7 +12,6 @@ from pointpred.records import (
     CPI,
     DPI,
     EventColumns,
-    FloatArray,
     Motion,
     MotionColumns,
     MotionRow,
@@ -30,13 +29,12 @@ class Differentiator(CompiledStage):
     """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, event) -> motion``.
 
     Both are rows: an ``EventRow`` in, the floats of a ``MotionRow`` out, with t NaN where the event is
-    refused. A child gives ``step`` and ``at``, the place of the sampling state in the memory.
+    refused. A child gives ``step``.
 
     ``cpi``: with it the motor motion comes from the events' counts; without, from the cursor and ``dpi``.
     """
 
     width = len(MotionRow._fields)
-    at: ClassVar[int]
     fill = staticmethod(sampling.fill)
     step: ClassVar[Callable[..., TenFloats]]
 
@@ -71,10 +69,6 @@ class Differentiator(CompiledStage):
                 field="pause_s",
                 value=self.pause_s,
             )
-
-    def settings(self) -> list[float] | FloatArray:
-        """What stands first in the memory: m per count or 0, m per px, gap, pause in s; then the child's."""
-        return self.filled(type(self).at)
 
     def update(self, event: PointerEvent, /) -> Motion:
         """Consume one event and return the motion after it.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ceil, floor
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
@@ -12,9 +12,9 @@ from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.errors import ParameterError
+from pointpred.layout import Layout, clear
 from pointpred.parameter import is_number, option, parameter
 from pointpred.records import METRES_PER_INCH, EventRow, FloatArray, TenFloats, refused
-from pointpred.stage import offsets
 
 ORDER_MOST = 8
 SUBSTEPS_MOST = 10_000
@@ -26,118 +26,149 @@ CHATTER_MOST_M_S = 0.05
 STEPS_M = (METRES_PER_INCH / 2000.0, METRES_PER_INCH / 96.0)
 """Displacements after which that is looked at: a count of a 2000 CPI mouse, a pixel at 96 dpi."""
 
-# The parameters: those of sampling, order, degree, longest step, whether the position is held between
-# samples, settling time, gains. The state: that of sampling; the estimates of u, u', ... in m, m/s, ... of x,
-# then of y; the last z_n' of both, which is the acceleration when the order is 2.
-_, ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN, AT, ZX, ZY, SLOPE, LENGTH = offsets(
-    sampling.SETTINGS, 1, 1, 1, 1, 1, ORDER_MOST, sampling.STATES, ORDER_MOST, ORDER_MOST, 2
-)
+
+class Axis(Layout):
+    """What the law estimates of an axis: u, u', ... in m, m/s, ..."""
+
+    z: Annotated[FloatArray, ORDER_MOST]
+
+
+class Estimates(Layout):
+    """The estimates of x and y; the last z_n' of both, which is the acceleration where the order is 2."""
+
+    x: Axis
+    y: Axis
+    slope: Annotated[FloatArray, 2]
+
+
+class State(Layout):
+    """What is remembered of the samples."""
+
+    sampling: sampling.State
+    estimates: Estimates
+
+
+class Settings(Layout):
+    """The parameters; whether the position is held between samples, the settling time, the gains."""
+
+    sampling: sampling.Settings
+    order: float
+    alpha: float
+    step_s: float
+    hold: float
+    settle_s: float
+    gain: Annotated[FloatArray, ORDER_MOST]
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
+
 
 # The values of the parameters behind those of sampling.
-ORDER_OF, LAMBDA_OF, XI_OF, ALPHA_OF, STEP_OF = range(sampling.SETTINGS, sampling.SETTINGS + 5)
+ORDER_OF, LAMBDA_OF, XI_OF, ALPHA_OF, STEP_OF = range(sampling.Settings.length, sampling.Settings.length + 5)
 
 
 @law
-def advance(memory: FloatArray, z: int, before: float, now: float, h: float, steps: int) -> float:
-    """Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last slope of z_n.
-
-    Between two samples the measured position is either held at the new one or runs on the line.
-    """
-    order = int(memory[ORDER])
+def advance(settings: Settings, axis: Axis, before: float, now: float, h: float, steps: int) -> float:
+    """Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last z_n'."""
+    order = int(settings.order)
     slope = 0.0
     for i in range(steps):
-        y = now if memory[HOLD] == 1.0 else before + (now - before) * (i / steps)
-        error = memory[z] - y
+        y = now if settings.hold == 1.0 else before + (now - before) * (i / steps)
+        error = axis.z[0] - y
         size = abs(error)
-        scale = size ** memory[ALPHA] if size > 0.0 else 0.0
+        scale = size**settings.alpha if size > 0.0 else 0.0
         push = error
         for j in range(order):
             push *= scale
-            carried = memory[z + j + 1] if j + 1 < order else 0.0
-            slope = carried - memory[GAIN + j] * push
-            memory[z + j] += h * slope
+            carried = axis.z[j + 1] if j + 1 < order else 0.0
+            slope = carried - settings.gain[j] * push
+            axis.z[j] += h * slope
     return slope
 
 
 @law
-def step(memory: FloatArray, event: EventRow) -> TenFloats:
+def step(memory: Memory, event: EventRow) -> TenFloats:
     """One event through the differentiator of both axes."""
-    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
+    settings, samples, z = memory.settings, memory.state.sampling, memory.state.estimates
+    verdict, dt, before_u, before_v, start = sampling.accept(settings.sampling, samples, event)
     if verdict < 0:
-        return refused(-verdict, memory[AT + sampling.T])
+        return refused(-verdict, samples.t)
     if verdict == sampling.RESTARTED:
-        memory[ZX : SLOPE + 2] = 0.0
+        clear(z)
     elif verdict == sampling.MOVED:
-        steps = ceil(dt / memory[STEP_S])
+        steps = ceil(dt / settings.step_s)
         h = dt / steps
-        memory[SLOPE] = advance(memory, ZX, before_u, memory[AT + sampling.U], h, steps)
-        memory[SLOPE + 1] = advance(memory, ZY, before_v, memory[AT + sampling.V], h, steps)
-    second = memory[ORDER] == 2.0
-    velocity = memory[ZX + 1], memory[ZY + 1]
-    acceleration = (
-        memory[SLOPE] if second else memory[ZX + 2],
-        memory[SLOPE + 1] if second else memory[ZY + 2],
-    )
-    settled = sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S])
-    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
+        z.slope[0] = advance(settings, z.x, before_u, samples.u, h, steps)
+        z.slope[1] = advance(settings, z.y, before_v, samples.v, h, steps)
+    second = settings.order == 2.0
+    velocity = z.x.z[1], z.y.z[1]
+    acceleration = z.slope[0] if second else z.x.z[2], z.slope[1] if second else z.y.z[2]
+    settled = sampling.settled(samples, settings.order + 1.0, settings.settle_s)
+    return sampling.motion(samples, event, (velocity, acceleration), settled, start)
 
 
 @law
-def settling(memory: FloatArray, speed: float, h: float, steps: int) -> float:
+def settling(memory: Memory, speed: float, h: float, steps: int) -> float:
     """Seconds until the velocity stays within 5 % of a ramp's ``speed`` m/s, from rest; spoils ``memory``."""
+    axis = memory.state.estimates.x
     settled_s = 0.0
     for i in range(steps):
-        advance(memory, ZX, speed * i * h, speed * (i + 1) * h, h, 1)
-        if abs(memory[ZX + 1] - speed) > 0.05 * speed:
+        advance(memory.settings, axis, speed * i * h, speed * (i + 1) * h, h, 1)
+        if abs(axis.z[1] - speed) > 0.05 * speed:
             settled_s = (i + 1) * h
     return settled_s
 
 
 @law
-def chatter(memory: FloatArray, place: float, h: float, steps: int) -> float:
+def chatter(memory: Memory, place: float, h: float, steps: int) -> float:
     """Largest speed in m/s long after the position stepped to ``place`` m and rests; spoils ``memory``."""
-    advance(memory, ZX, place, place, h, steps)
+    axis = memory.state.estimates.x
+    advance(memory.settings, axis, place, place, h, steps)
     fastest = 0.0
     for _ in range(steps // 4):
-        advance(memory, ZX, place, place, h, 1)
-        speed = abs(memory[ZX + 1])
+        advance(memory.settings, axis, place, place, h, 1)
+        speed = abs(axis.z[1])
         if not speed <= fastest:  # NaN too is not at rest
             fastest = speed
     return fastest
 
 
 @layout
-def place_poles(memory: FloatArray, gain_lambda: float, gain_xi: float) -> None:
+def place_poles(settings: Settings, gain_lambda: float, gain_xi: float) -> None:
     """The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)).
 
-    >>> memory = np.zeros(LENGTH)
-    >>> memory[ORDER] = 4.0
-    >>> place_poles(memory, 5.0, 2.0)
-    >>> memory[GAIN : GAIN + 4].tolist()
+    >>> settings = Settings(np.zeros(Settings.length))
+    >>> settings.order = 4.0
+    >>> place_poles(settings.memory, 5.0, 2.0)
+    >>> settings.gain[:4].tolist()
     [75.0, 1750.0, 15000.0, 40000.0]
     """
-    for i in range(int(memory[ORDER])):
+    for i in range(int(settings.order)):
         rate = gain_lambda * gain_xi**i
         for j in range(i, 0, -1):
-            memory[GAIN + j] += rate * memory[GAIN + j - 1]
-        memory[GAIN] += rate
+            settings.gain[j] += rate * settings.gain[j - 1]
+        settings.gain[0] += rate
 
 
 @layout
-def fill(values: FloatArray, memory: FloatArray) -> None:
+def fill(values: FloatArray, settings: Settings) -> None:
     """The settings but for the settling time; between two samples the position runs on a line."""
-    sampling.fill(values, memory)
-    memory[ORDER], memory[ALPHA], memory[STEP_S] = values[ORDER_OF], values[ALPHA_OF], values[STEP_OF]
-    memory[HOLD] = memory[SETTLE_S] = 0.0
-    place_poles(memory, values[LAMBDA_OF], values[XI_OF])
+    sampling.fill(values, settings.memory)
+    settings.order, settings.alpha, settings.step_s = values[ORDER_OF], values[ALPHA_OF], values[STEP_OF]
+    settings.hold = settings.settle_s = 0.0
+    place_poles(settings, values[LAMBDA_OF], values[XI_OF])
 
 
 @layout
-def settle(memory: FloatArray) -> None:
+def settle(memory: Memory) -> None:
     """Measure how long the law takes to settle, in a memory without states."""
-    h = min(memory[STEP_S], 1e-3)
-    memory[SETTLE_S] = settling(memory, SETTLING_SPEED_M_S, h, floor(2.0 / h + 0.5))
-    memory[AT:] = 0.0
+    h = min(memory.settings.step_s, 1e-3)
+    memory.settings.settle_s = settling(memory, SETTLING_SPEED_M_S, h, floor(2.0 / h + 0.5))
+    clear(memory.state)
 
 
 def check_step(gains: Sequence[float], step_s: float) -> None:
@@ -221,8 +252,7 @@ class HomogeneousDifferentiator(Differentiator):
         "the position between two samples: 'line' or 'hold'", default="line"
     )
     step = staticmethod(step)
-    at = AT
-    states = LENGTH - AT
+    states = State.length
     fill = staticmethod(fill)
     settle = staticmethod(settle)
 
@@ -251,22 +281,23 @@ class HomogeneousDifferentiator(Differentiator):
                 value=self.gap_s,
             )
         if self.gains is None:
-            self.gains = tuple(self.filled(AT)[GAIN : GAIN + self.order].tolist())
+            self.gains = tuple(Settings(self.filled(Settings.length)).gain[: self.order].tolist())
         else:
             self.gains = tuple(check_gains(self.gains, self.order))
         check_step(self.gains, self.step_s)
 
     def settings(self) -> FloatArray:
         """The settings, with the gains themselves, which may have been given, and with what is held."""
-        settings = self.filled(AT)
-        settings[GAIN : GAIN + self.order] = self.gains
-        settings[HOLD] = 1.0 if self.between == "hold" else 0.0
-        return settings
+        settings = Settings(self.filled(Settings.length))
+        settings.gain[: self.order] = self.gains
+        settings.hold = 1.0 if self.between == "hold" else 0.0
+        return settings.memory
 
     @property
     def position(self) -> tuple[float, float]:
         """The filtered position z_1 of x and of y in m, from where the law last began."""
-        return float(self._memory[ZX]), float(self._memory[ZY])
+        z = Memory(self._memory).state.estimates
+        return float(z.x.z[0]), float(z.y.z[0])
 
     def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
         """Make the memory, and measure how long the law takes to settle and whether it comes to rest."""

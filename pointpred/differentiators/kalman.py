@@ -1,131 +1,163 @@
-"""The Kalman filter of a hand with nearly constant acceleration, as compiled laws in a flat array.
+"""The Kalman filter of a hand with nearly constant acceleration.
 
-Both axes share a covariance, because both are measured at the same times with the same noise. The
-covariance lies at ``p`` as p00 p01 p02 p11 p12 p22, a state at ``x`` as position, velocity, acceleration.
+Both axes share a covariance, because both are measured at the same times with the same noise.
 """
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.records import EventRow, FloatArray, TenFloats, refused
-from pointpred.stage import offsets
 
 SETTLED_RADIANS = 4.0
 START_SPEED_M_S = 0.3
 START_ACCELERATION_M_S2 = 5.0
 """Standard deviations of what the hand may be doing at a restart."""
-AXIS, PLANE = 3, 12
-"""Floats of an axis; of two axes with their covariance behind them."""
 
-# The parameters: those of sampling, the density in m^2/s^5, the noise in m^2. The state: that of sampling;
-# position, velocity, acceleration of x, then of y; p00 p01 p02 p11 p12 p22, the same for both axes.
-_, JERK_DENSITY, NOISE, AT, X, COVARIANCE, LENGTH = offsets(sampling.SETTINGS, 1, 1, sampling.STATES, 6, 6)
+
+class Covariance(Layout):
+    """Of position, velocity and acceleration."""
+
+    p00: float
+    p01: float
+    p02: float
+    p11: float
+    p12: float
+    p22: float
+
+
+class Plane(Layout):
+    """Position, velocity and acceleration of x, then of y; the covariance of either."""
+
+    x: Annotated[FloatArray, 3]
+    y: Annotated[FloatArray, 3]
+    covariance: Covariance
+
+
+class Settings(Layout):
+    """The parameters: the density in m^2/s^5, the noise as a variance in m^2."""
+
+    sampling: sampling.Settings
+    jerk_density: float
+    noise: float
+
+
+class State(Layout):
+    """What is remembered of the samples."""
+
+    sampling: sampling.State
+    plane: Plane
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @layout
-def fill(values: FloatArray, memory: FloatArray) -> None:
+def fill(values: FloatArray, settings: Settings) -> None:
     """The settings; of the noise in m its variance."""
-    sampling.fill(values, memory)
-    memory[NOISE] = values[NOISE] * values[NOISE]
+    sampling.fill(values, settings.memory)
+    settings.noise = settings.noise * settings.noise
 
 
 @law
-def predict(memory: FloatArray, x: int, dt: float) -> None:
+def predict(axis: FloatArray, dt: float) -> None:
     """One axis after ``dt`` s of constant acceleration."""
-    memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2])
-    memory[x + 1] += dt * memory[x + 2]
+    axis[0] += dt * (axis[1] + 0.5 * dt * axis[2])
+    axis[1] += dt * axis[2]
 
 
 @law
-def spread(memory: FloatArray, p: int, jerk_density: float, dt: float) -> None:
+def spread(p: Covariance, jerk_density: float, dt: float) -> None:
     """Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly."""
-    p00, p01, p02 = memory[p], memory[p + 1], memory[p + 2]
-    p11, p12, p22 = memory[p + 3], memory[p + 4], memory[p + 5]
     half = 0.5 * dt * dt
     q = jerk_density * dt
     # F P, row by row, then times F'.
-    f00, f01, f02 = p00 + dt * p01 + half * p02, p01 + dt * p11 + half * p12, p02 + dt * p12 + half * p22
-    g11, g12 = p11 + dt * p12, p12 + dt * p22
-    memory[p] = f00 + dt * f01 + half * f02 + q * dt**4 / 20.0
-    memory[p + 1] = f01 + dt * f02 + q * dt**3 / 8.0
-    memory[p + 2] = f02 + q * dt * dt / 6.0
-    memory[p + 3] = g11 + dt * g12 + q * dt * dt / 3.0
-    memory[p + 4] = g12 + q * dt / 2.0
-    memory[p + 5] = p22 + q
+    f00 = p.p00 + dt * p.p01 + half * p.p02
+    f01 = p.p01 + dt * p.p11 + half * p.p12
+    f02 = p.p02 + dt * p.p12 + half * p.p22
+    g11, g12 = p.p11 + dt * p.p12, p.p12 + dt * p.p22
+    p.p00 = f00 + dt * f01 + half * f02 + q * dt**4 / 20.0
+    p.p01 = f01 + dt * f02 + q * dt**3 / 8.0
+    p.p02 = f02 + q * dt * dt / 6.0
+    p.p11 = g11 + dt * g12 + q * dt * dt / 3.0
+    p.p12 = g12 + q * dt / 2.0
+    p.p22 = p.p22 + q
 
 
 @law
-def correct(memory: FloatArray, x: int, p: int, noise: float, measured: float) -> None:
+def correct(axis: FloatArray, p: Covariance, noise: float, measured: float) -> None:
     """One axis after its position was measured with variance ``noise``; the covariance stays."""
-    share = (measured - memory[x]) / (memory[p] + noise)
-    memory[x] += memory[p] * share
-    memory[x + 1] += memory[p + 1] * share
-    memory[x + 2] += memory[p + 2] * share
+    share = (measured - axis[0]) / (p.p00 + noise)
+    axis[0] += p.p00 * share
+    axis[1] += p.p01 * share
+    axis[2] += p.p02 * share
 
 
 @law
-def narrow(memory: FloatArray, p: int, noise: float) -> None:
+def narrow(p: Covariance, noise: float) -> None:
     """Covariance after a position was measured with variance ``noise``."""
-    p00, p01, p02 = memory[p], memory[p + 1], memory[p + 2]
+    p00, p01, p02 = p.p00, p.p01, p.p02
     total = p00 + noise
     # Rounding must not make a variance negative, whatever the parameters.
-    memory[p + 3] = max(memory[p + 3] - p01 * p01 / total, 0.0)
-    memory[p + 4] -= p01 * p02 / total
-    memory[p + 5] = max(memory[p + 5] - p02 * p02 / total, 0.0)
-    memory[p], memory[p + 1], memory[p + 2] = p00 * noise / total, p01 * noise / total, p02 * noise / total
+    p.p11 = max(p.p11 - p01 * p01 / total, 0.0)
+    p.p12 -= p01 * p02 / total
+    p.p22 = max(p.p22 - p02 * p02 / total, 0.0)
+    p.p00, p.p01, p.p02 = p00 * noise / total, p01 * noise / total, p02 * noise / total
 
 
 @law
-def restart(memory: FloatArray, x: int, noise: float) -> None:
+def restart(plane: Plane, noise: float) -> None:
     """Both axes at the origin of the path, at a speed that nobody knows."""
-    memory[x : x + PLANE] = 0.0
-    p = x + 2 * AXIS
-    memory[p] = noise
-    memory[p + 3] = START_SPEED_M_S**2
-    memory[p + 5] = START_ACCELERATION_M_S2**2
+    clear(plane)
+    plane.covariance.p00 = noise
+    plane.covariance.p11 = START_SPEED_M_S**2
+    plane.covariance.p22 = START_ACCELERATION_M_S2**2
 
 
 @law
-def follow(
-    memory: FloatArray, x: int, jerk_density: float, noise: float, dt: float, place: tuple[float, float]
-) -> None:
+def follow(plane: Plane, jerk_density: float, noise: float, dt: float, place: tuple[float, float]) -> None:
     """Both axes and their covariance after ``dt`` s, and after their positions were measured."""
     u, v = place
-    p = x + 2 * AXIS
-    predict(memory, x, dt)
-    predict(memory, x + AXIS, dt)
-    spread(memory, p, jerk_density, dt)
-    correct(memory, x, p, noise, u)
-    correct(memory, x + AXIS, p, noise, v)
-    narrow(memory, p, noise)
+    predict(plane.x, dt)
+    predict(plane.y, dt)
+    spread(plane.covariance, jerk_density, dt)
+    correct(plane.x, plane.covariance, noise, u)
+    correct(plane.y, plane.covariance, noise, v)
+    narrow(plane.covariance, noise)
 
 
 @law
-def settle_s(memory: FloatArray) -> float:
+def settle_s(settings: Settings, samples: sampling.State) -> float:
     """Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6)."""
-    intervals = max(memory[AT + sampling.SAMPLES] - 1.0, 1.0)
-    period = (memory[AT + sampling.T] - memory[AT + sampling.SINCE]) / intervals
-    return float(SETTLED_RADIANS * (memory[NOISE] * period / memory[JERK_DENSITY]) ** (1.0 / 6.0))
+    intervals = max(samples.samples - 1.0, 1.0)
+    period = (samples.t - samples.since) / intervals
+    return float(SETTLED_RADIANS * (settings.noise * period / settings.jerk_density) ** (1.0 / 6.0))
 
 
 @law
-def step(memory: FloatArray, event: EventRow) -> TenFloats:
+def step(memory: Memory, event: EventRow) -> TenFloats:
     """One event through the filter of both axes."""
-    verdict, dt, _, _, start = sampling.accept(memory, AT, event)
+    settings, samples, plane = memory.settings, memory.state.sampling, memory.state.plane
+    verdict, dt, _, _, start = sampling.accept(settings.sampling, samples, event)
     if verdict < 0:
-        return refused(-verdict, memory[AT + sampling.T])
+        return refused(-verdict, samples.t)
     if verdict == sampling.RESTARTED:
-        restart(memory, X, memory[NOISE])
+        restart(plane, settings.noise)
     elif verdict == sampling.MOVED:
-        place = memory[AT + sampling.U], memory[AT + sampling.V]
-        follow(memory, X, memory[JERK_DENSITY], memory[NOISE], dt, place)
-    velocity = memory[X + 1], memory[X + 4]
-    acceleration = memory[X + 2], memory[X + 5]
-    settled = sampling.settled(memory, AT, 4.0, settle_s(memory))
-    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
+        follow(plane, settings.jerk_density, settings.noise, dt, (samples.u, samples.v))
+    velocity = plane.x[1], plane.y[1]
+    acceleration = plane.x[2], plane.y[2]
+    settled = sampling.settled(samples, 4.0, settle_s(settings, samples))
+    return sampling.motion(samples, event, (velocity, acceleration), settled, start)
 
 
 class KalmanDifferentiator(Differentiator):
@@ -159,6 +191,5 @@ class KalmanDifferentiator(Differentiator):
     jerk_density: float = parameter("m^2/s^5", 1e-3, 1e9, "spectral density of the jerk", default=30.0)
     noise_m: float = parameter("m", 1e-8, 1e-1, "standard deviation of a measured position", default=1e-4)
     step = staticmethod(step)
-    at = AT
-    states = LENGTH - AT
+    states = State.length
     fill = staticmethod(fill)

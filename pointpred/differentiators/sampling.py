@@ -7,6 +7,7 @@ movement is noticed. The rules are those of the public interface, so all differe
 from __future__ import annotations
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Layout
 from pointpred.records import (
     FINE,
     METRES_PER_INCH,
@@ -18,13 +19,35 @@ from pointpred.records import (
     fault_of_event,
 )
 
-# Parameters, first in the memory of every differentiator.
-METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)
 
-# State, relative to `at`: started, time, cursor, buttons, motor position since the restart (m), samples since
-# the restart, whether the last motor increment came from counts, time of the restart, motor position that the
-# law used last (without what was merged since).
-STARTED, T, X, Y, BUTTONS, U, V, SAMPLES, COUNTS, SINCE, LAST_U, LAST_V, STATES = range(13)
+class Settings(Layout):
+    """What every differentiator's memory begins with: m per count (0: counts are not used), m per px, s."""
+
+    metres_per_count: float
+    metres_per_px: float
+    gap_s: float
+    pause_s: float
+
+
+class State(Layout):
+    """What is known of the samples since the restart."""
+
+    started: float
+    t: float
+    x: float
+    y: float
+    buttons: float
+    u: float
+    v: float
+    """Motor position, m."""
+    samples: float
+    counts: float
+    """Whether the last motor increment came from counts."""
+    since: float
+    last_u: float
+    last_v: float
+    """The motor position that the law used last, without what was merged since."""
+
 
 MERGED, RESTARTED, MOVED = 0, 1, 2
 
@@ -35,14 +58,14 @@ def fill(values: FloatArray, memory: FloatArray) -> None:
 
     What else a differentiator may be set follows as it is.
     """
-    memory[METRES_PER_COUNT] = METRES_PER_INCH / values[0] if values[0] > 0.0 else 0.0
-    memory[METRES_PER_PX] = METRES_PER_INCH / values[1]
-    for i in range(GAP_S, len(values)):
+    memory[0] = METRES_PER_INCH / values[0] if values[0] > 0.0 else 0.0
+    memory[1] = METRES_PER_INCH / values[1]
+    for i in range(2, len(values)):
         memory[i] = values[i]
 
 
 @law
-def accept(memory: FloatArray, at: int, event: EventRow) -> tuple[int, float, float, float, bool]:
+def accept(settings: Settings, s: State, event: EventRow) -> tuple[int, float, float, float, bool]:
     """Take one event in: (verdict, dt in s, motor position that the law used last in m, movement started).
 
     A refused event changes nothing; its verdict is the code of its fault, as in ``records``, with a minus. A
@@ -50,55 +73,54 @@ def accept(memory: FloatArray, at: int, event: EventRow) -> tuple[int, float, fl
     next later time. After a restart the motor position is 0: the law starts there, at rest.
     """
     t, x, y, dx, dy, buttons = event
-    started = memory[at + STARTED] == 1.0
+    started = s.started == 1.0
     fault = fault_of_event(event)
-    if fault == FINE and started and t < memory[at + T]:
+    if fault == FINE and started and t < s.t:
         fault = ORDER
     if fault != FINE:
         return -fault, 0.0, 0.0, 0.0, False
-    dt = t - memory[at + T]
-    released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
-    start = not started or released or dt > memory[PAUSE_S] + ROUNDING_S
-    counted = dx == dx and memory[METRES_PER_COUNT] > 0.0
+    dt = t - s.t
+    released = int(s.buttons) & ~int(buttons) != 0
+    start = not started or released or dt > settings.pause_s + ROUNDING_S
+    counted = dx == dx and settings.metres_per_count > 0.0
     merged = started and dt == 0.0
     # What shares the time of a restart belongs to the place where the device starts, not to a movement.
-    restarted = not started or dt > memory[GAP_S] + ROUNDING_S or (merged and memory[at + SAMPLES] == 1.0)
+    restarted = not started or dt > settings.gap_s + ROUNDING_S or (merged and s.samples == 1.0)
     if restarted:
-        memory[at + U], memory[at + V] = 0.0, 0.0
-        memory[at + LAST_U], memory[at + LAST_V] = 0.0, 0.0
-        memory[at + SINCE] = t
+        s.u, s.v = 0.0, 0.0
+        s.last_u, s.last_v = 0.0, 0.0
+        s.since = t
     elif counted:
-        memory[at + U] += dx * memory[METRES_PER_COUNT]
-        memory[at + V] += dy * memory[METRES_PER_COUNT]
+        s.u += dx * settings.metres_per_count
+        s.v += dy * settings.metres_per_count
     else:
-        memory[at + U] += (x - memory[at + X]) * memory[METRES_PER_PX]
-        memory[at + V] += (y - memory[at + Y]) * memory[METRES_PER_PX]
-    memory[at + STARTED] = 1.0
-    memory[at + T], memory[at + X], memory[at + Y] = t, x, y
-    memory[at + BUTTONS] = buttons
-    memory[at + COUNTS] = 1.0 if counted else 0.0
+        s.u += (x - s.x) * settings.metres_per_px
+        s.v += (y - s.y) * settings.metres_per_px
+    s.started = 1.0
+    s.t, s.x, s.y = t, x, y
+    s.buttons = buttons
+    s.counts = 1.0 if counted else 0.0
     if restarted:
-        memory[at + SAMPLES] = 1.0
+        s.samples = 1.0
         return RESTARTED, dt, 0.0, 0.0, start
     if merged:
         return MERGED, 0.0, 0.0, 0.0, start
-    before_u, before_v = memory[at + LAST_U], memory[at + LAST_V]
-    memory[at + LAST_U], memory[at + LAST_V] = memory[at + U], memory[at + V]
-    memory[at + SAMPLES] += 1.0
+    before_u, before_v = s.last_u, s.last_v
+    s.last_u, s.last_v = s.u, s.v
+    s.samples += 1.0
     return MOVED, dt, before_u, before_v, start
 
 
 @law
-def settled(memory: FloatArray, at: int, samples: float, settle_s: float) -> float:
+def settled(s: State, samples: float, settle_s: float) -> float:
     """1 once there are ``samples`` samples over ``settle_s`` s since the restart, else 0."""
-    long_enough = memory[at + T] - memory[at + SINCE] >= settle_s
-    return 1.0 if long_enough and memory[at + SAMPLES] >= samples else 0.0
+    long_enough = s.t - s.since >= settle_s
+    return 1.0 if long_enough and s.samples >= samples else 0.0
 
 
 @law
 def motion(
-    memory: FloatArray,
-    at: int,
+    s: State,
     event: EventRow,
     hand: tuple[tuple[float, float], tuple[float, float]],
     settled: float,
@@ -109,4 +131,4 @@ def motion(
     velocity, acceleration = hand
     vx, vy = velocity
     ax, ay = acceleration
-    return t, x, y, vx, vy, ax, ay, settled, 1.0 if start else 0.0, memory[at + COUNTS]
+    return t, x, y, vx, vy, ax, ay, settled, 1.0 if start else 0.0, s.counts

@@ -1,75 +1,36 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const int64_t differentiators_difference_AT = 5;
-static const int64_t differentiators_difference_AX = 22;
-static const int64_t differentiators_difference_SHORTEST_S = 4;
-static const int64_t differentiators_difference_SPAN_S = 24;
-static const int64_t differentiators_difference_TIME = 17;
-static const int64_t differentiators_difference_UX = 18;
-static const int64_t differentiators_difference_VX = 20;
-static const int64_t differentiators_homogeneous_ALPHA = 5;
 static const int64_t differentiators_homogeneous_ALPHA_OF = 7;
-static const int64_t differentiators_homogeneous_AT = 17;
-static const int64_t differentiators_homogeneous_GAIN = 9;
-static const int64_t differentiators_homogeneous_HOLD = 7;
 static const int64_t differentiators_homogeneous_LAMBDA_OF = 5;
-static const int64_t differentiators_homogeneous_ORDER = 4;
 static const int64_t differentiators_homogeneous_ORDER_OF = 4;
-static const int64_t differentiators_homogeneous_SETTLE_S = 8;
 static const double differentiators_homogeneous_SETTLING_SPEED_M_S = 0.3;
-static const int64_t differentiators_homogeneous_SLOPE = 45;
 static const int64_t differentiators_homogeneous_STEP_OF = 8;
-static const int64_t differentiators_homogeneous_STEP_S = 6;
 static const int64_t differentiators_homogeneous_XI_OF = 6;
-static const int64_t differentiators_homogeneous_ZX = 29;
-static const int64_t differentiators_homogeneous_ZY = 37;
-static const int64_t differentiators_kalman_AT = 6;
-static const int64_t differentiators_kalman_AXIS = 3;
-static const int64_t differentiators_kalman_JERK_DENSITY = 4;
-static const int64_t differentiators_kalman_NOISE = 5;
-static const int64_t differentiators_kalman_PLANE = 12;
 static const double differentiators_kalman_SETTLED_RADIANS = 4.0;
 static const double differentiators_kalman_START_ACCELERATION_M_S2 = 5.0;
 static const double differentiators_kalman_START_SPEED_M_S = 0.3;
-static const int64_t differentiators_kalman_X = 18;
-static const int64_t differentiators_sampling_BUTTONS = 4;
-static const int64_t differentiators_sampling_COUNTS = 8;
-static const int64_t differentiators_sampling_GAP_S = 2;
-static const int64_t differentiators_sampling_LAST_U = 10;
-static const int64_t differentiators_sampling_LAST_V = 11;
 static const int64_t differentiators_sampling_MERGED = 0;
-static const int64_t differentiators_sampling_METRES_PER_COUNT = 0;
-static const int64_t differentiators_sampling_METRES_PER_PX = 1;
 static const int64_t differentiators_sampling_MOVED = 2;
-static const int64_t differentiators_sampling_PAUSE_S = 3;
 static const int64_t differentiators_sampling_RESTARTED = 1;
-static const int64_t differentiators_sampling_SAMPLES = 7;
-static const int64_t differentiators_sampling_SINCE = 9;
-static const int64_t differentiators_sampling_STARTED = 0;
-static const int64_t differentiators_sampling_T = 1;
-static const int64_t differentiators_sampling_U = 5;
-static const int64_t differentiators_sampling_V = 6;
-static const int64_t differentiators_sampling_X = 2;
-static const int64_t differentiators_sampling_Y = 3;
 static const int64_t records_FINE = 0;
 static const double records_METRES_PER_INCH = 0.0254;
 static const int64_t records_ORDER = 1;
 static const double records_ROUNDING_S = 1e-06;
 
 /* Velocity over the last interval, acceleration between the middles of the last two. */
-void differentiators_difference_advance(Vector memory, int64_t axis, double u, double dt) {
+void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt) {
   double velocity;
-  velocity = (u - memory.p[differentiators_difference_UX + axis]) / dt;
-  if (memory.p[differentiators_difference_SPAN_S] > 0.0) {
-    memory.p[differentiators_difference_AX + axis] = (velocity - memory.p[differentiators_difference_VX + axis]) / (0.5 * (dt + memory.p[differentiators_difference_SPAN_S]));
+  velocity = (u - last->u[axis]) / dt;
+  if (last->span_s > 0.0) {
+    last->a[axis] = (velocity - last->v[axis]) / (0.5 * (dt + last->span_s));
   }
-  memory.p[differentiators_difference_VX + axis] = velocity;
-  memory.p[differentiators_difference_UX + axis] = u;
+  last->v[axis] = velocity;
+  last->u[axis] = u;
 }
 
 /* Take one event in: (verdict, dt in s, motor position that the law used last in m, movement started). */
-Tq3db differentiators_sampling_accept(Vector memory, int64_t at, records_EventRow event) {
+Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_State * s, records_EventRow event) {
   double t, x, y, dx, dy, buttons, dt, before_u, before_v;
   bool started, released, start, counted, merged, restarted;
   int64_t fault;
@@ -79,65 +40,65 @@ Tq3db differentiators_sampling_accept(Vector memory, int64_t at, records_EventRo
   dx = event.dx;
   dy = event.dy;
   buttons = event.buttons;
-  started = memory.p[at + differentiators_sampling_STARTED] == 1.0;
+  started = s->started == 1.0;
   fault = records_fault_of_event(event);
-  if (fault == records_FINE && started && t < memory.p[at + differentiators_sampling_T]) {
+  if (fault == records_FINE && started && t < s->t) {
     fault = records_ORDER;
   }
   if (fault != records_FINE) {
     return (Tq3db){-fault, 0.0, 0.0, 0.0, false};
   }
-  dt = t - memory.p[at + differentiators_sampling_T];
-  released = ((int64_t)memory.p[at + differentiators_sampling_BUTTONS] & ~(int64_t)buttons) != 0;
-  start = !started || released || dt > memory.p[differentiators_sampling_PAUSE_S] + records_ROUNDING_S;
-  counted = dx == dx && memory.p[differentiators_sampling_METRES_PER_COUNT] > 0.0;
+  dt = t - s->t;
+  released = ((int64_t)s->buttons & ~(int64_t)buttons) != 0;
+  start = !started || released || dt > settings->pause_s + records_ROUNDING_S;
+  counted = dx == dx && settings->metres_per_count > 0.0;
   merged = started && dt == 0.0;
-  restarted = !started || dt > memory.p[differentiators_sampling_GAP_S] + records_ROUNDING_S || (merged && memory.p[at + differentiators_sampling_SAMPLES] == 1.0);
+  restarted = !started || dt > settings->gap_s + records_ROUNDING_S || (merged && s->samples == 1.0);
   if (restarted) {
-    memory.p[at + differentiators_sampling_U] = 0.0;
-    memory.p[at + differentiators_sampling_V] = 0.0;
-    memory.p[at + differentiators_sampling_LAST_U] = 0.0;
-    memory.p[at + differentiators_sampling_LAST_V] = 0.0;
-    memory.p[at + differentiators_sampling_SINCE] = t;
+    s->u = 0.0;
+    s->v = 0.0;
+    s->last_u = 0.0;
+    s->last_v = 0.0;
+    s->since = t;
   } else if (counted) {
-    memory.p[at + differentiators_sampling_U] += dx * memory.p[differentiators_sampling_METRES_PER_COUNT];
-    memory.p[at + differentiators_sampling_V] += dy * memory.p[differentiators_sampling_METRES_PER_COUNT];
+    s->u += dx * settings->metres_per_count;
+    s->v += dy * settings->metres_per_count;
   } else {
-    memory.p[at + differentiators_sampling_U] += (x - memory.p[at + differentiators_sampling_X]) * memory.p[differentiators_sampling_METRES_PER_PX];
-    memory.p[at + differentiators_sampling_V] += (y - memory.p[at + differentiators_sampling_Y]) * memory.p[differentiators_sampling_METRES_PER_PX];
+    s->u += (x - s->x) * settings->metres_per_px;
+    s->v += (y - s->y) * settings->metres_per_px;
   }
-  memory.p[at + differentiators_sampling_STARTED] = 1.0;
-  memory.p[at + differentiators_sampling_T] = t;
-  memory.p[at + differentiators_sampling_X] = x;
-  memory.p[at + differentiators_sampling_Y] = y;
-  memory.p[at + differentiators_sampling_BUTTONS] = buttons;
-  memory.p[at + differentiators_sampling_COUNTS] = counted ? 1.0 : 0.0;
+  s->started = 1.0;
+  s->t = t;
+  s->x = x;
+  s->y = y;
+  s->buttons = buttons;
+  s->counts = counted ? 1.0 : 0.0;
   if (restarted) {
-    memory.p[at + differentiators_sampling_SAMPLES] = 1.0;
+    s->samples = 1.0;
     return (Tq3db){differentiators_sampling_RESTARTED, dt, 0.0, 0.0, start};
   }
   if (merged) {
     return (Tq3db){differentiators_sampling_MERGED, 0.0, 0.0, 0.0, start};
   }
-  before_u = memory.p[at + differentiators_sampling_LAST_U];
-  before_v = memory.p[at + differentiators_sampling_LAST_V];
-  double value_1 = memory.p[at + differentiators_sampling_U];
-  double value_2 = memory.p[at + differentiators_sampling_V];
-  memory.p[at + differentiators_sampling_LAST_U] = value_1;
-  memory.p[at + differentiators_sampling_LAST_V] = value_2;
-  memory.p[at + differentiators_sampling_SAMPLES] += 1.0;
+  before_u = s->last_u;
+  before_v = s->last_v;
+  double value_1 = s->u;
+  double value_2 = s->v;
+  s->last_u = value_1;
+  s->last_v = value_2;
+  s->samples += 1.0;
   return (Tq3db){differentiators_sampling_MOVED, dt, before_u, before_v, start};
 }
 
 /* 1 once there are ``samples`` samples over ``settle_s`` s since the restart, else 0. */
-double differentiators_sampling_settled(Vector memory, int64_t at, double samples, double settle_s) {
+double differentiators_sampling_settled(sampling_State * s, double samples, double settle_s) {
   bool long_enough;
-  long_enough = memory.p[at + differentiators_sampling_T] - memory.p[at + differentiators_sampling_SINCE] >= settle_s;
-  return long_enough && memory.p[at + differentiators_sampling_SAMPLES] >= samples ? 1.0 : 0.0;
+  long_enough = s->t - s->since >= settle_s;
+  return long_enough && s->samples >= samples ? 1.0 : 0.0;
 }
 
 /* The row of the motion after an accepted event; ``hand``: its velocity m/s and acceleration m/s^2. */
-T10d differentiators_sampling_motion(Vector memory, int64_t at, records_EventRow event, T2_T2d_ hand, double settled, bool start) {
+T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start) {
   double t, x, y, vx, vy, ax, ay;
   T2d velocity, acceleration;
   t = event.t;
@@ -149,97 +110,111 @@ T10d differentiators_sampling_motion(Vector memory, int64_t at, records_EventRow
   vy = velocity.f1;
   ax = acceleration.f0;
   ay = acceleration.f1;
-  return (T10d){t, x, y, vx, vy, ax, ay, settled, start ? 1.0 : 0.0, memory.p[at + differentiators_sampling_COUNTS]};
+  return (T10d){t, x, y, vx, vy, ax, ay, settled, start ? 1.0 : 0.0, s->counts};
 }
 
 /* One event through the differences of both axes. */
-T10d differentiators_difference_step(Vector memory, records_EventRow event) {
+T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event) {
+  difference_Settings * settings;
+  sampling_State * samples;
+  difference_Differences * last;
   int64_t verdict;
   bool start;
   double dt, settled;
   T2d velocity, acceleration;
-  Tq3db values_1 = differentiators_sampling_accept(memory, differentiators_difference_AT, event);
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  last = &memory->state.last;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
   verdict = values_1.f0;
   start = values_1.f4;
   if (verdict < 0) {
-    return records_refused(-verdict, memory.p[differentiators_difference_AT + differentiators_sampling_T]);
+    return records_refused(-verdict, samples->t);
   }
   if (verdict == differentiators_sampling_RESTARTED) {
-    fill((Vector){memory.p + differentiators_difference_TIME, differentiators_difference_SPAN_S + 1 - differentiators_difference_TIME}, 0.0);
-    memory.p[differentiators_difference_TIME] = memory.p[differentiators_difference_AT + differentiators_sampling_T];
+    memset(last, 0, sizeof(difference_Differences));
+    last->t = samples->t;
   }
-  dt = memory.p[differentiators_difference_AT + differentiators_sampling_T] - memory.p[differentiators_difference_TIME];
-  if (verdict == differentiators_sampling_MOVED && dt >= memory.p[differentiators_difference_SHORTEST_S]) {
-    differentiators_difference_advance(memory, 0, memory.p[differentiators_difference_AT + differentiators_sampling_U], dt);
-    differentiators_difference_advance(memory, 1, memory.p[differentiators_difference_AT + differentiators_sampling_V], dt);
-    memory.p[differentiators_difference_TIME] = memory.p[differentiators_difference_AT + differentiators_sampling_T];
-    memory.p[differentiators_difference_SPAN_S] = dt;
+  dt = samples->t - last->t;
+  if (verdict == differentiators_sampling_MOVED && dt >= settings->shortest_s) {
+    differentiators_difference_advance(last, 0, samples->u, dt);
+    differentiators_difference_advance(last, 1, samples->v, dt);
+    last->t = samples->t;
+    last->span_s = dt;
   }
-  velocity = (T2d){memory.p[differentiators_difference_VX], memory.p[differentiators_difference_VX + 1]};
-  acceleration = (T2d){memory.p[differentiators_difference_AX], memory.p[differentiators_difference_AX + 1]};
-  settled = differentiators_sampling_settled(memory, differentiators_difference_AT, 3.0, 2.0 * memory.p[differentiators_difference_SHORTEST_S]);
-  return differentiators_sampling_motion(memory, differentiators_difference_AT, event, (T2_T2d_){velocity, acceleration}, settled, start);
+  velocity = (T2d){last->v[0], last->v[1]};
+  acceleration = (T2d){last->a[0], last->a[1]};
+  settled = differentiators_sampling_settled(samples, 3.0, 2.0 * settings->shortest_s);
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
-/* Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last slope of z_n. */
-double differentiators_homogeneous_advance(Vector memory, int64_t z, double before, double now, double h, int64_t steps) {
+/* Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last z_n'. */
+double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps) {
   int64_t order;
   double slope, y, error, size, scale, push, carried;
-  order = (int64_t)memory.p[differentiators_homogeneous_ORDER];
+  order = (int64_t)settings->order;
   slope = 0.0;
   for (int64_t i = 0; i < steps; i++) {
-    y = memory.p[differentiators_homogeneous_HOLD] == 1.0 ? now : before + (now - before) * ((double)i / steps);
-    error = memory.p[z] - y;
+    y = settings->hold == 1.0 ? now : before + (now - before) * ((double)i / steps);
+    error = axis->z[0] - y;
     size = fabs(error);
-    scale = size > 0.0 ? pow(size, memory.p[differentiators_homogeneous_ALPHA]) : 0.0;
+    scale = size > 0.0 ? pow(size, settings->alpha) : 0.0;
     push = error;
     for (int64_t j = 0; j < order; j++) {
       push *= scale;
-      carried = j + 1 < order ? memory.p[z + j + 1] : 0.0;
-      slope = carried - memory.p[differentiators_homogeneous_GAIN + j] * push;
-      memory.p[z + j] += h * slope;
+      carried = j + 1 < order ? axis->z[j + 1] : 0.0;
+      slope = carried - settings->gain[j] * push;
+      axis->z[j] += h * slope;
     }
   }
   return slope;
 }
 
 /* One event through the differentiator of both axes. */
-T10d differentiators_homogeneous_step(Vector memory, records_EventRow event) {
+T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_EventRow event) {
+  homogeneous_Settings * settings;
+  sampling_State * samples;
+  homogeneous_Estimates * z;
   int64_t verdict, steps;
   double dt, before_u, before_v, h, settled;
   bool start, second;
   T2d velocity, acceleration;
-  Tq3db values_1 = differentiators_sampling_accept(memory, differentiators_homogeneous_AT, event);
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  z = &memory->state.estimates;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
   verdict = values_1.f0;
   dt = values_1.f1;
   before_u = values_1.f2;
   before_v = values_1.f3;
   start = values_1.f4;
   if (verdict < 0) {
-    return records_refused(-verdict, memory.p[differentiators_homogeneous_AT + differentiators_sampling_T]);
+    return records_refused(-verdict, samples->t);
   }
   if (verdict == differentiators_sampling_RESTARTED) {
-    fill((Vector){memory.p + differentiators_homogeneous_ZX, differentiators_homogeneous_SLOPE + 2 - differentiators_homogeneous_ZX}, 0.0);
+    memset(z, 0, sizeof(homogeneous_Estimates));
   } else if (verdict == differentiators_sampling_MOVED) {
-    steps = (int64_t)ceil(dt / memory.p[differentiators_homogeneous_STEP_S]);
+    steps = (int64_t)ceil(dt / settings->step_s);
     h = dt / steps;
-    memory.p[differentiators_homogeneous_SLOPE] = differentiators_homogeneous_advance(memory, differentiators_homogeneous_ZX, before_u, memory.p[differentiators_homogeneous_AT + differentiators_sampling_U], h, steps);
-    memory.p[differentiators_homogeneous_SLOPE + 1] = differentiators_homogeneous_advance(memory, differentiators_homogeneous_ZY, before_v, memory.p[differentiators_homogeneous_AT + differentiators_sampling_V], h, steps);
+    z->slope[0] = differentiators_homogeneous_advance(settings, &z->x, before_u, samples->u, h, steps);
+    z->slope[1] = differentiators_homogeneous_advance(settings, &z->y, before_v, samples->v, h, steps);
   }
-  second = memory.p[differentiators_homogeneous_ORDER] == 2.0;
-  velocity = (T2d){memory.p[differentiators_homogeneous_ZX + 1], memory.p[differentiators_homogeneous_ZY + 1]};
-  acceleration = (T2d){second ? memory.p[differentiators_homogeneous_SLOPE] : memory.p[differentiators_homogeneous_ZX + 2], second ? memory.p[differentiators_homogeneous_SLOPE + 1] : memory.p[differentiators_homogeneous_ZY + 2]};
-  settled = differentiators_sampling_settled(memory, differentiators_homogeneous_AT, memory.p[differentiators_homogeneous_ORDER] + 1.0, memory.p[differentiators_homogeneous_SETTLE_S]);
-  return differentiators_sampling_motion(memory, differentiators_homogeneous_AT, event, (T2_T2d_){velocity, acceleration}, settled, start);
+  second = settings->order == 2.0;
+  velocity = (T2d){z->x.z[1], z->y.z[1]};
+  acceleration = (T2d){second ? z->slope[0] : z->x.z[2], second ? z->slope[1] : z->y.z[2]};
+  settled = differentiators_sampling_settled(samples, settings->order + 1.0, settings->settle_s);
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
 /* Seconds until the velocity stays within 5 % of a ramp's ``speed`` m/s, from rest; spoils ``memory``. */
-double differentiators_homogeneous_settling(Vector memory, double speed, double h, int64_t steps) {
+double differentiators_homogeneous_settling(homogeneous_Memory * memory, double speed, double h, int64_t steps) {
+  homogeneous_Axis * axis;
   double settled_s;
+  axis = &memory->state.estimates.x;
   settled_s = 0.0;
   for (int64_t i = 0; i < steps; i++) {
-    differentiators_homogeneous_advance(memory, differentiators_homogeneous_ZX, speed * i * h, speed * (i + 1) * h, h, 1);
-    if (fabs(memory.p[differentiators_homogeneous_ZX + 1] - speed) > 0.05 * speed) {
+    differentiators_homogeneous_advance(&memory->settings, axis, speed * i * h, speed * (i + 1) * h, h, 1);
+    if (fabs(axis->z[1] - speed) > 0.05 * speed) {
       settled_s = (i + 1) * h;
     }
   }
@@ -247,13 +222,15 @@ double differentiators_homogeneous_settling(Vector memory, double speed, double 
 }
 
 /* Largest speed in m/s long after the position stepped to ``place`` m and rests; spoils ``memory``. */
-double differentiators_homogeneous_chatter(Vector memory, double place, double h, int64_t steps) {
+double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double place, double h, int64_t steps) {
+  homogeneous_Axis * axis;
   double fastest, speed;
-  differentiators_homogeneous_advance(memory, differentiators_homogeneous_ZX, place, place, h, steps);
+  axis = &memory->state.estimates.x;
+  differentiators_homogeneous_advance(&memory->settings, axis, place, place, h, steps);
   fastest = 0.0;
   for (int64_t i_1 = 0, end_2 = floor_divided_whole(steps, 4); i_1 < end_2; i_1++) {
-    differentiators_homogeneous_advance(memory, differentiators_homogeneous_ZX, place, place, h, 1);
-    speed = fabs(memory.p[differentiators_homogeneous_ZX + 1]);
+    differentiators_homogeneous_advance(&memory->settings, axis, place, place, h, 1);
+    speed = fabs(axis->z[1]);
     if (!(speed <= fastest)) {
       fastest = speed;
     }
@@ -262,161 +239,156 @@ double differentiators_homogeneous_chatter(Vector memory, double place, double h
 }
 
 /* The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)). */
-void differentiators_homogeneous_place_poles(Vector memory, double gain_lambda, double gain_xi) {
+void differentiators_homogeneous_place_poles(homogeneous_Settings * settings, double gain_lambda, double gain_xi) {
   double rate;
-  for (int64_t i = 0, end_1 = (int64_t)memory.p[differentiators_homogeneous_ORDER]; i < end_1; i++) {
+  for (int64_t i = 0, end_1 = (int64_t)settings->order; i < end_1; i++) {
     rate = gain_lambda * whole_power(gain_xi, i);
     for (int64_t j = i; j > 0; j--) {
-      memory.p[differentiators_homogeneous_GAIN + j] += rate * memory.p[differentiators_homogeneous_GAIN + j - 1];
+      settings->gain[j] += rate * settings->gain[j - 1];
     }
-    memory.p[differentiators_homogeneous_GAIN] += rate;
+    settings->gain[0] += rate;
   }
 }
 
 /* The settings of counts per inch (0: counts are not used), px per inch, gap and pause in s. */
 void differentiators_sampling_fill(Vector values, Vector memory) {
-  memory.p[differentiators_sampling_METRES_PER_COUNT] = values.p[0] > 0.0 ? records_METRES_PER_INCH / values.p[0] : 0.0;
-  memory.p[differentiators_sampling_METRES_PER_PX] = records_METRES_PER_INCH / values.p[1];
-  for (int64_t i = differentiators_sampling_GAP_S; i < values.n; i++) {
+  memory.p[0] = values.p[0] > 0.0 ? records_METRES_PER_INCH / values.p[0] : 0.0;
+  memory.p[1] = records_METRES_PER_INCH / values.p[1];
+  for (int64_t i = 2; i < values.n; i++) {
     memory.p[i] = values.p[i];
   }
 }
 
 /* The settings but for the settling time; between two samples the position runs on a line. */
-void differentiators_homogeneous_fill(Vector values, Vector memory) {
-  differentiators_sampling_fill(values, memory);
-  memory.p[differentiators_homogeneous_ORDER] = values.p[differentiators_homogeneous_ORDER_OF];
-  memory.p[differentiators_homogeneous_ALPHA] = values.p[differentiators_homogeneous_ALPHA_OF];
-  memory.p[differentiators_homogeneous_STEP_S] = values.p[differentiators_homogeneous_STEP_OF];
-  memory.p[differentiators_homogeneous_SETTLE_S] = 0.0;
-  memory.p[differentiators_homogeneous_HOLD] = memory.p[differentiators_homogeneous_SETTLE_S];
-  differentiators_homogeneous_place_poles(memory, values.p[differentiators_homogeneous_LAMBDA_OF], values.p[differentiators_homogeneous_XI_OF]);
+void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * settings) {
+  differentiators_sampling_fill(values, (Vector){(double *)settings, 17});
+  settings->order = values.p[differentiators_homogeneous_ORDER_OF];
+  settings->alpha = values.p[differentiators_homogeneous_ALPHA_OF];
+  settings->step_s = values.p[differentiators_homogeneous_STEP_OF];
+  settings->settle_s = 0.0;
+  settings->hold = settings->settle_s;
+  differentiators_homogeneous_place_poles(settings, values.p[differentiators_homogeneous_LAMBDA_OF], values.p[differentiators_homogeneous_XI_OF]);
 }
 
 /* Measure how long the law takes to settle, in a memory without states. */
-void differentiators_homogeneous_settle(Vector memory) {
+void differentiators_homogeneous_settle(homogeneous_Memory * memory) {
   double h;
-  h = min_float(memory.p[differentiators_homogeneous_STEP_S], 0.001);
-  memory.p[differentiators_homogeneous_SETTLE_S] = differentiators_homogeneous_settling(memory, differentiators_homogeneous_SETTLING_SPEED_M_S, h, (int64_t)floor(2.0 / h + 0.5));
-  fill((Vector){memory.p + differentiators_homogeneous_AT, memory.n - differentiators_homogeneous_AT}, 0.0);
+  h = min_float(memory->settings.step_s, 0.001);
+  memory->settings.settle_s = differentiators_homogeneous_settling(memory, differentiators_homogeneous_SETTLING_SPEED_M_S, h, (int64_t)floor(2.0 / h + 0.5));
+  memset(&memory->state, 0, sizeof(homogeneous_State));
 }
 
 /* The settings; of the noise in m its variance. */
-void differentiators_kalman_fill(Vector values, Vector memory) {
-  differentiators_sampling_fill(values, memory);
-  memory.p[differentiators_kalman_NOISE] = values.p[differentiators_kalman_NOISE] * values.p[differentiators_kalman_NOISE];
+void differentiators_kalman_fill(Vector values, kalman_Settings * settings) {
+  differentiators_sampling_fill(values, (Vector){(double *)settings, 6});
+  settings->noise = settings->noise * settings->noise;
 }
 
 /* One axis after ``dt`` s of constant acceleration. */
-void differentiators_kalman_predict(Vector memory, int64_t x, double dt) {
-  memory.p[x] += dt * (memory.p[x + 1] + 0.5 * dt * memory.p[x + 2]);
-  memory.p[x + 1] += dt * memory.p[x + 2];
+void differentiators_kalman_predict(Vector axis, double dt) {
+  axis.p[0] += dt * (axis.p[1] + 0.5 * dt * axis.p[2]);
+  axis.p[1] += dt * axis.p[2];
 }
 
 /* Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly. */
-void differentiators_kalman_spread(Vector memory, int64_t p, double jerk_density, double dt) {
-  double p00, p01, p02, p11, p12, p22, half, q, f00, f01, f02, g11, g12;
-  p00 = memory.p[p];
-  p01 = memory.p[p + 1];
-  p02 = memory.p[p + 2];
-  p11 = memory.p[p + 3];
-  p12 = memory.p[p + 4];
-  p22 = memory.p[p + 5];
+void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, double dt) {
+  double half, q, f00, f01, f02, g11, g12;
   half = 0.5 * dt * dt;
   q = jerk_density * dt;
-  f00 = p00 + dt * p01 + half * p02;
-  f01 = p01 + dt * p11 + half * p12;
-  f02 = p02 + dt * p12 + half * p22;
-  g11 = p11 + dt * p12;
-  g12 = p12 + dt * p22;
-  memory.p[p] = f00 + dt * f01 + half * f02 + q * whole_power(dt, 4) / 20.0;
-  memory.p[p + 1] = f01 + dt * f02 + q * whole_power(dt, 3) / 8.0;
-  memory.p[p + 2] = f02 + q * dt * dt / 6.0;
-  memory.p[p + 3] = g11 + dt * g12 + q * dt * dt / 3.0;
-  memory.p[p + 4] = g12 + q * dt / 2.0;
-  memory.p[p + 5] = p22 + q;
+  f00 = p->p00 + dt * p->p01 + half * p->p02;
+  f01 = p->p01 + dt * p->p11 + half * p->p12;
+  f02 = p->p02 + dt * p->p12 + half * p->p22;
+  g11 = p->p11 + dt * p->p12;
+  g12 = p->p12 + dt * p->p22;
+  p->p00 = f00 + dt * f01 + half * f02 + q * whole_power(dt, 4) / 20.0;
+  p->p01 = f01 + dt * f02 + q * whole_power(dt, 3) / 8.0;
+  p->p02 = f02 + q * dt * dt / 6.0;
+  p->p11 = g11 + dt * g12 + q * dt * dt / 3.0;
+  p->p12 = g12 + q * dt / 2.0;
+  p->p22 = p->p22 + q;
 }
 
 /* One axis after its position was measured with variance ``noise``; the covariance stays. */
-void differentiators_kalman_correct(Vector memory, int64_t x, int64_t p, double noise, double measured) {
+void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double noise, double measured) {
   double share;
-  share = (measured - memory.p[x]) / (memory.p[p] + noise);
-  memory.p[x] += memory.p[p] * share;
-  memory.p[x + 1] += memory.p[p + 1] * share;
-  memory.p[x + 2] += memory.p[p + 2] * share;
+  share = (measured - axis.p[0]) / (p->p00 + noise);
+  axis.p[0] += p->p00 * share;
+  axis.p[1] += p->p01 * share;
+  axis.p[2] += p->p02 * share;
 }
 
 /* Covariance after a position was measured with variance ``noise``. */
-void differentiators_kalman_narrow(Vector memory, int64_t p, double noise) {
+void differentiators_kalman_narrow(kalman_Covariance * p, double noise) {
   double p00, p01, p02, total;
-  p00 = memory.p[p];
-  p01 = memory.p[p + 1];
-  p02 = memory.p[p + 2];
+  p00 = p->p00;
+  p01 = p->p01;
+  p02 = p->p02;
   total = p00 + noise;
-  memory.p[p + 3] = max_float(memory.p[p + 3] - p01 * p01 / total, 0.0);
-  memory.p[p + 4] -= p01 * p02 / total;
-  memory.p[p + 5] = max_float(memory.p[p + 5] - p02 * p02 / total, 0.0);
-  memory.p[p] = p00 * noise / total;
-  memory.p[p + 1] = p01 * noise / total;
-  memory.p[p + 2] = p02 * noise / total;
+  p->p11 = max_float(p->p11 - p01 * p01 / total, 0.0);
+  p->p12 -= p01 * p02 / total;
+  p->p22 = max_float(p->p22 - p02 * p02 / total, 0.0);
+  p->p00 = p00 * noise / total;
+  p->p01 = p01 * noise / total;
+  p->p02 = p02 * noise / total;
 }
 
 /* Both axes at the origin of the path, at a speed that nobody knows. */
-void differentiators_kalman_restart(Vector memory, int64_t x, double noise) {
-  int64_t p;
-  fill((Vector){memory.p + x, x + differentiators_kalman_PLANE - x}, 0.0);
-  p = x + 2 * differentiators_kalman_AXIS;
-  memory.p[p] = noise;
-  memory.p[p + 3] = square(differentiators_kalman_START_SPEED_M_S);
-  memory.p[p + 5] = square(differentiators_kalman_START_ACCELERATION_M_S2);
+void differentiators_kalman_restart(kalman_Plane * plane, double noise) {
+  memset(plane, 0, sizeof(kalman_Plane));
+  plane->covariance.p00 = noise;
+  plane->covariance.p11 = square(differentiators_kalman_START_SPEED_M_S);
+  plane->covariance.p22 = square(differentiators_kalman_START_ACCELERATION_M_S2);
 }
 
 /* Both axes and their covariance after ``dt`` s, and after their positions were measured. */
-void differentiators_kalman_follow(Vector memory, int64_t x, double jerk_density, double noise, double dt, T2d place) {
+void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place) {
   double u, v;
-  int64_t p;
   u = place.f0;
   v = place.f1;
-  p = x + 2 * differentiators_kalman_AXIS;
-  differentiators_kalman_predict(memory, x, dt);
-  differentiators_kalman_predict(memory, x + differentiators_kalman_AXIS, dt);
-  differentiators_kalman_spread(memory, p, jerk_density, dt);
-  differentiators_kalman_correct(memory, x, p, noise, u);
-  differentiators_kalman_correct(memory, x + differentiators_kalman_AXIS, p, noise, v);
-  differentiators_kalman_narrow(memory, p, noise);
+  differentiators_kalman_predict((Vector){plane->x, 3}, dt);
+  differentiators_kalman_predict((Vector){plane->y, 3}, dt);
+  differentiators_kalman_spread(&plane->covariance, jerk_density, dt);
+  differentiators_kalman_correct((Vector){plane->x, 3}, &plane->covariance, noise, u);
+  differentiators_kalman_correct((Vector){plane->y, 3}, &plane->covariance, noise, v);
+  differentiators_kalman_narrow(&plane->covariance, noise);
 }
 
 /* Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6). */
-double differentiators_kalman_settle_s(Vector memory) {
+double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_State * samples) {
   double intervals, period;
-  intervals = max_float(memory.p[differentiators_kalman_AT + differentiators_sampling_SAMPLES] - 1.0, 1.0);
-  period = (memory.p[differentiators_kalman_AT + differentiators_sampling_T] - memory.p[differentiators_kalman_AT + differentiators_sampling_SINCE]) / intervals;
-  return differentiators_kalman_SETTLED_RADIANS * pow(memory.p[differentiators_kalman_NOISE] * period / memory.p[differentiators_kalman_JERK_DENSITY], 1.0 / 6.0);
+  intervals = max_float(samples->samples - 1.0, 1.0);
+  period = (samples->t - samples->since) / intervals;
+  return differentiators_kalman_SETTLED_RADIANS * pow(settings->noise * period / settings->jerk_density, 1.0 / 6.0);
 }
 
 /* One event through the filter of both axes. */
-T10d differentiators_kalman_step(Vector memory, records_EventRow event) {
+T10d differentiators_kalman_step(kalman_Memory * memory, records_EventRow event) {
+  kalman_Settings * settings;
+  sampling_State * samples;
+  kalman_Plane * plane;
   int64_t verdict;
   double dt, settled;
   bool start;
-  T2d place, velocity, acceleration;
-  Tq3db values_1 = differentiators_sampling_accept(memory, differentiators_kalman_AT, event);
+  T2d velocity, acceleration;
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  plane = &memory->state.plane;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
   verdict = values_1.f0;
   dt = values_1.f1;
   start = values_1.f4;
   if (verdict < 0) {
-    return records_refused(-verdict, memory.p[differentiators_kalman_AT + differentiators_sampling_T]);
+    return records_refused(-verdict, samples->t);
   }
   if (verdict == differentiators_sampling_RESTARTED) {
-    differentiators_kalman_restart(memory, differentiators_kalman_X, memory.p[differentiators_kalman_NOISE]);
+    differentiators_kalman_restart(plane, settings->noise);
   } else if (verdict == differentiators_sampling_MOVED) {
-    place = (T2d){memory.p[differentiators_kalman_AT + differentiators_sampling_U], memory.p[differentiators_kalman_AT + differentiators_sampling_V]};
-    differentiators_kalman_follow(memory, differentiators_kalman_X, memory.p[differentiators_kalman_JERK_DENSITY], memory.p[differentiators_kalman_NOISE], dt, place);
+    differentiators_kalman_follow(plane, settings->jerk_density, settings->noise, dt, (T2d){samples->u, samples->v});
   }
-  velocity = (T2d){memory.p[differentiators_kalman_X + 1], memory.p[differentiators_kalman_X + 4]};
-  acceleration = (T2d){memory.p[differentiators_kalman_X + 2], memory.p[differentiators_kalman_X + 5]};
-  settled = differentiators_sampling_settled(memory, differentiators_kalman_AT, 4.0, differentiators_kalman_settle_s(memory));
-  return differentiators_sampling_motion(memory, differentiators_kalman_AT, event, (T2_T2d_){velocity, acceleration}, settled, start);
+  velocity = (T2d){plane->x[1], plane->y[1]};
+  acceleration = (T2d){plane->x[2], plane->y[2]};
+  settled = differentiators_sampling_settled(samples, 4.0, differentiators_kalman_settle_s(settings, samples));
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
 void loop__stage_learn_nothing__records_event_at__differentiators_difference_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
@@ -426,7 +398,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_difference_ste
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_difference_step(memory, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -440,7 +412,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_st
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_homogeneous_step(memory, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -454,7 +426,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(Ve
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_kalman_step(memory, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }

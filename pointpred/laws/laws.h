@@ -13,6 +13,7 @@ typedef struct { double *p; int64_t n, m; } Table;
 typedef struct { int64_t *p; int64_t n; } WholeVector;
 typedef struct { int64_t *p; int64_t n, m; } WholeTable;
 typedef struct { bool *p; int64_t n; } FlagVector;
+typedef struct { bool *p; int64_t n, m; } FlagTable;
 
 /* An array whose size is not known before: freed where its name ends. */
 #define RELEASED __attribute__((cleanup(release)))
@@ -132,6 +133,107 @@ typedef struct { double t; double dx; double dy; double off_x; double off_y; dou
 typedef struct { int64_t n; int64_t linear; double forgetting; } bands_Model;
 typedef struct { double f0; } Td;
 typedef struct { double t; double dx; double dy; } pixels_CountsRow;
+typedef struct {
+  double t;
+  double u[2];
+  double v[2];
+  double a[2];
+  double span_s;
+} difference_Differences;
+typedef struct {
+  double metres_per_count;
+  double metres_per_px;
+  double gap_s;
+  double pause_s;
+} sampling_Settings;
+typedef struct {
+  double started;
+  double t;
+  double x;
+  double y;
+  double buttons;
+  double u;
+  double v;
+  double samples;
+  double counts;
+  double since;
+  double last_u;
+  double last_v;
+} sampling_State;
+typedef struct {
+  sampling_Settings sampling;
+  double shortest_s;
+} difference_Settings;
+typedef struct {
+  sampling_State sampling;
+  difference_Differences last;
+} difference_State;
+typedef struct {
+  difference_Settings settings;
+  difference_State state;
+} difference_Memory;
+typedef struct {
+  double z[8];
+} homogeneous_Axis;
+typedef struct {
+  sampling_Settings sampling;
+  double order;
+  double alpha;
+  double step_s;
+  double hold;
+  double settle_s;
+  double gain[8];
+} homogeneous_Settings;
+typedef struct {
+  homogeneous_Axis x;
+  homogeneous_Axis y;
+  double slope[2];
+} homogeneous_Estimates;
+typedef struct {
+  sampling_State sampling;
+  homogeneous_Estimates estimates;
+} homogeneous_State;
+typedef struct {
+  homogeneous_Settings settings;
+  homogeneous_State state;
+} homogeneous_Memory;
+typedef struct {
+  sampling_Settings sampling;
+  double jerk_density;
+  double noise;
+} kalman_Settings;
+typedef struct {
+  double p00;
+  double p01;
+  double p02;
+  double p11;
+  double p12;
+  double p22;
+} kalman_Covariance;
+typedef struct {
+  double x[3];
+  double y[3];
+  kalman_Covariance covariance;
+} kalman_Plane;
+typedef struct {
+  sampling_State sampling;
+  kalman_Plane plane;
+} kalman_State;
+typedef struct {
+  kalman_Settings settings;
+  kalman_State state;
+} kalman_Memory;
+typedef struct {
+  double known;
+  double t;
+  double x;
+  double y;
+  double t0;
+  double x0;
+  double y0;
+  double peak;
+  double path;
+} movement_State;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
 static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
 static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
@@ -139,28 +241,28 @@ static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { 
 static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 static inline pixels_CountsRow pixels_CountsRow_of_T3d(T3d value) { return (pixels_CountsRow){value.f0, value.f1, value.f2}; }
-void differentiators_difference_advance(Vector memory, int64_t axis, double u, double dt);
-T10d differentiators_difference_step(Vector memory, records_EventRow event);
-double differentiators_homogeneous_advance(Vector memory, int64_t z, double before, double now, double h, int64_t steps);
-double differentiators_homogeneous_chatter(Vector memory, double place, double h, int64_t steps);
-void differentiators_homogeneous_fill(Vector values, Vector memory);
-void differentiators_homogeneous_place_poles(Vector memory, double gain_lambda, double gain_xi);
-void differentiators_homogeneous_settle(Vector memory);
-double differentiators_homogeneous_settling(Vector memory, double speed, double h, int64_t steps);
-T10d differentiators_homogeneous_step(Vector memory, records_EventRow event);
-void differentiators_kalman_correct(Vector memory, int64_t x, int64_t p, double noise, double measured);
-void differentiators_kalman_fill(Vector values, Vector memory);
-void differentiators_kalman_follow(Vector memory, int64_t x, double jerk_density, double noise, double dt, T2d place);
-void differentiators_kalman_narrow(Vector memory, int64_t p, double noise);
-void differentiators_kalman_predict(Vector memory, int64_t x, double dt);
-void differentiators_kalman_restart(Vector memory, int64_t x, double noise);
-double differentiators_kalman_settle_s(Vector memory);
-void differentiators_kalman_spread(Vector memory, int64_t p, double jerk_density, double dt);
-T10d differentiators_kalman_step(Vector memory, records_EventRow event);
-Tq3db differentiators_sampling_accept(Vector memory, int64_t at, records_EventRow event);
+void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt);
+T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event);
+double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
+double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double place, double h, int64_t steps);
+void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * settings);
+void differentiators_homogeneous_place_poles(homogeneous_Settings * settings, double gain_lambda, double gain_xi);
+void differentiators_homogeneous_settle(homogeneous_Memory * memory);
+double differentiators_homogeneous_settling(homogeneous_Memory * memory, double speed, double h, int64_t steps);
+T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_EventRow event);
+void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double noise, double measured);
+void differentiators_kalman_fill(Vector values, kalman_Settings * settings);
+void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
+void differentiators_kalman_narrow(kalman_Covariance * p, double noise);
+void differentiators_kalman_predict(Vector axis, double dt);
+void differentiators_kalman_restart(kalman_Plane * plane, double noise);
+double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_State * samples);
+void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, double dt);
+T10d differentiators_kalman_step(kalman_Memory * memory, records_EventRow event);
+Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_State * s, records_EventRow event);
 void differentiators_sampling_fill(Vector values, Vector memory);
-T10d differentiators_sampling_motion(Vector memory, int64_t at, records_EventRow event, T2_T2d_ hand, double settled, bool start);
-double differentiators_sampling_settled(Vector memory, int64_t at, double samples, double settle_s);
+T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
+double differentiators_sampling_settled(sampling_State * s, double samples, double settle_s);
 bool follow__predictors_adaptation_predictor_step(Vector memory, T10d row, Vector shared_0);
 bool follow__predictors_delphian_step(Vector memory, T10d row);
 bool follow__predictors_hold_step(Vector memory, T10d row);
@@ -436,10 +538,10 @@ double predictors_mixture_share_above(Table parts, int64_t count, int64_t points
 double predictors_mixture_squared_radius(double share, double tail);
 double predictors_mixture_squared_radius_over_tail(double level, double heavy);
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points);
-int64_t predictors_movement_fault_of(Vector memory, int64_t at, records_MotionRow m);
-Tqbd predictors_movement_follow(Vector memory, int64_t at, records_MotionRow m);
-double predictors_movement_phase(Vector memory, int64_t at, records_MotionRow m);
-T10d predictors_movement_refuse(Vector memory, int64_t at, records_MotionRow m, int64_t fault);
+int64_t predictors_movement_fault_of(movement_State * s, records_MotionRow m);
+Tqbd predictors_movement_follow(movement_State * s, records_MotionRow m);
+double predictors_movement_phase(movement_State * s, records_MotionRow m);
+T10d predictors_movement_refuse(movement_State * s, records_MotionRow m, int64_t fault);
 double predictors_switched_advance(Vector memory, int64_t axis, double t, double place, double v, double a);
 double predictors_switched_direction_approach(Vector memory, double px_m, double x, double y, double speed);
 void predictors_switched_direction_begin_submovement(Vector memory, int64_t at, double x, double y);
@@ -492,7 +594,7 @@ double scoring_measures_regions_surprise(double dx, double dy, double sxx, doubl
 void scoring_measures_time_left_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out);
 void scoring_measures_time_left_time_left(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, double median_s, Table out);
 bool scoring_measures_time_left_within(double left, double predicted, double spread, double deviations);
-void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagVector inside, Table sums);
+void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagTable inside, Table sums);
 void scoring_target_choice_account(Table events, Table answers, Table table, Table shares, int64_t right, double ask, double least_s, double least_px, Vector out);
 int64_t scoring_target_choice_nearest(Table table, double x, double y);
 void scoring_target_choice_read(Table events, Table table, Table shares, int64_t arrival, int64_t right, Vector fractions, Table out);

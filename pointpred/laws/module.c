@@ -44,6 +44,12 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
+  if (view->shape[0] >= least) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+  return false;
+}
+
 static bool take_tuple(PyObject *given, const char *law, const char *argument, Py_ssize_t count) {
   if (PyTuple_Check(given) && PyTuple_Size(given) == count) return true;
   PyErr_Format(PyExc_TypeError, "%s: %s must be a tuple of %zd, received %R", law, argument, count, given);
@@ -376,15 +382,16 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.difference:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  difference_Differences * a0;
   int64_t a1;
   double a2;
   double a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "last", 'd', 1, true, &view)
+        && is_long_enough(view, law, "last", 8)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -397,14 +404,15 @@ static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.difference:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  difference_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 25)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -421,8 +429,8 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  homogeneous_Settings * a0;
+  homogeneous_Axis * a1;
   double a2;
   double a3;
   double a4;
@@ -431,9 +439,12 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 17)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "axis", 'd', 1, true, &view)
+        && is_long_enough(view, law, "axis", 8)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)
@@ -447,7 +458,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:chatter";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -456,7 +467,8 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 47)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
@@ -470,14 +482,15 @@ static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *c
   Held held;
   const Py_buffer *view;
   Vector a0;
-  Vector a1;
+  homogeneous_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
+        && is_long_enough(view, law, "settings", 17)
+        && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_fill(a0, a1);
   let_go(&held);
@@ -487,14 +500,15 @@ static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyOb
   static const char law[] = "pointpred.differentiators.homogeneous:place_poles";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  homogeneous_Settings * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "settings", 'd', 1, true, &view)
+        && is_long_enough(view, law, "settings", 17)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -506,12 +520,13 @@ static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.homogeneous:settle";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  homogeneous_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "memory", 47)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_settle(a0);
   let_go(&held);
@@ -521,7 +536,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   static const char law[] = "pointpred.differentiators.homogeneous:settling";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -530,7 +545,8 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 47)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
@@ -543,14 +559,15 @@ static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.homogeneous:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  homogeneous_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 47)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -568,21 +585,21 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  int64_t a2;
+  kalman_Covariance * a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "axis", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && is_long_enough(view, law, "p", 6)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  differentiators_kalman_correct(a0, a1, a2, a3, a4);
+  differentiators_kalman_correct(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -591,14 +608,15 @@ static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  Vector a1;
+  kalman_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
+        && is_long_enough(view, law, "settings", 6)
+        && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_kalman_fill(a0, a1);
   let_go(&held);
@@ -608,26 +626,25 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  kalman_Plane * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
-  T2d a5;
+  T2d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
+        && is_long_enough(view, law, "plane", 12)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "place", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_tuple(args[4], law, "place", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
     return let_go(&held);
-  differentiators_kalman_follow(a0, a1, a2, a3, a4, a5);
+  differentiators_kalman_follow(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -635,18 +652,17 @@ static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:narrow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  kalman_Covariance * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
+        && is_long_enough(view, law, "p", 6)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  differentiators_kalman_narrow(a0, a1, a2);
+  differentiators_kalman_narrow(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -655,17 +671,15 @@ static PyObject *py_differentiators_kalman_predict(PyObject *self, PyObject *con
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  double a2;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "axis", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  differentiators_kalman_predict(a0, a1, a2);
+  differentiators_kalman_predict(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -673,18 +687,17 @@ static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *con
   static const char law[] = "pointpred.differentiators.kalman:restart";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  kalman_Plane * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
+        && is_long_enough(view, law, "plane", 12)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  differentiators_kalman_restart(a0, a1, a2);
+  differentiators_kalman_restart(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -692,15 +705,20 @@ static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.kalman:settle_s";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  kalman_Settings * a0;
+  sampling_State * a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 6)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "samples", 'd', 1, false, &view)
+        && is_long_enough(view, law, "samples", 12)
+        && (a1 = view->buf, true)))
     return let_go(&held);
-  result = differentiators_kalman_settle_s(a0);
+  result = differentiators_kalman_settle_s(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -708,20 +726,19 @@ static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:spread";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  kalman_Covariance * a0;
+  double a1;
   double a2;
-  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
+        && is_long_enough(view, law, "p", 6)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  differentiators_kalman_spread(a0, a1, a2, a3);
+  differentiators_kalman_spread(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -729,14 +746,15 @@ static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.differentiators.kalman:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  kalman_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 30)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -753,16 +771,19 @@ static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:accept";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  sampling_Settings * a0;
+  sampling_State * a1;
   records_EventRow a2;
   Tq3db result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 4)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 12)
+        && (a1 = view->buf, true)
         && take_tuple(args[2], law, "event", 6)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
@@ -797,37 +818,36 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:motion";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_EventRow a2;
-  T2_T2d_ a3;
-  double a4;
-  bool a5;
+  sampling_State * a0;
+  records_EventRow a1;
+  T2_T2d_ a2;
+  double a3;
+  bool a4;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "event", 6)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.dx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.dy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.buttons)
-        && take_tuple(args[3], law, "hand", 2)
-        && take_tuple(PyTuple_GetItem(args[3], 0), law, "hand", 2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 0), &a3.f0.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 1), &a3.f0.f1)
-        && take_tuple(PyTuple_GetItem(args[3], 1), law, "hand", 2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 0), &a3.f1.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 1), &a3.f1.f1)
-        && take_double(args[4], &a4)
-        && take_bool(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 12)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.dx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.dy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.buttons)
+        && take_tuple(args[2], law, "hand", 2)
+        && take_tuple(PyTuple_GetItem(args[2], 0), law, "hand", 2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[2], 0), 0), &a2.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[2], 0), 1), &a2.f0.f1)
+        && take_tuple(PyTuple_GetItem(args[2], 1), law, "hand", 2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[2], 1), 0), &a2.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[2], 1), 1), &a2.f1.f1)
+        && take_double(args[3], &a3)
+        && take_bool(args[4], &a4)))
     return let_go(&held);
-  result = differentiators_sampling_motion(a0, a1, a2, a3, a4, a5);
+  result = differentiators_sampling_motion(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T10d(result);
 }
@@ -835,21 +855,20 @@ static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.sampling:settled";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  sampling_State * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 12)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = differentiators_sampling_settled(a0, a1, a2, a3);
+  result = differentiators_sampling_settled(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5230,7 +5249,7 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, true, &view)
+        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
   result = predictors_adaptation_predictor_step(a0, a1, a2);
@@ -6542,7 +6561,7 @@ static PyObject *py_predictors_kinematic_network_evaluate(PyObject *self, PyObje
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, true, &view)
+        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "values", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -6689,7 +6708,7 @@ static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, true, &view)
+        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
   result = predictors_kinematic_predictor_step(a0, a1, a2);
@@ -7561,29 +7580,28 @@ static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const
   static const char law[] = "pointpred.predictors.movement:fault_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
+  movement_State * a0;
+  records_MotionRow a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 9)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
     return let_go(&held);
-  result = predictors_movement_fault_of(a0, a1, a2);
+  result = predictors_movement_fault_of(a0, a1);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -7591,29 +7609,28 @@ static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
+  movement_State * a0;
+  records_MotionRow a1;
   Tqbd result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 9)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
     return let_go(&held);
-  result = predictors_movement_follow(a0, a1, a2);
+  result = predictors_movement_follow(a0, a1);
   let_go(&held);
   return give_Tqbd(result);
 }
@@ -7621,29 +7638,28 @@ static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.predictors.movement:phase";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
+  movement_State * a0;
+  records_MotionRow a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 9)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
     return let_go(&held);
-  result = predictors_movement_phase(a0, a1, a2);
+  result = predictors_movement_phase(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -7651,31 +7667,30 @@ static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:refuse";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
-  int64_t a3;
+  movement_State * a0;
+  records_MotionRow a1;
+  int64_t a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 9)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)
+        && take_int64_t(args[2], &a2)))
     return let_go(&held);
-  result = predictors_movement_refuse(a0, a1, a2, a3);
+  result = predictors_movement_refuse(a0, a1, a2);
   let_go(&held);
   return give_T10d(result);
 }
@@ -8456,7 +8471,7 @@ static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *con
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[4], law, "discs", 'd', 2, false, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, args[5], law, "shares", 'd', 1, true, &view)
+        && take_array(&held, args[5], law, "shares", 'd', 1, false, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[6], law, "out", 'd', 2, true, &view)
         && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
@@ -8674,7 +8689,7 @@ static PyObject *py_scoring_measures_regions_inside_by_time(PyObject *self, PyOb
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "shares", 'd', 1, true, &view)
+        && take_array(&held, args[4], law, "shares", 'd', 1, false, &view)
         && (a4 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
         && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
@@ -8780,7 +8795,7 @@ static PyObject *py_scoring_measures_time_left_inside_by_time(PyObject *self, Py
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "shares", 'd', 1, true, &view)
+        && take_array(&held, args[4], law, "shares", 'd', 1, false, &view)
         && (a4 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
         && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
@@ -8845,7 +8860,7 @@ static PyObject *py_scoring_summary_sums_add_trials(PyObject *self, PyObject *co
   const Py_buffer *view;
   Table a0;
   WholeVector a1;
-  FlagVector a2;
+  FlagTable a2;
   Table a3;
   (void)self, (void)view;
   held.count = 0;
@@ -8854,8 +8869,8 @@ static PyObject *py_scoring_summary_sums_add_trials(PyObject *self, PyObject *co
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[1], law, "person", 'q', 1, false, &view)
         && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "inside", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "inside", 'b', 2, false, &view)
+        && (a2 = (FlagTable){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[3], law, "sums", 'd', 2, true, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);

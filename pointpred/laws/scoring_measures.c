@@ -288,7 +288,7 @@ void scoring_measures_regions_calibrate(Table rows, Table answers, WholeVector o
   }
 }
 
-/* For each trial, share of the time and level: 1 where the region holds the endpoint, else 0. */
+/* For each trial, in a row: for each share of the time and level 1 where the region holds the endpoint, else 0. */
 void scoring_measures_regions_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out) {
   WholeVector at;
   int64_t first, last, i;
@@ -312,7 +312,7 @@ void scoring_measures_regions_inside_by_time(Table rows, Table answers, WholeVec
       dy = rows.p[last * rows.m + 2] - answers.p[i * answers.m + 2];
       far = scoring_measures_regions_surprise(dx, dy, sxx, sxy, syy);
       for (int64_t j = 0; j < 3; j++) {
-        out.p[k * out.m + j] = 0.0 <= far && far <= regions_reach(((const double *)&scoring_measures_regions_LEVELS)[j], answers.p[i * answers.m + 8]) ? 1.0 : 0.0;
+        out.p[k * out.m + m * 3 + j] = 0.0 <= far && far <= regions_reach(((const double *)&scoring_measures_regions_LEVELS)[j], answers.p[i * answers.m + 8]) ? 1.0 : 0.0;
       }
     }
   }
@@ -377,7 +377,7 @@ void scoring_measures_time_left_time_left(Table rows, Table answers, WholeVector
   }
 }
 
-/* For each trial, share of the time and level: 1 where the arrival lies in the interval, 0 where not. */
+/* For each trial, in a row: for each share of the time and level 1 where the arrival is in the interval, else 0. */
 void scoring_measures_time_left_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out) {
   WholeVector at;
   int64_t first, arrival;
@@ -397,7 +397,7 @@ void scoring_measures_time_left_inside_by_time(Table rows, Table answers, WholeV
       }
       left = rows.p[arrival * rows.m + 0] - rows.p[at.p[m] * rows.m + 0];
       for (int64_t j = 0; j < 3; j++) {
-        out.p[k * out.m + j] = scoring_measures_time_left_within(left, predicted, spread, ((const double *)&scoring_measures_time_left_DEVIATIONS)[j]) ? 1.0 : 0.0;
+        out.p[k * out.m + m * 3 + j] = scoring_measures_time_left_within(left, predicted, spread, ((const double *)&scoring_measures_time_left_DEVIATIONS)[j]) ? 1.0 : 0.0;
       }
     }
   }

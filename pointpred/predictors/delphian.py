@@ -19,7 +19,7 @@ from pointpred.stage import offsets
 # The parameters; the movement; where the speed was highest, its direction from the start, whether it has
 # fallen since.
 SLOPE, OFFSET, FALL, AT, PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN, END = offsets(
-    1, 1, 1, movement.STATES, 1, 1, 1, 1, 1
+    1, 1, 1, movement.State.length, 1, 1, 1, 1, 1
 )
 
 
@@ -27,16 +27,16 @@ SLOPE, OFFSET, FALL, AT, PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN, END = offsets(
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
     m = MotionRow(*motion)
-    before = memory[AT + movement.PEAK]
-    fault, new, _ = movement.follow(memory, AT, m)
+    before = movement.State(memory, AT).peak
+    fault, new, _ = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    phase = movement.phase(memory, AT, m)
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    phase = movement.phase(movement.State(memory, AT), m)
     if new:
         memory[PEAK_X:] = 0.0
-    peak, speed = memory[AT + movement.PEAK], hypot(m.vx, m.vy)
+    peak, speed = movement.State(memory, AT).peak, hypot(m.vx, m.vy)
     if new or peak > before:
-        away_x, away_y = m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0]
+        away_x, away_y = m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0
         away = hypot(away_x, away_y)
         memory[PEAK_X], memory[PEAK_Y], memory[FALLEN] = m.x, m.y, 0.0
         memory[UNIT_X] = away_x / away if away > 0.0 else 0.0

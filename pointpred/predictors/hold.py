@@ -14,10 +14,10 @@ AT = 0
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """The cursor's position is the answer."""
     m = MotionRow(*motion)
-    fault, _, _ = movement.follow(memory, AT, m)
+    fault, _, _ = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    return endpoint(m.t, m.x, m.y, movement.phase(memory, AT, m))
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    return endpoint(m.t, m.x, m.y, movement.phase(movement.State(memory, AT), m))
 
 
 class HoldPredictor(Predictor):
@@ -34,4 +34,4 @@ class HoldPredictor(Predictor):
 
     step = staticmethod(step)
     claims_time = False
-    states = movement.STATES
+    states = movement.State.length

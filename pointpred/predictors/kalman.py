@@ -18,7 +18,7 @@ PRIOR_ACCELERATION = 1000.0
 # The parameters; the movement; what was expected at the last time, before its position came, relative to the
 # movement's start: position, velocity, acceleration of x, of y, the covariance (pp pv pa vv va aa) of both.
 HORIZON_S, JERK_DENSITY, NOISE_PX, GAP_S, AT, MEAN_X, MEAN_Y, SPREAD, END = offsets(
-    1, 1, 1, 1, movement.STATES, 3, 3, 6
+    1, 1, 1, 1, movement.State.length, 3, 3, 6
 )
 
 
@@ -48,23 +48,24 @@ def correct(memory: FloatArray, mean: int, measured: float) -> tuple[float, floa
 def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
     """Take the last position (x, y) in and expect the state ``dt`` later."""
     noise = memory[NOISE_PX] ** 2
-    for axis in range(2):
-        mean = MEAN_Y if axis else MEAN_X
-        kalman.correct(memory, mean, SPREAD, noise, y if axis else x)
-        kalman.predict(memory, mean, dt)
-    kalman.narrow(memory, SPREAD, noise)
-    kalman.spread(memory, SPREAD, memory[JERK_DENSITY], dt)
+    plane = kalman.Plane(memory, MEAN_X)
+    kalman.correct(plane.x, plane.covariance, noise, x)
+    kalman.predict(plane.x, dt)
+    kalman.correct(plane.y, plane.covariance, noise, y)
+    kalman.predict(plane.y, dt)
+    kalman.narrow(plane.covariance, noise)
+    kalman.spread(plane.covariance, memory[JERK_DENSITY], dt)
 
 
 @law
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """One position through the filter of both axes, and its state carried over the horizon."""
     m = MotionRow(*motion)
-    last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]
-    fault, new, dt = movement.follow(memory, AT, m)
+    last_x, last_y = movement.State(memory, AT).x, movement.State(memory, AT).y
+    fault, new, dt = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    x0, y0 = movement.State(memory, AT).x0, movement.State(memory, AT).y0
     if new or dt > memory[GAP_S] + ROUNDING_S:
         expect_rest(memory, m.x - x0, m.y - y0)
     elif dt > 0.0:
@@ -76,7 +77,7 @@ def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
         m.t,
         x0 + px + h * (vx_px + 0.5 * h * ax_px),
         y0 + py + h * (vy_px + 0.5 * h * ay_px),
-        movement.phase(memory, AT, m),
+        movement.phase(movement.State(memory, AT), m),
     )
 
 

@@ -107,7 +107,7 @@ TERMS = DEGREE_MOST + 1
 # The parameters; the movement, the fit and its solution; the stability check: the length predicted after the
 # sample before, whether an endpoint was accepted, which.
 DEGREE, REACH, CHANGE_MOST, AT, FIT, COEFFICIENTS, LENGTH, ACCEPTED, ACCEPTED_X, ACCEPTED_Y, END = offsets(
-    1, 1, 1, movement.STATES, least_squares.states(TERMS), TERMS, 1, 1, 1, 1
+    1, 1, 1, movement.State.length, least_squares.states(TERMS), TERMS, 1, 1, 1, 1
 )
 
 EXCITATION_LEAST = 1e-5
@@ -160,15 +160,15 @@ def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Add the motion to the fit and look for its zero ahead."""
     m = MotionRow(*motion)
-    fault, new, dt = movement.follow(memory, AT, m)
+    fault, new, dt = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    travelled = memory[AT + movement.PATH]
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    travelled = movement.State(memory, AT).path
     if new:
         memory[FIT:] = 0.0
     if new or dt > 0.0:
         add(memory, travelled, hypot(m.vx, m.vy))
-    away_x, away_y = m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0]
+    away_x, away_y = m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0
     away = hypot(away_x, away_y)
     end_x, end_y = nan, nan
     if away > 0.0:
@@ -179,7 +179,7 @@ def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     if memory[CHANGE_MOST] > 0.0:
         accepted = memory[ACCEPTED] == 1.0
         end_x, end_y = memory[ACCEPTED_X] if accepted else nan, memory[ACCEPTED_Y] if accepted else nan
-    return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
+    return endpoint(m.t, end_x, end_y, movement.phase(movement.State(memory, AT), m))
 
 
 class KinematicEndpointPredictor(Predictor):

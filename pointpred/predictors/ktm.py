@@ -42,7 +42,7 @@ COUNT, NEXT, LEARNED = range(3)
 # The movement, after `movement`'s own state: its points, its samples, the last of them, the last 22 speeds,
 # the whole profile; then for each template the running sum, the final part of its score, its score and the
 # last 22 smoothed differences.
-_, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.STATES, 1, 1, 1, 1, TAPS)
+_, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.State.length, 1, 1, 1, 1, TAPS)
 SUM, FINAL, SCORE, SMOOTH, MATCH = offsets(1, 1, 1, TAPS)
 
 
@@ -165,8 +165,8 @@ TEMPLATES_MOST = 1000
 @law
 def distance(memory: FloatArray, at: int) -> float:
     """How far the cursor is from the movement's start, px."""
-    away_x = memory[at + movement.X] - memory[at + movement.X0]
-    return hypot(away_x, memory[at + movement.Y] - memory[at + movement.Y0])
+    away_x = movement.State(memory, at).x - movement.State(memory, at).x0
+    return hypot(away_x, movement.State(memory, at).y - movement.State(memory, at).y0)
 
 
 @law
@@ -180,8 +180,8 @@ def conclude(memory: FloatArray) -> None:
 def resample(memory: FloatArray, at: int, since: float, x_before: float, y_before: float) -> None:
     """Take in the samples that have fallen due since the motion before the last one."""
     most = memory[LONGEST] + TAPS
-    now = memory[at + movement.T] - memory[at + movement.T0]
-    x, y = memory[at + movement.X], memory[at + movement.Y]
+    now = movement.State(memory, at).t - movement.State(memory, at).t0
+    x, y = movement.State(memory, at).x, movement.State(memory, at).y
     due = memory[at + SAMPLES] * STEP_S
     while due <= now + STAMP_S and memory[at + SAMPLES] < most:
         back = min(max((now - due) / since, 0.0), 1.0)
@@ -198,17 +198,17 @@ def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     m = MotionRow(*motion)
     at = counts(memory) + LEARNED
     last_distance = distance(memory, at)
-    x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
-    fault, new, dt = movement.follow(memory, at, m)
+    x_before, y_before = movement.State(memory, at).x, movement.State(memory, at).y
+    fault, new, dt = movement.follow(movement.State(memory, at), m)
     if fault != FINE:
-        return movement.refuse(memory, at, m, fault)
-    phase = movement.phase(memory, at, m)
+        return movement.refuse(movement.State(memory, at), m, fault)
+    phase = movement.phase(movement.State(memory, at), m)
     if new:
         keep(memory, at, last_distance)
-        memory[at + movement.STATES :] = 0.0
+        memory[at + movement.State.length :] = 0.0
         memory[at + POINTS] = 1.0
         sample(memory, at, 0.0)
-    if new or m.t == memory[at + movement.T0]:
+    if new or m.t == movement.State(memory, at).t0:
         memory[at + GRID_X], memory[at + GRID_Y] = m.x, m.y
     if dt > 0.0:
         memory[at + POINTS] += 1.0
@@ -220,7 +220,7 @@ def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     if best < 0 or not away > 0.0:
         return endpoint(m.t, nan, nan, phase)
     ahead = memory[template(memory, best) + DISTANCE] / away - 1.0
-    x0, y0 = memory[at + movement.X0], memory[at + movement.Y0]
+    x0, y0 = movement.State(memory, at).x0, movement.State(memory, at).y0
     return endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase)
 
 

@@ -14,7 +14,7 @@ from pointpred.stage import offsets
 CAPACITY = 8
 """Past samples that are remembered."""
 # The parameters; the movement; how many past samples there are, and (t, x, y) of each, the newest first.
-HORIZON_S, WINDOW_S, AT, COUNT, PAST, END = offsets(1, 1, movement.STATES, 1, 3 * CAPACITY)
+HORIZON_S, WINDOW_S, AT, COUNT, PAST, END = offsets(1, 1, movement.State.length, 1, 3 * CAPACITY)
 
 
 @law
@@ -48,12 +48,12 @@ def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Carry the mean velocity of the window on over the horizon."""
     m = MotionRow(*motion)
-    fault, new, _ = movement.follow(memory, AT, m)
+    fault, new, _ = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
+        return movement.refuse(movement.State(memory, AT), m, fault)
     if new:
         memory[COUNT] = 0.0
-    phase = movement.phase(memory, AT, m)
+    phase = movement.phase(movement.State(memory, AT), m)
     any_before, before_t, before_x, before_y = before(memory, m.t)
     remember(memory, m.t, m.x, m.y)
     if not any_before:

@@ -23,23 +23,23 @@ def progress(ratio: float) -> tuple[float, float]:
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Divide the way done by the share that the speed says is done."""
     m = MotionRow(*motion)
-    fault, _, _ = movement.follow(memory, AT, m)
+    fault, _, _ = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    phase = movement.phase(memory, AT, m)
-    peak = memory[AT + movement.PEAK]
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    phase = movement.phase(movement.State(memory, AT), m)
+    peak = movement.State(memory, AT).peak
     if peak < movement.STILL_M_S:
         return endpoint(m.t, nan, nan, phase)
     tau, done = progress(hypot(m.vx, m.vy) / peak)
     ahead = (1.0 - done) / done
     return (
         m.t,
-        m.x + ahead * (m.x - memory[AT + movement.X0]),
-        m.y + ahead * (m.y - memory[AT + movement.Y0]),
+        m.x + ahead * (m.x - movement.State(memory, AT).x0),
+        m.y + ahead * (m.y - movement.State(memory, AT).y0),
         nan,
         nan,
         nan,
-        (m.t - memory[AT + movement.T0]) * (1.0 - tau) / tau,
+        (m.t - movement.State(memory, AT).t0) * (1.0 - tau) / tau,
         phase,
         nan,
         nan,
@@ -77,4 +77,4 @@ class MinimumJerkPredictor(Predictor):
     """
 
     step = staticmethod(step)
-    states = movement.STATES
+    states = movement.State.length

@@ -16,7 +16,7 @@ UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
 PEAK, PLACE, ENDPOINT, DREM, AXIS_STATES = offsets(1, 1, 1, drem.states(UNKNOWNS))
 # The parameters; the movement; both axes.
 THRESHOLD, BOUND, DELAY_S, GAMMA, AT, X_AXIS, Y_AXIS, END = offsets(
-    1, 1, 1, 1, movement.STATES, AXIS_STATES, AXIS_STATES
+    1, 1, 1, 1, movement.State.length, AXIS_STATES, AXIS_STATES
 )
 
 
@@ -52,16 +52,16 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Both axes, each in its own phase (Remark 2.5.1)."""
     m = MotionRow(*motion)
-    fault, new, _ = movement.follow(memory, AT, m)
+    fault, new, _ = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
+        return movement.refuse(movement.State(memory, AT), m, fault)
     if new:
         memory[X_AXIS:] = 0.0
-    x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
-    since = m.t - memory[AT + movement.T0]  # so that the clock's origin leaves no trace in the delays
+    x0, y0 = movement.State(memory, AT).x0, movement.State(memory, AT).y0
+    since = m.t - movement.State(memory, AT).t0  # so that the clock's origin leaves no trace in the delays
     end_x = x0 + advance(memory, X_AXIS, since, m.x - x0, m.vx, m.ax)
     end_y = y0 + advance(memory, Y_AXIS, since, m.y - y0, m.vy, m.ay)
-    return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
+    return endpoint(m.t, end_x, end_y, movement.phase(movement.State(memory, AT), m))
 
 
 class SwitchedPredictor(Predictor):

@@ -49,7 +49,7 @@ RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = range(7)
 # The movement; its sub-movement; the hand's last velocity, its displacement in m since the movement's start;
 # the gain's two sums.
 _, UNIT, VX, VY, HAND_X, HAND_Y, CROSS, SQUARE, END = offsets(
-    AT + movement.STATES, SUBMOVEMENT, 1, 1, 1, 1, 1, 1
+    AT + movement.State.length, SUBMOVEMENT, 1, 1, 1, 1, 1, 1
 )
 
 
@@ -94,17 +94,19 @@ def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) 
 def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
     """Follow the sub-movement and add what is left of it in the direction of the hand."""
     m = MotionRow(*motion)
-    fault, new, dt = movement.follow(memory, AT, m)
+    fault, new, dt = movement.follow(movement.State(memory, AT), m)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
+        return movement.refuse(movement.State(memory, AT), m, fault)
     if new:
         memory[VX:END] = 0.0
-    if new or m.t == memory[AT + movement.T0]:
+    if new or m.t == movement.State(memory, AT).t0:
         begin_submovement(memory, UNIT, m.x, m.y)
     speed = hypot(m.vx, m.vy)
     follow_submovement(memory, UNIT, memory[RISE], m.x, m.y, speed)
-    phase = movement.phase(memory, AT, m)
-    px_m = gain(memory, dt, m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0], m.vx, m.vy)
+    phase = movement.phase(movement.State(memory, AT), m)
+    px_m = gain(
+        memory, dt, m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0, m.vx, m.vy
+    )
     rate = approach(memory, px_m, m.x, m.y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
     ahead_s = 1.0 / rate if rate > 0.0 else 0.0
     braking = -(m.ax * m.vx + m.ay * m.vy)

@@ -83,14 +83,13 @@ def test_mirroring_and_exchanging_the_axes_does_the_same_to_the_motion(
 @settings(deadline=None, max_examples=100, derandomize=True)
 @given(events=tables())
 def test_motor_position_is_the_sum_of_what_was_moved_since_the_restart(events: EventColumns) -> None:
-    memory = np.zeros(sampling.SETTINGS + sampling.STATES)
-    memory[: sampling.SETTINGS] = 0.0254 / 800.0, 0.0254 / 96.0, 0.1, 0.3
-    at = sampling.SETTINGS
+    rules = np.array([0.0254 / 800.0, 0.0254 / 96.0, 0.1, 0.3])
+    state = sampling.State(np.zeros(sampling.State.length))
     sums: list[float] = []
     seen = 0.0
     for t, x, y, dx, dy, buttons in events.table:
-        before_x = memory[at + sampling.X]
-        verdict, _, before, _, _ = sampling.accept(memory, at, (t, x, y, dx, dy, buttons))
+        before_x = state.x
+        verdict, _, before, _, _ = sampling.accept(rules, state.memory, (t, x, y, dx, dy, buttons))
         moved = dx * 0.0254 / 800.0 if dx == dx else (x - before_x) * 0.0254 / 96.0
         if verdict == sampling.RESTARTED:
             sums, seen = [], 0.0
@@ -98,5 +97,5 @@ def test_motor_position_is_the_sum_of_what_was_moved_since_the_restart(events: E
         sums.append(moved)
         if verdict == sampling.MOVED:
             assert before == seen
-            seen = memory[at + sampling.U]
-        assert memory[at + sampling.U] == pytest.approx(sum(sums), rel=1e-9, abs=1e-6)
+            seen = state.u
+        assert state.u == pytest.approx(sum(sums), rel=1e-9, abs=1e-6)

@@ -56,7 +56,7 @@ def test_agrees_with_full_matrices_under_irregular_sampling(density: float, nois
     across, _ = textbook(t, v - v[0], density, noise_m)
     np.testing.assert_allclose(motions.vy, across[:, 1], rtol=1e-8, atol=1e-10)
     np.testing.assert_allclose(motions.ay, across[:, 2], rtol=1e-7, atol=1e-8)
-    kept = differentiator._memory[law.COVARIANCE : law.COVARIANCE + 6]
+    kept = law.Memory(differentiator._memory).state.plane.covariance.memory
     np.testing.assert_allclose(kept, p[np.triu_indices(3)], rtol=1e-8)
 
 
@@ -70,7 +70,7 @@ def test_stationary_covariance_solves_the_riccati_equation(rate_hz: float) -> No
     differentiator = KalmanDifferentiator(jerk_density=density, noise_m=noise_m)
     t = np.arange(round(2 * rate_hz)) / rate_hz
     differentiator.run(EventColumns.of(t, t, t))
-    kept = differentiator._memory[law.COVARIANCE : law.COVARIANCE + 6]
+    kept = law.Memory(differentiator._memory).state.plane.covariance.memory
     np.testing.assert_allclose(kept, after[np.triu_indices(3)], rtol=1e-6)
 
 
@@ -113,5 +113,5 @@ def test_extreme_parameters_stay_finite_with_variances_not_negative(
     differentiator = KalmanDifferentiator(jerk_density=density, noise_m=noise_m, gap_s=1e3, pause_s=1e3)
     motions = differentiator.run(EventColumns.of(t, x, -x))
     assert np.isfinite(motions.table).all()
-    kept = differentiator._memory[law.COVARIANCE : law.COVARIANCE + 6]
+    kept = law.Memory(differentiator._memory).state.plane.covariance.memory
     assert (kept[[0, 3, 5]] >= 0.0).all()

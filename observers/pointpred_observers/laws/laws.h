@@ -13,6 +13,7 @@ typedef struct { double *p; int64_t n, m; } Table;
 typedef struct { int64_t *p; int64_t n; } WholeVector;
 typedef struct { int64_t *p; int64_t n, m; } WholeTable;
 typedef struct { bool *p; int64_t n; } FlagVector;
+typedef struct { bool *p; int64_t n, m; } FlagTable;
 
 /* An array whose size is not known before: freed where its name ends. */
 #define RELEASED __attribute__((cleanup(release)))

@@ -71,7 +71,7 @@ def pace_of(own: FloatArray, m: MotionRow) -> Pace:
     """The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`."""
     peak = own[features.TRACK + track.PEAK]
     of_peak = hypot(m.vx, m.vy) / peak if peak > 0.0 else 0.0
-    return Pace(of_peak, m.t - own[movement.T0] - own[features.TRACK + track.FAST_T])
+    return Pace(of_peak, m.t - movement.State(own).t0 - own[features.TRACK + track.FAST_T])
 
 
 @law
@@ -84,7 +84,7 @@ def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> Ten
         return answer
     if m.start == 1.0:
         conclude(memory)
-    start = own[movement.T0], own[movement.X0], own[movement.Y0]
+    start = movement.State(own).t0, movement.State(own).x0, movement.State(own).y0
     correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
     return adapt(memory, answer, pace_of(own, m))
 

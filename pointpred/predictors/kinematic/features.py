@@ -156,7 +156,7 @@ def fill_lags(memory: FloatArray, at: int, point: Point, frame: Frame, out: Floa
 # State, relative to `at`: the movement; the track and the head of the history, and both as they were before
 # the last time; the history.
 _, TRACK, TRACK_BEFORE, HEAD_BEFORE, HISTORY, STATES = offsets(
-    movement.STATES, track.STATES, track.STATES, history.HEAD, history.STATES
+    movement.State.length, track.STATES, track.STATES, history.HEAD, history.STATES
 )
 
 
@@ -174,18 +174,18 @@ def rewind(memory: FloatArray, at: int, again: bool) -> None:
 @law
 def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[int, Point]:
     """Take one motion in: its fault, and where the cursor is."""
-    started, last_t = memory[at + movement.KNOWN], memory[at + movement.T]
-    fault, new, _ = movement.follow(memory, at, m)
+    started, last_t = movement.State(memory, at).known, movement.State(memory, at).t
+    fault, new, _ = movement.follow(movement.State(memory, at), m)
     if fault != FINE:
         return fault, Point(0.0, 0.0, 0.0, 0.0)
-    if new or m.t == memory[at + movement.T0]:
+    if new or m.t == movement.State(memory, at).t0:
         memory[at + TRACK : at + HISTORY] = 0.0
         history.begin(memory, at + HISTORY)
     else:
         rewind(memory, at, started == 1.0 and m.t == last_t)
     here = at + TRACK
     last = memory[here + track.T], memory[here + track.X], memory[here + track.Y]
-    t0, x0, y0 = memory[at + movement.T0], memory[at + movement.X0], memory[at + movement.Y0]
+    t0, x0, y0 = movement.State(memory, at).t0, movement.State(memory, at).x0, movement.State(memory, at).y0
     point = history.extend(memory, at + HISTORY, last, (m.t - t0, m.x - x0, m.y - y0))
     _, _, path_before = history.past(memory, at + HISTORY, point, track.SPAN_S)
     track.advance(memory, here, point, m, (point.path - path_before) / track.SPAN_S)

@@ -32,8 +32,8 @@ def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> Ten
     values = np.empty(features.FEATURES)
     fault, frame = features.observe(memory, AT, m, values)
     if fault != FINE:
-        return movement.refuse(memory, AT, m, fault)
-    phase = movement.phase(memory, AT, m)
+        return movement.refuse(movement.State(memory, AT), m, fault)
+    phase = movement.phase(movement.State(memory, AT), m)
     reach, _, ux, uy = frame
     if reach == 0.0:
         return endpoint(m.t, m.x, m.y, phase)
@@ -43,7 +43,7 @@ def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> Ten
     for i in range(network.BASES):
         along += out[network.BASIS + i] * values[network.BASIS_ALONG[i]]
         across += out[network.BASIS + i] * values[network.BASIS_ACROSS[i]]
-    since = m.t - memory[AT + movement.T0]
+    since = m.t - movement.State(memory, AT).t0
     left = (since + network.HEAD_START_S) * bounded_exp(out[network.LEFT], network.LEFT_LOGS)
     share = since / (since + left)
     scale = reach * network.factor(coefficients, calibration_at, share, network.WIDTH_FACTOR)

@@ -183,7 +183,7 @@ def inside_by_time(
     shares: FloatArray,
     out: FloatTable,
 ) -> None:
-    """For each trial, share of the time and level: 1 where the region holds the endpoint, else 0.
+    """For each trial, in a row: for each share of the time and level 1 where the region holds the endpoint, else 0.
 
     NaN where no region is claimed at that moment.
     """
@@ -200,4 +200,4 @@ def inside_by_time(
             dx, dy = rows[last, 1] - answers[i, 1], rows[last, 2] - answers[i, 2]
             far = surprise(dx, dy, sxx, sxy, syy)
             for j in range(len(LEVELS)):
-                out[k, m, j] = 1.0 if 0.0 <= far <= reach(LEVELS[j], answers[i, 8]) else 0.0
+                out[k, m * len(LEVELS) + j] = 1.0 if 0.0 <= far <= reach(LEVELS[j], answers[i, 8]) else 0.0

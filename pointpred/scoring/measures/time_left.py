@@ -89,7 +89,7 @@ def inside_by_time(
     shares: FloatArray,
     out: FloatTable,
 ) -> None:
-    """For each trial, share of the time and level: 1 where the arrival lies in the interval, 0 where not.
+    """For each trial, in a row: for each share of the time and level 1 where the arrival is in the interval, else 0.
 
     NaN where no interval is claimed at that moment.
     """
@@ -104,4 +104,4 @@ def inside_by_time(
                 continue
             left = rows[arrival, 0] - rows[at[m], 0]
             for j in range(len(LEVELS)):
-                out[k, m, j] = 1.0 if within(left, predicted, spread, DEVIATIONS[j]) else 0.0
+                out[k, m * len(LEVELS) + j] = 1.0 if within(left, predicted, spread, DEVIATIONS[j]) else 0.0

@@ -110,8 +110,8 @@ def measure_trials(
     columns = (events.table, answers.table, offsets, arrivals)
     endpoint.measure(events.table, answers.table, endpoint.FRACTIONS, offsets, arrivals, out.errors, faults)
     regions.calibrate(*columns, out.regions)
-    regions.inside_by_time(*columns, SHARES, out.inside)
+    regions.inside_by_time(*columns, SHARES, out.inside.reshape(stop - first, -1))
     time_left.time_left(*columns, clock_s, out.left)
-    time_left.inside_by_time(*columns, SHARES, out.left_inside)
+    time_left.inside_by_time(*columns, SHARES, out.left_inside.reshape(stop - first, -1))
     endpoint.hits(*columns, endpoint.targets(prepared.trials[first:stop]), TIMES, out.hits)
     return out, faults

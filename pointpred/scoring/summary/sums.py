@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.compiled import law
-from pointpred.records import BoolArray, FloatArray, FloatTable, IntArray
+from pointpred.records import BoolArray, BoolTable, FloatArray, FloatTable, IntArray
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.measures.endpoint import DECILES
 from pointpred.scoring.results import (
@@ -193,9 +193,9 @@ def sums_of(parts: Parts, trials: TrialColumns, groups: Sequence[Group], predict
     for part in parts():
         stop = first + len(part.trials)
         for errors, mine in zip(part.predictors, sums, strict=True):
-            add_trials(
-                columns_of(errors)[: stop - first], trials.person[first:stop], inside[:, first:stop], mine
-            )
+            some = np.ascontiguousarray(inside[:, first:stop])
+            columns = columns_of(errors)[: stop - first]
+            add_trials(columns, trials.person[first:stop], some, mine.reshape(-1, WIDTH))
         first = stop
     counts = [np.bincount(trials.person[mask], minlength=people) for mask in inside]
     return Sums(np.array(counts, dtype=np.int64).reshape(len(groups), people), sums)
@@ -212,13 +212,17 @@ def rows_of(parts: Parts, mask: BoolArray, predictor: int) -> FloatArray:
 
 
 @law
-def add_trials(columns: FloatTable, person: IntArray, inside: BoolArray, sums: FloatTable) -> None:
-    """Add the columns of each trial to the sums of its person in each group that it is in."""
+def add_trials(columns: FloatTable, person: IntArray, inside: BoolTable, sums: FloatTable) -> None:
+    """Add the columns of each trial to the sums of its person in each group that it is in.
+
+    ``sums``: a row a person, for one group after the other.
+    """
+    people = len(sums) // len(inside)
     for k in range(len(person)):
         for g in range(len(inside)):
             if inside[g, k]:
                 for c in range(columns.shape[1]):
-                    sums[g, person[k], c] += columns[k, c]
+                    sums[g * people + person[k], c] += columns[k, c]
 
 
 def columns_of(errors: PredictorErrors) -> FloatArray:

@@ -1,43 +1,39 @@
 // Written by `make page` from difference.py: change that and run it again.
 import * as $sampling from "./sampling.js";
 import * as $records from "../records.js";
-export const SHORTEST_S = 4;
-export const AT = 5;
-export const TIME = 17;
-export const UX = 18;
-export const VX = 20;
-export const AX = 22;
-export const SPAN_S = 24;
-export function advance(memory, axis, u, dt) {
-  const velocity = (u - memory[UX + axis]) / dt;
-  if (memory[SPAN_S] > 0) {
-    memory[AX + axis] = (velocity - memory[VX + axis]) / (0.5 * (dt + memory[SPAN_S]));
+export function advance(last, axis, u, dt, last_at = 0) {
+  const velocity = (u - last[last_at + axis + 1]) / dt;
+  if (last[last_at + 7] > 0) {
+    last[last_at + axis + 5] = (velocity - last[last_at + axis + 3]) / (0.5 * (dt + last[last_at + 7]));
   }
-  memory[VX + axis] = velocity;
-  memory[UX + axis] = u;
+  last[last_at + axis + 3] = velocity;
+  last[last_at + axis + 1] = u;
 }
-export function step(memory, event) {
-  const values_1 = $sampling.accept(memory, AT, event);
+export function step(memory, event, memory_at = 0) {
+  const settings_at = memory_at;
+  const samples_at = memory_at + 5;
+  const last_at = memory_at + 17;
+  const values_1 = $sampling.accept(memory, memory, event, settings_at, samples_at);
   const verdict = values_1[0];
   const start = values_1[4];
   if (verdict < 0) {
-    return $records.refused(-verdict, memory[AT + $sampling.T]);
+    return $records.refused(-verdict, memory[samples_at + 1]);
   }
   if (verdict === $sampling.RESTARTED) {
-    memory.fill(0, TIME, SPAN_S + 1);
-    memory[TIME] = memory[AT + $sampling.T];
+    memory.fill(0, last_at, last_at + 8);
+    memory[last_at] = memory[samples_at + 1];
   }
-  const dt = memory[AT + $sampling.T] - memory[TIME];
-  if (verdict === $sampling.MOVED && dt >= memory[SHORTEST_S]) {
-    advance(memory, 0, memory[AT + $sampling.U], dt);
-    advance(memory, 1, memory[AT + $sampling.V], dt);
-    memory[TIME] = memory[AT + $sampling.T];
-    memory[SPAN_S] = dt;
+  const dt = memory[samples_at + 1] - memory[last_at];
+  if (verdict === $sampling.MOVED && dt >= memory[settings_at + 4]) {
+    advance(memory, 0, memory[samples_at + 5], dt, last_at);
+    advance(memory, 1, memory[samples_at + 6], dt, last_at);
+    memory[last_at] = memory[samples_at + 1];
+    memory[last_at + 7] = dt;
   }
-  const velocity = [memory[VX], memory[VX + 1]];
-  const acceleration = [memory[AX], memory[AX + 1]];
-  const settled = $sampling.settled(memory, AT, 3, 2 * memory[SHORTEST_S]);
-  return $sampling.motion(memory, AT, event, [velocity, acceleration], settled, start);
+  const velocity = [memory[last_at + 3], memory[last_at + 4]];
+  const acceleration = [memory[last_at + 5], memory[last_at + 6]];
+  const settled = $sampling.settled(memory, 3, 2 * memory[settings_at + 4], samples_at);
+  return $sampling.motion(memory, event, [velocity, acceleration], settled, start, samples_at);
 }
 export const BackwardDifferentiator = {
   step: step,

@@ -1,104 +1,92 @@
 // Written by `make page` from kalman.py: change that and run it again.
-import { larger } from "../arithmetic.js";
+import { larger, view } from "../arithmetic.js";
 import * as $sampling from "./sampling.js";
 import * as $records from "../records.js";
 export const SETTLED_RADIANS = 4;
 export const START_SPEED_M_S = 0.3;
 export const START_ACCELERATION_M_S2 = 5;
-export const AXIS = 3;
-export const PLANE = 12;
-export const JERK_DENSITY = 4;
-export const NOISE = 5;
-export const AT = 6;
-export const X = 18;
-export function fill(values, memory) {
-  $sampling.fill(values, memory);
-  memory[NOISE] = values[NOISE] * values[NOISE];
+export function fill(values, settings, settings_at = 0) {
+  $sampling.fill(values, view(settings, settings_at, settings_at + 6));
+  settings[settings_at + 5] = settings[settings_at + 5] * settings[settings_at + 5];
 }
-export function predict(memory, x, dt) {
-  memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2]);
-  memory[x + 1] += dt * memory[x + 2];
+export function predict(axis, dt) {
+  axis[0] += dt * (axis[1] + 0.5 * dt * axis[2]);
+  axis[1] += dt * axis[2];
 }
-export function spread(memory, p, jerk_density, dt) {
-  const p00 = memory[p];
-  const p01 = memory[p + 1];
-  const p02 = memory[p + 2];
-  const p11 = memory[p + 3];
-  const p12 = memory[p + 4];
-  const p22 = memory[p + 5];
+export function spread(p, jerk_density, dt, p_at = 0) {
   const half = 0.5 * dt * dt;
   const q = jerk_density * dt;
-  const f00 = p00 + dt * p01 + half * p02;
-  const f01 = p01 + dt * p11 + half * p12;
-  const f02 = p02 + dt * p12 + half * p22;
-  const g11 = p11 + dt * p12;
-  const g12 = p12 + dt * p22;
-  memory[p] = f00 + dt * f01 + half * f02 + q * Math.pow(dt, 4) / 20;
-  memory[p + 1] = f01 + dt * f02 + q * Math.pow(dt, 3) / 8;
-  memory[p + 2] = f02 + q * dt * dt / 6;
-  memory[p + 3] = g11 + dt * g12 + q * dt * dt / 3;
-  memory[p + 4] = g12 + q * dt / 2;
-  memory[p + 5] = p22 + q;
+  const f00 = p[p_at] + dt * p[p_at + 1] + half * p[p_at + 2];
+  const f01 = p[p_at + 1] + dt * p[p_at + 3] + half * p[p_at + 4];
+  const f02 = p[p_at + 2] + dt * p[p_at + 4] + half * p[p_at + 5];
+  const g11 = p[p_at + 3] + dt * p[p_at + 4];
+  const g12 = p[p_at + 4] + dt * p[p_at + 5];
+  p[p_at] = f00 + dt * f01 + half * f02 + q * Math.pow(dt, 4) / 20;
+  p[p_at + 1] = f01 + dt * f02 + q * Math.pow(dt, 3) / 8;
+  p[p_at + 2] = f02 + q * dt * dt / 6;
+  p[p_at + 3] = g11 + dt * g12 + q * dt * dt / 3;
+  p[p_at + 4] = g12 + q * dt / 2;
+  p[p_at + 5] = p[p_at + 5] + q;
 }
-export function correct(memory, x, p, noise, measured) {
-  const share = (measured - memory[x]) / (memory[p] + noise);
-  memory[x] += memory[p] * share;
-  memory[x + 1] += memory[p + 1] * share;
-  memory[x + 2] += memory[p + 2] * share;
+export function correct(axis, p, noise, measured, p_at = 0) {
+  const share = (measured - axis[0]) / (p[p_at] + noise);
+  axis[0] += p[p_at] * share;
+  axis[1] += p[p_at + 1] * share;
+  axis[2] += p[p_at + 2] * share;
 }
-export function narrow(memory, p, noise) {
-  const p00 = memory[p];
-  const p01 = memory[p + 1];
-  const p02 = memory[p + 2];
+export function narrow(p, noise, p_at = 0) {
+  const p00 = p[p_at];
+  const p01 = p[p_at + 1];
+  const p02 = p[p_at + 2];
   const total = p00 + noise;
-  memory[p + 3] = larger(memory[p + 3] - p01 * p01 / total, 0);
-  memory[p + 4] -= p01 * p02 / total;
-  memory[p + 5] = larger(memory[p + 5] - p02 * p02 / total, 0);
-  memory[p] = p00 * noise / total;
-  memory[p + 1] = p01 * noise / total;
-  memory[p + 2] = p02 * noise / total;
+  p[p_at + 3] = larger(p[p_at + 3] - p01 * p01 / total, 0);
+  p[p_at + 4] -= p01 * p02 / total;
+  p[p_at + 5] = larger(p[p_at + 5] - p02 * p02 / total, 0);
+  p[p_at] = p00 * noise / total;
+  p[p_at + 1] = p01 * noise / total;
+  p[p_at + 2] = p02 * noise / total;
 }
-export function restart(memory, x, noise) {
-  memory.fill(0, x, x + PLANE);
-  const p = x + 2 * AXIS;
-  memory[p] = noise;
-  memory[p + 3] = START_SPEED_M_S * START_SPEED_M_S;
-  memory[p + 5] = START_ACCELERATION_M_S2 * START_ACCELERATION_M_S2;
+export function restart(plane, noise, plane_at = 0) {
+  plane.fill(0, plane_at, plane_at + 12);
+  plane[plane_at + 6] = noise;
+  plane[plane_at + 9] = START_SPEED_M_S * START_SPEED_M_S;
+  plane[plane_at + 11] = START_ACCELERATION_M_S2 * START_ACCELERATION_M_S2;
 }
-export function follow(memory, x, jerk_density, noise, dt, place) {
+export function follow(plane, jerk_density, noise, dt, place, plane_at = 0) {
   const u = place[0];
   const v = place[1];
-  const p = x + 2 * AXIS;
-  predict(memory, x, dt);
-  predict(memory, x + AXIS, dt);
-  spread(memory, p, jerk_density, dt);
-  correct(memory, x, p, noise, u);
-  correct(memory, x + AXIS, p, noise, v);
-  narrow(memory, p, noise);
+  predict(view(plane, plane_at, plane_at + 3), dt);
+  predict(view(plane, plane_at + 3, plane_at + 6), dt);
+  spread(plane, jerk_density, dt, plane_at + 6);
+  correct(view(plane, plane_at, plane_at + 3), plane, noise, u, plane_at + 6);
+  correct(view(plane, plane_at + 3, plane_at + 6), plane, noise, v, plane_at + 6);
+  narrow(plane, noise, plane_at + 6);
 }
-export function settle_s(memory) {
-  const intervals = larger(memory[AT + $sampling.SAMPLES] - 1, 1);
-  const period = (memory[AT + $sampling.T] - memory[AT + $sampling.SINCE]) / intervals;
-  return SETTLED_RADIANS * Math.pow(memory[NOISE] * period / memory[JERK_DENSITY], 1 / 6);
+export function settle_s(settings, samples, settings_at = 0, samples_at = 0) {
+  const intervals = larger(samples[samples_at + 7] - 1, 1);
+  const period = (samples[samples_at + 1] - samples[samples_at + 9]) / intervals;
+  return SETTLED_RADIANS * Math.pow(settings[settings_at + 5] * period / settings[settings_at + 4], 1 / 6);
 }
-export function step(memory, event) {
-  const values_1 = $sampling.accept(memory, AT, event);
+export function step(memory, event, memory_at = 0) {
+  const settings_at = memory_at;
+  const samples_at = memory_at + 6;
+  const plane_at = memory_at + 18;
+  const values_1 = $sampling.accept(memory, memory, event, settings_at, samples_at);
   const verdict = values_1[0];
   const dt = values_1[1];
   const start = values_1[4];
   if (verdict < 0) {
-    return $records.refused(-verdict, memory[AT + $sampling.T]);
+    return $records.refused(-verdict, memory[samples_at + 1]);
   }
   if (verdict === $sampling.RESTARTED) {
-    restart(memory, X, memory[NOISE]);
+    restart(memory, memory[settings_at + 5], plane_at);
   } else if (verdict === $sampling.MOVED) {
-    const place = [memory[AT + $sampling.U], memory[AT + $sampling.V]];
-    follow(memory, X, memory[JERK_DENSITY], memory[NOISE], dt, place);
+    follow(memory, memory[settings_at + 4], memory[settings_at + 5], dt, [memory[samples_at + 5], memory[samples_at + 6]], plane_at);
   }
-  const velocity = [memory[X + 1], memory[X + 4]];
-  const acceleration = [memory[X + 2], memory[X + 5]];
-  const settled = $sampling.settled(memory, AT, 4, settle_s(memory));
-  return $sampling.motion(memory, AT, event, [velocity, acceleration], settled, start);
+  const velocity = [memory[plane_at + 1], memory[plane_at + 4]];
+  const acceleration = [memory[plane_at + 2], memory[plane_at + 5]];
+  const settled = $sampling.settled(memory, 4, settle_s(memory, memory, settings_at, samples_at), samples_at);
+  return $sampling.motion(memory, event, [velocity, acceleration], settled, start, samples_at);
 }
 export const KalmanDifferentiator = {
   step: step,

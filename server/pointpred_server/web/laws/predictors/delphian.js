@@ -14,22 +14,22 @@ export const UNIT_Y = 15;
 export const FALLEN = 16;
 export function step(memory, motion) {
   const m = motion;
-  const before = memory[AT + $predictors_movement.PEAK];
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const before = memory[AT + 7];
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
-  const phase = $predictors_movement.phase(memory, AT, m);
+  const phase = $predictors_movement.phase(memory, m, AT);
   if (new_) {
     memory.fill(0, PEAK_X);
   }
-  const peak = memory[AT + $predictors_movement.PEAK];
+  const peak = memory[AT + 7];
   const speed = hypot(m[3], m[4]);
   if (new_ || peak > before) {
-    const away_x = m[1] - memory[AT + $predictors_movement.X0];
-    const away_y = m[2] - memory[AT + $predictors_movement.Y0];
+    const away_x = m[1] - memory[AT + 5];
+    const away_y = m[2] - memory[AT + 6];
     const away = hypot(away_x, away_y);
     memory[PEAK_X] = m[1];
     memory[PEAK_Y] = m[2];

@@ -1,5 +1,5 @@
 // Written by `make page` from kalman.py: change that and run it again.
-import { square } from "../arithmetic.js";
+import { square, view } from "../arithmetic.js";
 import * as $differentiators_kalman from "../differentiators/kalman.js";
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
@@ -30,27 +30,27 @@ export function correct(memory, mean, measured) {
 }
 export function expect(memory, dt, x, y) {
   const noise = square(memory[NOISE_PX]);
-  for (let axis = 0; axis < 2; axis++) {
-    const mean = axis ? MEAN_Y : MEAN_X;
-    $differentiators_kalman.correct(memory, mean, SPREAD, noise, axis ? y : x);
-    $differentiators_kalman.predict(memory, mean, dt);
-  }
-  $differentiators_kalman.narrow(memory, SPREAD, noise);
-  $differentiators_kalman.spread(memory, SPREAD, memory[JERK_DENSITY], dt);
+  const plane_at = MEAN_X;
+  $differentiators_kalman.correct(view(memory, plane_at, plane_at + 3), memory, noise, x, plane_at + 6);
+  $differentiators_kalman.predict(view(memory, plane_at, plane_at + 3), dt);
+  $differentiators_kalman.correct(view(memory, plane_at + 3, plane_at + 6), memory, noise, y, plane_at + 6);
+  $differentiators_kalman.predict(view(memory, plane_at + 3, plane_at + 6), dt);
+  $differentiators_kalman.narrow(memory, noise, plane_at + 6);
+  $differentiators_kalman.spread(memory, memory[JERK_DENSITY], dt, plane_at + 6);
 }
 export function step(memory, motion) {
   const m = motion;
-  const last_x = memory[AT + $predictors_movement.X];
-  const last_y = memory[AT + $predictors_movement.Y];
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const last_x = memory[AT + 2];
+  const last_y = memory[AT + 3];
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
-  const x0 = memory[AT + $predictors_movement.X0];
-  const y0 = memory[AT + $predictors_movement.Y0];
+  const x0 = memory[AT + 5];
+  const y0 = memory[AT + 6];
   if (new_ || dt > memory[GAP_S] + $records.ROUNDING_S) {
     expect_rest(memory, m[1] - x0, m[2] - y0);
   } else if (dt > 0) {
@@ -65,7 +65,7 @@ export function step(memory, motion) {
   const py = values_3[0];
   const vy_px = values_3[1];
   const ay_px = values_3[2];
-  return $records.endpoint(m[0], x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, m, AT));
 }
 export const KalmanPredictor = {
   step: step,

@@ -120,22 +120,22 @@ export function judge(memory, length, x, y) {
 }
 export function step(memory, motion) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
-  const travelled = memory[AT + $predictors_movement.PATH];
+  const travelled = memory[AT + 8];
   if (new_) {
     memory.fill(0, FIT);
   }
   if (new_ || dt > 0) {
     add(memory, travelled, hypot(m[3], m[4]));
   }
-  const away_x = m[1] - memory[AT + $predictors_movement.X0];
-  const away_y = m[2] - memory[AT + $predictors_movement.Y0];
+  const away_x = m[1] - memory[AT + 5];
+  const away_y = m[2] - memory[AT + 6];
   const away = hypot(away_x, away_y);
   let end_x = NaN;
   let end_y = NaN;
@@ -152,7 +152,7 @@ export function step(memory, motion) {
     end_x = accepted ? memory[ACCEPTED_X] : NaN;
     end_y = accepted ? memory[ACCEPTED_Y] : NaN;
   }
-  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, AT));
 }
 export const KinematicEndpointPredictor = {
   step: step,

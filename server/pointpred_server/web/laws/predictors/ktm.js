@@ -138,8 +138,8 @@ export function keep(memory, at, distance) {
   memory[place_of_counts + COUNT] = smaller(memory[place_of_counts + COUNT] + 1, most);
 }
 export function distance(memory, at) {
-  const away_x = memory[at + $predictors_movement.X] - memory[at + $predictors_movement.X0];
-  return hypot(away_x, memory[at + $predictors_movement.Y] - memory[at + $predictors_movement.Y0]);
+  const away_x = memory[at + 2] - memory[at + 5];
+  return hypot(away_x, memory[at + 3] - memory[at + 6]);
 }
 export function conclude(memory) {
   const at = counts(memory) + LEARNED;
@@ -147,9 +147,9 @@ export function conclude(memory) {
 }
 export function resample(memory, at, since, x_before, y_before) {
   const most = memory[LONGEST] + TAPS;
-  const now = memory[at + $predictors_movement.T] - memory[at + $predictors_movement.T0];
-  const x = memory[at + $predictors_movement.X];
-  const y = memory[at + $predictors_movement.Y];
+  const now = memory[at + 1] - memory[at + 4];
+  const x = memory[at + 2];
+  const y = memory[at + 3];
   let due = memory[at + SAMPLES] * STEP_S;
   while (due <= now + STAMP_S && memory[at + SAMPLES] < most) {
     const back = smaller(larger((now - due) / since, 0), 1);
@@ -166,23 +166,23 @@ export function step(memory, motion) {
   const m = motion;
   const at = counts(memory) + LEARNED;
   const last_distance = distance(memory, at);
-  const x_before = memory[at + $predictors_movement.X];
-  const y_before = memory[at + $predictors_movement.Y];
-  const values_1 = $predictors_movement.follow(memory, at, m);
+  const x_before = memory[at + 2];
+  const y_before = memory[at + 3];
+  const values_1 = $predictors_movement.follow(memory, m, at);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, at, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, at);
   }
-  const phase = $predictors_movement.phase(memory, at, m);
+  const phase = $predictors_movement.phase(memory, m, at);
   if (new_) {
     keep(memory, at, last_distance);
-    memory.fill(0, at + $predictors_movement.STATES);
+    memory.fill(0, at + 9);
     memory[at + POINTS] = 1;
     sample(memory, at, 0);
   }
-  if (new_ || m[0] === memory[at + $predictors_movement.T0]) {
+  if (new_ || m[0] === memory[at + 4]) {
     memory[at + GRID_X] = m[1];
     memory[at + GRID_Y] = m[2];
   }
@@ -199,8 +199,8 @@ export function step(memory, motion) {
     return $records.endpoint(m[0], NaN, NaN, phase);
   }
   const ahead = memory[template(memory, best) + DISTANCE] / away - 1;
-  const x0 = memory[at + $predictors_movement.X0];
-  const y0 = memory[at + $predictors_movement.Y0];
+  const x0 = memory[at + 5];
+  const y0 = memory[at + 6];
   return $records.endpoint(m[0], m[1] + ahead * (m[1] - x0), m[2] + ahead * (m[2] - y0), phase);
 }
 export const TemplatePredictor = {

@@ -40,16 +40,16 @@ export function before(memory, t) {
 }
 export function step(memory, motion) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
   if (new_) {
     memory[COUNT] = 0;
   }
-  const phase = $predictors_movement.phase(memory, AT, m);
+  const phase = $predictors_movement.phase(memory, m, AT);
   const values_2 = before(memory, m[0]);
   const any_before = values_2[0];
   const before_t = values_2[1];

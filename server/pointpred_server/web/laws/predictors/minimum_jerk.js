@@ -10,13 +10,13 @@ export function progress(ratio) {
 }
 export function step(memory, motion) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
-  const phase = $predictors_movement.phase(memory, AT, m);
-  const peak = memory[AT + $predictors_movement.PEAK];
+  const phase = $predictors_movement.phase(memory, m, AT);
+  const peak = memory[AT + 7];
   if (peak < $predictors_movement.STILL_M_S) {
     return $records.endpoint(m[0], NaN, NaN, phase);
   }
@@ -24,7 +24,7 @@ export function step(memory, motion) {
   const tau = values_2[0];
   const done = values_2[1];
   const ahead = (1 - done) / done;
-  return [m[0], m[1] + ahead * (m[1] - memory[AT + $predictors_movement.X0]), m[2] + ahead * (m[2] - memory[AT + $predictors_movement.Y0]), NaN, NaN, NaN, (m[0] - memory[AT + $predictors_movement.T0]) * (1 - tau) / tau, phase, NaN, NaN];
+  return [m[0], m[1] + ahead * (m[1] - memory[AT + 5]), m[2] + ahead * (m[2] - memory[AT + 6]), NaN, NaN, NaN, (m[0] - memory[AT + 4]) * (1 - tau) / tau, phase, NaN, NaN];
 }
 export const MinimumJerkPredictor = {
   step: step,

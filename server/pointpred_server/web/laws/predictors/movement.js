@@ -4,62 +4,52 @@ import * as $records from "../records.js";
 export const STILL_M_S = 0.002;
 export const CORRECTIVE_FRACTION = 0.2;
 export const NUMBERS = 7;
-export const KNOWN = 0;
-export const T = 1;
-export const X = 2;
-export const Y = 3;
-export const T0 = 4;
-export const X0 = 5;
-export const Y0 = 6;
-export const PEAK = 7;
-export const PATH = 8;
-export const STATES = 9;
 export const STILL = 0;
 export const BALLISTIC = 1;
 export const CORRECTIVE = 2;
-export function fault_of(memory, at, m) {
+export function fault_of(s, m, s_at = 0) {
   for (let i = 0; i < NUMBERS; i++) {
     if (!(Math.abs(m[i]) <= $records.MOTION_MOST)) {
       return $records.MOTION_FIELD + i;
     }
   }
-  return memory[at + KNOWN] === 1 && m[0] < memory[at + T] ? $records.ORDER : $records.FINE;
+  return s[s_at] === 1 && m[0] < s[s_at + 1] ? $records.ORDER : $records.FINE;
 }
-export function refuse(memory, at, m, fault) {
-  return $records.refused(fault, fault === $records.ORDER ? memory[at + T] : m[fault - $records.MOTION_FIELD]);
+export function refuse(s, m, fault, s_at = 0) {
+  return $records.refused(fault, fault === $records.ORDER ? s[s_at + 1] : m[fault - $records.MOTION_FIELD]);
 }
-export function follow(memory, at, m) {
+export function follow(s, m, s_at = 0) {
   const t = m[0];
   const x = m[1];
   const y = m[2];
-  const fault = fault_of(memory, at, m);
+  const fault = fault_of(s, m, s_at);
   if (fault !== $records.FINE) {
     return [fault, false, 0];
   }
-  const new_ = m[8] === 1 || memory[at + KNOWN] === 0;
-  const dt = new_ ? 0 : t - memory[at + T];
-  if (new_ || t === memory[at + T0]) {
-    memory[at + T0] = t;
-    memory[at + X0] = x;
-    memory[at + Y0] = y;
-    memory[at + PATH] = 0;
+  const new_ = m[8] === 1 || s[s_at] === 0;
+  const dt = new_ ? 0 : t - s[s_at + 1];
+  if (new_ || t === s[s_at + 4]) {
+    s[s_at + 4] = t;
+    s[s_at + 5] = x;
+    s[s_at + 6] = y;
+    s[s_at + 8] = 0;
   } else {
-    memory[at + PATH] += hypot(x - memory[at + X], y - memory[at + Y]);
+    s[s_at + 8] += hypot(x - s[s_at + 2], y - s[s_at + 3]);
   }
   if (new_) {
-    memory[at + PEAK] = 0;
+    s[s_at + 7] = 0;
   }
-  memory[at + KNOWN] = 1;
-  memory[at + T] = t;
-  memory[at + X] = x;
-  memory[at + Y] = y;
-  memory[at + PEAK] = larger(memory[at + PEAK], hypot(m[3], m[4]));
+  s[s_at] = 1;
+  s[s_at + 1] = t;
+  s[s_at + 2] = x;
+  s[s_at + 3] = y;
+  s[s_at + 7] = larger(s[s_at + 7], hypot(m[3], m[4]));
   return [$records.FINE, new_, dt];
 }
-export function phase(memory, at, m) {
+export function phase(s, m, s_at = 0) {
   const speed = hypot(m[3], m[4]);
   if (speed < STILL_M_S) {
     return STILL;
   }
-  return speed >= CORRECTIVE_FRACTION * memory[at + PEAK] ? BALLISTIC : CORRECTIVE;
+  return speed >= CORRECTIVE_FRACTION * s[s_at + 7] ? BALLISTIC : CORRECTIVE;
 }

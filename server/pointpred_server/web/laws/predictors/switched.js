@@ -42,21 +42,21 @@ export function advance(memory, axis, t, place, v, a) {
 }
 export function step(memory, motion) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
   if (new_) {
     memory.fill(0, X_AXIS);
   }
-  const x0 = memory[AT + $predictors_movement.X0];
-  const y0 = memory[AT + $predictors_movement.Y0];
-  const since = m[0] - memory[AT + $predictors_movement.T0];
+  const x0 = memory[AT + 5];
+  const y0 = memory[AT + 6];
+  const since = m[0] - memory[AT + 4];
   const end_x = x0 + advance(memory, X_AXIS, since, m[1] - x0, m[3], m[5]);
   const end_y = y0 + advance(memory, Y_AXIS, since, m[2] - y0, m[4], m[6]);
-  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, AT));
 }
 export const SwitchedPredictor = {
   step: step,

@@ -96,23 +96,23 @@ export function approach(memory, px_m, x, y, speed) {
 }
 export function step(memory, motion) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const values_1 = $predictors_movement.follow(memory, m, AT);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
   if (new_) {
     memory.fill(0, VX, END);
   }
-  if (new_ || m[0] === memory[AT + $predictors_movement.T0]) {
+  if (new_ || m[0] === memory[AT + 4]) {
     begin_submovement(memory, UNIT, m[1], m[2]);
   }
   const speed = hypot(m[3], m[4]);
   follow_submovement(memory, UNIT, memory[RISE], m[1], m[2], speed);
-  const phase = $predictors_movement.phase(memory, AT, m);
-  const px_m = gain(memory, dt, m[1] - memory[AT + $predictors_movement.X0], m[2] - memory[AT + $predictors_movement.Y0], m[3], m[4]);
+  const phase = $predictors_movement.phase(memory, m, AT);
+  const px_m = gain(memory, dt, m[1] - memory[AT + 5], m[2] - memory[AT + 6], m[3], m[4]);
   const rate = px_m > 0 && speed > $predictors_movement.STILL_M_S ? approach(memory, px_m, m[1], m[2], speed) : 0;
   let ahead_s = rate > 0 ? 1 / rate : 0;
   const braking = -(m[5] * m[3] + m[6] * m[4]);

@@ -6,7 +6,6 @@ import * as $places from "./places.js";
 import * as $features from "../kinematic/features.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
 import * as $track from "../kinematic/track.js";
-import * as $predictors_movement from "../movement.js";
 import * as $stage from "../../stage.js";
 export const ADAPT = 0;
 export const DISTANCES = 1;
@@ -57,7 +56,7 @@ export function adapt(memory, answer, pace) {
 export function pace_of(own, m) {
   const peak = own[$features.TRACK + $track.PEAK];
   const of_peak = peak > 0 ? hypot(m[3], m[4]) / peak : 0;
-  return [of_peak, m[0] - own[$predictors_movement.T0] - own[$features.TRACK + $track.FAST_T]];
+  return [of_peak, m[0] - own[4] - own[$features.TRACK + $track.FAST_T]];
 }
 export function step(memory, motion, coefficients) {
   const m = motion;
@@ -69,7 +68,7 @@ export function step(memory, motion, coefficients) {
   if (m[8] === 1) {
     conclude(memory);
   }
-  const start = [own[$predictors_movement.T0], own[$predictors_movement.X0], own[$predictors_movement.Y0]];
+  const start = [own[4], own[5], own[6]];
   $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
   return adapt(memory, answer, pace_of(own, m));
 }

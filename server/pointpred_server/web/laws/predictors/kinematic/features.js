@@ -182,15 +182,15 @@ export function rewind(memory, at, again) {
   }
 }
 export function follow(memory, at, m) {
-  const started = memory[at + $predictors_movement.KNOWN];
-  const last_t = memory[at + $predictors_movement.T];
-  const values_1 = $predictors_movement.follow(memory, at, m);
+  const started = memory[at];
+  const last_t = memory[at + 1];
+  const values_1 = $predictors_movement.follow(memory, m, at);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
     return [fault, [0, 0, 0, 0]];
   }
-  if (new_ || m[0] === memory[at + $predictors_movement.T0]) {
+  if (new_ || m[0] === memory[at + 4]) {
     memory.fill(0, at + TRACK, at + HISTORY);
     $history.begin(memory, at + HISTORY);
   } else {
@@ -198,9 +198,9 @@ export function follow(memory, at, m) {
   }
   const here = at + TRACK;
   const last = [memory[here + $track.T], memory[here + $track.X], memory[here + $track.Y]];
-  const t0 = memory[at + $predictors_movement.T0];
-  const x0 = memory[at + $predictors_movement.X0];
-  const y0 = memory[at + $predictors_movement.Y0];
+  const t0 = memory[at + 4];
+  const x0 = memory[at + 5];
+  const y0 = memory[at + 6];
   const point = $history.extend(memory, at + HISTORY, last, [m[0] - t0, m[1] - x0, m[2] - y0]);
   const values_2 = $history.past(memory, at + HISTORY, point, $track.SPAN_S);
   const path_before = values_2[2];

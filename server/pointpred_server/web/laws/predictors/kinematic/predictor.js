@@ -16,9 +16,9 @@ export function step(memory, motion, coefficients) {
   const fault = values_1[0];
   const frame = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, AT, m, fault);
+    return $predictors_movement.refuse(memory, m, fault, AT);
   }
-  const phase = $predictors_movement.phase(memory, AT, m);
+  const phase = $predictors_movement.phase(memory, m, AT);
   const reach = frame[0];
   const ux = frame[2];
   const uy = frame[3];
@@ -33,7 +33,7 @@ export function step(memory, motion, coefficients) {
     along += out[$network.BASIS + i] * values[$network.BASIS_ALONG[i]];
     across += out[$network.BASIS + i] * values[$network.BASIS_ACROSS[i]];
   }
-  const since = m[0] - memory[AT + $predictors_movement.T0];
+  const since = m[0] - memory[AT + 4];
   const left = (since + $network.HEAD_START_S) * bounded_exp(out[$network.LEFT], $network.LEFT_LOGS);
   const share = since / (since + left);
   const scale = reach * $network.factor(coefficients, calibration_at, share, $network.WIDTH_FACTOR);
