@@ -24,20 +24,21 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="needs a C compiler
 
 @pytest.fixture
 def source(tmp_path: Path) -> Path:
-    """The sources of a distribution as small as they can be, and of one in a folder of it, as the observers are."""
-    for folder, name in ((tmp_path / "tree", "pointpred"), (tmp_path / "tree" / "observers", "pointpred_observers")):
+    """Sources of two distributions as small as they can be, one in a folder of the other as the observers are."""
+    tree = tmp_path / "tree"
+    for folder, name in ((tree, "pointpred"), (tree / "observers", "pointpred_observers")):
         (folder / name).mkdir(parents=True)
         (folder / name / "__init__.py").touch()
         shutil.copytree(ROOT / "pointpred" / "laws", folder / name / "laws")
         about = f'[project]\nname = "{name}"\nversion = "1"\n[tool.setuptools]\npackages = ["{name}"]\n'
         (folder / "pyproject.toml").write_text(f"{about}include-package-data = false\n")
-    shutil.copy(ROOT / "setup.py", tmp_path / "tree")
-    shutil.copy(ROOT / "observers" / "setup.py", tmp_path / "tree" / "observers")
-    return tmp_path / "tree"
+    shutil.copy(ROOT / "setup.py", tree)
+    shutil.copy(ROOT / "observers" / "setup.py", tree / "observers")
+    return tree
 
 
 def run(folder: Path, *arguments: str, **environment: str) -> str:
-    """What a Python prints that has this environment's packages but for zig, with the given variables alone."""
+    """What this Python prints with its packages and with the given variables alone."""
     done = subprocess.run(
         [sys.executable, *arguments],
         cwd=folder,
@@ -81,7 +82,7 @@ def test_nothing_is_asked_for_where_there_is_no_c(source: Path) -> None:
 
 
 @without_zig
-def test_a_wheel_is_built_without_a_compiler_and_says_what_follows(source: Path) -> None:
+def test_building_goes_on_without_a_compiler_and_says_what_follows(source: Path) -> None:
     said = run(source, "setup.py", "build", PATH="")
     assert "The laws of pointpred are not compiled: no C compiler was found. They run as plain Python" in said
     assert "pip install ziglang" in said
@@ -130,17 +131,18 @@ def test_a_source_distribution_of_the_observers_builds_alone(source: Path, tmp_p
 @needs_compiler
 @pytest.mark.skipif(not HEADER.exists(), reason="needs the headers of Python")
 def test_abi3_declares_what_python_declares(tmp_path: Path) -> None:
-    """Sizes, places and constants of ``abi3.h`` are those of ``Python.h``, and so are the types of its functions."""
+    """Sizes, places, constants and types of functions of ``abi3.h`` are those of ``Python.h``."""
     text = ABI3.read_text(encoding="utf-8")
+    structs = re.findall(r"^typedef struct(?: \w+)? \{\n(.*?)^\} (\w+);", text, re.MULTILINE | re.DOTALL)
     fields = [
         (kind, field)
-        for body, kind in re.findall(r"^typedef struct(?: \w+)? \{\n(.*?)^\} (\w+);", text, re.MULTILINE | re.DOTALL)
+        for body, kind in structs
         for field in re.findall(r"^  (?:\w.*?[ *]|\w.*?\(\*)(\w+)(?:;|\)\()", body, re.MULTILINE)
     ]
     assert len(fields) > 25
     constants = re.findall(r"^#define ((?:METH|Py_mod|PyBUF)_\w+)", text, re.MULTILINE)
     shown = [f"offsetof({kind}, {field})" for kind, field in fields]
-    shown += [f"sizeof({kind})" for kind in sorted({kind for kind, _ in fields})] + constants
+    shown += [f"sizeof({kind})" for _, kind in structs] + constants
     lines = "".join(f'  printf("%s %ld\\n", "{one}", (long)({one}));\n' for one in shown)
     answers = []
     for name, include in (("ours", f'#include "{ABI3}"'), ("pythons", "#include <Python.h>")):
