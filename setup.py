@@ -2,7 +2,7 @@
 
 The rest of a distribution is in its ``pyproject.toml``. Building it asks for ``ziglang``, a C compiler from
 PyPI, only where no other is found. Where nothing compiles, the distribution is installed without the
-extension, and its laws run as plain Python.
+extension, and its laws run as plain Python, as with ``POINTPRED_COMPILED=0``, which asks for no compiler.
 
 ``python setup.py build_ext --inplace`` compiles the files that changed, with ``--force`` all of them, as
 after another ``CC`` or ``CFLAGS``. ``bdist_wheel --plat-name NAME`` compiles with zig for one of ``TARGETS``.
@@ -153,7 +153,9 @@ class Sources(sdist):
 
 
 def extensions() -> list[Extension]:
-    """``PACKAGE._laws`` where there is C in ``PACKAGE/laws`` and this Python has the stable ABI."""
+    """``PACKAGE._laws`` where it is wanted, there is C in ``PACKAGE/laws`` and Python has the stable ABI."""
+    if os.environ.get("POINTPRED_COMPILED") == "0":
+        return []
     if sys.implementation.name != "cpython" or sysconfig.get_config_var("Py_GIL_DISABLED"):
         return []
     return [

@@ -24,7 +24,7 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="needs a C compiler
 
 @pytest.fixture
 def source(tmp_path: Path) -> Path:
-    """Sources of two distributions as small as they can be, one in a folder of the other as the observers are."""
+    """Two small distributions, one in a folder of the other as the observers are."""
     tree = tmp_path / "tree"
     for folder, name in ((tree, "pointpred"), (tree / "observers", "pointpred_observers")):
         (folder / name).mkdir(parents=True)
@@ -76,7 +76,8 @@ def test_zig_is_asked_for_only_where_there_is_no_compiler(source: Path, folder: 
         assert bool(asked(source / folder, kind, PATH=str(empty))) is bool(code)
 
 
-def test_nothing_is_asked_for_where_there_is_no_c(source: Path) -> None:
+def test_nothing_is_asked_for_where_nothing_is_compiled(source: Path) -> None:
+    assert asked(source, "wheel", PATH="", POINTPRED_COMPILED="0") == []
     shutil.rmtree(source / "pointpred" / "laws")
     assert asked(source, "wheel", PATH="") == []
 
