@@ -92,6 +92,12 @@ class Compile(build_ext):
         wheel = self.distribution.get_command_obj("bdist_wheel", create=False)
         return TARGETS.get(getattr(wheel, "plat_name", None))
 
+    def finalize_options(self) -> None:
+        """Whoever compiles a checkout by hand wants to see an error; an installation goes on without."""
+        super().finalize_options()
+        for ext in self.extensions:
+            ext.optional = self.editable_mode or not self.inplace
+
     def get_ext_filename(self, fullname: str) -> str:
         """The file of the extension, named as the wheel's platform names it."""
         if target := self.target():
@@ -99,7 +105,10 @@ class Compile(build_ext):
         return super().get_ext_filename(fullname)
 
     def build_extension(self, ext: Extension) -> None:
-        """Compile for this machine or the wheel's; setuptools prints a CompileError and goes on without."""
+        """Compile for this machine or the wheel's; nothing old is left where that fails."""
+        Path(self.get_ext_fullpath(ext.name)).unlink(missing_ok=True)
+        if self.editable_mode:
+            Path(self.get_ext_filename(ext.name)).unlink(missing_ok=True)
         target = self.target()
         command = [*ZIG, "cc", "-mcpu=baseline", "-target", target] if target else compiler()
         if not target and has_msvc():
@@ -165,7 +174,6 @@ def extensions() -> list[Extension]:
             depends=sorted(file.as_posix() for file in folder.glob("*.h")),
             extra_compile_args=MSVC_FLAGS,
             py_limited_api=True,
-            optional=True,
         )
         for folder in Path().glob("*/laws")
         if list(folder.glob("*.c"))

@@ -37,7 +37,7 @@ def source(tmp_path: Path) -> Path:
     return tree
 
 
-def run(folder: Path, *arguments: str, **environment: str) -> str:
+def run(folder: Path, *arguments: str, code: int = 0, **environment: str) -> str:
     """What this Python prints with its packages and with the given variables alone."""
     done = subprocess.run(
         [sys.executable, *arguments],
@@ -48,7 +48,7 @@ def run(folder: Path, *arguments: str, **environment: str) -> str:
         text=True,
         check=False,
     )
-    assert done.returncode == 0, done.stdout
+    assert done.returncode == code, done.stdout
     return done.stdout
 
 
@@ -91,10 +91,17 @@ def test_building_goes_on_without_a_compiler_and_says_what_follows(source: Path)
 
 
 @pytest.mark.parametrize("folder", [".", "observers"])
-def test_a_compiler_that_fails_is_named(source: Path, folder: str) -> None:
-    said = run(source / folder, "setup.py", "build_ext", "--inplace", CC="false")
-    package = "pointpred" if folder == "." else "pointpred-observers"
-    assert f"The laws of {package} are not compiled: false failed." in said
+def test_a_compiler_that_fails_is_named_and_leaves_nothing_old(source: Path, folder: str) -> None:
+    package = "pointpred" if folder == "." else "pointpred_observers"
+    old = source / folder / package / "_laws.abi3.so"
+    said = f"The laws of {package.replace('_', '-')} are not compiled: false failed."
+    old.touch()
+    assert said in run(source / folder, "setup.py", "build_ext", "--inplace", CC="false", code=1)
+    assert said in run(source / folder, "setup.py", "build", CC="false")
+    assert old.exists()
+    build = "from setuptools import build_meta; build_meta.build_editable('.')"
+    assert said in run(source / folder, "-c", build, CC="false")
+    assert not old.exists()
 
 
 @needs_compiler
