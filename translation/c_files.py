@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib
 import inspect
 import pkgutil
@@ -59,12 +60,16 @@ def texts(package: str) -> dict[str, str]:
         rooms.setdefault(room_of(one.law), []).append(one)
     here = Path(__file__).parent
     files = {
+        "abi3.h": (here / "abi3.h").read_text("utf-8"),
         "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values())),
         "module.c": module_text(
             sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")
         ),
     }
-    return files | {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+    files |= {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+    digest = hashlib.sha256("".join(files[name] for name in sorted(files)).encode()).hexdigest()
+    files["module.c"] = files["module.c"].replace("DIGEST", digest)
+    return files
 
 
 def laws_in(package: str) -> list[Law]:

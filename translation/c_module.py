@@ -32,7 +32,7 @@ def module_text(functions: list[Function], prelude: str) -> str:
             "  {NULL, NULL, 0, NULL},",
             "};",
             "static PyModuleDef_Slot slots[] = {{0, NULL}};",
-            'static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};',
+            'static PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", "DIGEST", 0, methods, slots, NULL, NULL, NULL};',
             "PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }",
             "",
         ]
@@ -102,7 +102,7 @@ def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Ite
 def _given(text: str, kind: Kind, givers: dict[str, str]) -> str:
     """A value for Python; the functions that make tuples go into ``givers``."""
     if kind == NOTHING:
-        return "Py_NewRef(Py_None)"
+        return "(Py_IncRef(Py_None), Py_None)"
     if isinstance(kind, Number):
         return f"{GIVE[kind]}({text})"
     assert isinstance(kind, Parts)

@@ -1,6 +1,5 @@
 /* How Python's values become those of a law, and back. */
-#define Py_LIMITED_API 0x030B0000
-#include <Python.h>
+#include "abi3.h"
 #include <stdbool.h>
 #include <string.h>
 
@@ -39,7 +38,7 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   PyErr_Clear();
   const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
   PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
-               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)given->ob_type);
   return false;
 }
 

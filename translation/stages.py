@@ -61,7 +61,7 @@ def text_of(stage: type[CompiledStage]) -> str:
 def registry_text(version: str) -> str:
     """The module that names every predictor and loads what it needs."""
     lines = [
-        "// Written by `make page` from the registry: change that and run it again.",
+        "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
         f"export const GAINS = {_object(GAINS)};",
@@ -93,7 +93,7 @@ def descriptions_text() -> str:
     }
     differentiators = {name: {"meanings": _meanings(stage)} for name, stage in DIFFERENTIATORS.items()}
     return (
-        "// Written by `make page` from the registry: change that and run it again.\n"
+        "// Written by `make laws` from the registry: change that and run it again.\n"
         f"export const PREDICTORS = {json.dumps(predictors, indent=2)};\n"
         f"export const DIFFERENTIATORS = {json.dumps(differentiators, indent=2)};\n"
     )

@@ -141,12 +141,6 @@ typedef struct {
   double span_s;
 } difference_Differences;
 typedef struct {
-  double metres_per_count;
-  double metres_per_px;
-  double gap_s;
-  double pause_s;
-} sampling_Settings;
-typedef struct {
   double started;
   double t;
   double x;
@@ -161,6 +155,12 @@ typedef struct {
   double last_v;
 } sampling_State;
 typedef struct {
+  double metres_per_count;
+  double metres_per_px;
+  double gap_s;
+  double pause_s;
+} sampling_Settings;
+typedef struct {
   sampling_Settings sampling;
   double shortest_s;
 } difference_Settings;
@@ -173,9 +173,6 @@ typedef struct {
   difference_State state;
 } difference_Memory;
 typedef struct {
-  double z[8];
-} homogeneous_Axis;
-typedef struct {
   sampling_Settings sampling;
   double order;
   double alpha;
@@ -184,6 +181,9 @@ typedef struct {
   double settle_s;
   double gain[8];
 } homogeneous_Settings;
+typedef struct {
+  double z[8];
+} homogeneous_Axis;
 typedef struct {
   homogeneous_Axis x;
   homogeneous_Axis y;

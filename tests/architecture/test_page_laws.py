@@ -14,9 +14,9 @@ FOLDER = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "la
 def test_the_files_in_the_repository_are_up_to_date() -> None:
     expected = texts()
     present = {path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*") if path.is_file()}
-    assert present == set(expected), "run `make page`"
+    assert present == set(expected), "run `make laws`"
     for name, content in expected.items():
-        assert (FOLDER / name).read_bytes() == content, f"{name} is out of date: run `make page`"
+        assert (FOLDER / name).read_bytes() == content, f"{name} is out of date: run `make laws`"
 
 
 def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:
