@@ -83,9 +83,9 @@ class Value(NamedTuple):
 class Expressions:
     """The expressions of one law.
 
-    ``uses``: the laws and constants that they need; ``structs``: the kinds of tuples; ``casts``: from which to
-    which tuples are turned; ``written``: the arguments whose arrays are changed; ``before``: lines that go before
-    the present statement.
+    ``uses``: the laws and constants that they need; ``structs``, ``layouts``: kinds of tuples and memories;
+    ``casts``: from which to which tuples are turned; ``written``: the arguments whose arrays are changed;
+    ``before``: lines that go before the present statement.
     """
 
     def __init__(self, reader: Module, function: ast.FunctionDef, bound: dict[str, Law], known: Any) -> None:
@@ -417,7 +417,7 @@ class Expressions:
         return Value(f"{array}.p[{place}]", kind.of, CALL)
 
     def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
-        """Values one after the other; a star gives the parts of a tuple, or the shared arrays of a closure."""
+        """Values in turn; a star gives the parts of a tuple, or the shared arrays of a closure."""
         values = []
         for node in nodes:
             if not isinstance(node, ast.Starred):
@@ -526,11 +526,9 @@ class Expressions:
     def _copy(self, node: ast.Call, value: Value) -> Value:
         if not isinstance(value.kind, Array) or value.kind.dimensions != 1:
             raise self.error(node, f"a copy of {value.kind.c}")
-        name, of = self._buffer(node), value.kind.of
-        self.before.append(
-            f"RELEASED {of.c} *{name} = copied({value.within(CALL)}.p, sizeof({of.c}) * {value.within(CALL)}.n);"
-        )
-        return Value(f"({value.kind.c}){{{name}, {value.within(CALL)}.n}}", value.kind, CALL)
+        name, of, array = self._buffer(node), value.kind.of.c, value.within(CALL)
+        self.before.append(f"RELEASED {of} *{name} = copied({array}.p, sizeof({of}) * {array}.n);")
+        return Value(f"({value.kind.c}){{{name}, {array}.n}}", value.kind, CALL)
 
     def _buffer(self, node: ast.AST) -> str:
         if self._guarded:

@@ -153,10 +153,10 @@ def header(prelude: str, functions: list[Function]) -> str:
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
     layouts: list[type[Layout]] = []
     for one in functions:
-        for layout in one.layouts:
+        for layout in sorted(one.layouts, key=lambda one: one.__module__ + one.__name__):
             _lay_out(layout, layouts)
     lines += [struct_text(layout) for layout in layouts]
-    for source, target in sorted(casts.values(), key=lambda pair: _depth(pair[0])):
+    for source, target in sorted(casts.values(), key=lambda pair: (_depth(pair[0]), pair[0].c, pair[1].c)):
         parts = []
         for i, (one, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
             part = f"value.{source.field(i)}"
@@ -164,7 +164,8 @@ def header(prelude: str, functions: list[Function]) -> str:
                 f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part
             )
         lines.append(
-            f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) {{ return ({target.c}){{{', '.join(parts)}}}; }}"
+            f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) "
+            f"{{ return ({target.c}){{{', '.join(parts)}}}; }}"
         )
     lines += [f"{one.head};" for one in sorted(functions, key=lambda one: c_name(one.law))]
     return "\n".join([*lines, "#endif", ""])

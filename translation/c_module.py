@@ -32,7 +32,9 @@ def module_text(functions: list[Function], prelude: str) -> str:
             "  {NULL, NULL, 0, NULL},",
             "};",
             "static PyModuleDef_Slot slots[] = {{0, NULL}};",
-            'static PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", "DIGEST", 0, methods, slots, NULL, NULL, NULL};',
+            "static PyModuleDef definition = {",
+            '  PyModuleDef_HEAD_INIT, "_laws", "DIGEST", 0, methods, slots, NULL, NULL, NULL,',
+            "};",
             "PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }",
             "",
         ]
@@ -87,7 +89,8 @@ def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Ite
         yield f"({place} = view->buf, true)"
     elif isinstance(kind, Array):
         flag = "true" if written else "false"
-        yield f"take_array(&held, {source}, law, \"{word}\", '{kind.of.letter}', {kind.dimensions}, {flag}, &view)"
+        what = f"'{kind.of.letter}', {kind.dimensions}, {flag}"
+        yield f'take_array(&held, {source}, law, "{word}", {what}, &view)'
         sizes = "view->shape[0]" + (", view->shape[1]" if kind.dimensions == 2 else "")
         yield f"({place} = ({kind.c}){{view->buf, {sizes}}}, true)"
     else:

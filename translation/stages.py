@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from pointpred.compiled import key_of
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.parameter import REQUIRED, Parameter
 from pointpred.person import layout_name
@@ -33,8 +34,10 @@ def laws_of(stage: type[CompiledStage]) -> dict[str, Name]:
     named = {}
     for word in LAWS:
         function = getattr(stage, word, None)
-        plain = getattr(function, "py_func", function)
-        if plain is not None and is_law(name := Name(plain.__module__, plain.__name__)):
+        if function is None:
+            continue
+        home, _, own = key_of(function).partition(":")
+        if is_law(name := Name(home, own)):
             named[word] = name
     return named
 

@@ -141,6 +141,12 @@ typedef struct {
   double span_s;
 } difference_Differences;
 typedef struct {
+  double metres_per_count;
+  double metres_per_px;
+  double gap_s;
+  double pause_s;
+} sampling_Settings;
+typedef struct {
   double started;
   double t;
   double x;
@@ -155,12 +161,6 @@ typedef struct {
   double last_v;
 } sampling_State;
 typedef struct {
-  double metres_per_count;
-  double metres_per_px;
-  double gap_s;
-  double pause_s;
-} sampling_Settings;
-typedef struct {
   sampling_Settings sampling;
   double shortest_s;
 } difference_Settings;
@@ -173,6 +173,9 @@ typedef struct {
   difference_State state;
 } difference_Memory;
 typedef struct {
+  double z[8];
+} homogeneous_Axis;
+typedef struct {
   sampling_Settings sampling;
   double order;
   double alpha;
@@ -181,9 +184,6 @@ typedef struct {
   double settle_s;
   double gain[8];
 } homogeneous_Settings;
-typedef struct {
-  double z[8];
-} homogeneous_Axis;
 typedef struct {
   homogeneous_Axis x;
   homogeneous_Axis y;
@@ -235,12 +235,12 @@ typedef struct {
   double path;
 } movement_State;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
-static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
-static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { return (records_PredictionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
-static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
-static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 static inline pixels_CountsRow pixels_CountsRow_of_T3d(T3d value) { return (pixels_CountsRow){value.f0, value.f1, value.f2}; }
+static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
+static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
+static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
+static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt);
 T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event);
 double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps);

@@ -11687,5 +11687,7 @@ static PyMethodDef methods[] = {
   {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
-static PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", "445dc6fcccf6b07f390a608617014732ec4f7aebd66098735f8dda2ad5c3bfc0", 0, methods, slots, NULL, NULL, NULL};
+static PyModuleDef definition = {
+  PyModuleDef_HEAD_INIT, "_laws", "bd684eaa97829e259bc545a50523a02e1dcaf605b02b1c6a5ccce75600555b7a", 0, methods, slots, NULL, NULL, NULL,
+};
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

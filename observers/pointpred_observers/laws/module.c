@@ -1603,5 +1603,7 @@ static PyMethodDef methods[] = {
   {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
-static PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", "d9d2f37c93b4b04a0dd5bd97abd62db63fc7b5a5e948825780b7011c5429ec66", 0, methods, slots, NULL, NULL, NULL};
+static PyModuleDef definition = {
+  PyModuleDef_HEAD_INIT, "_laws", "e07bff6b6b869362dd346f565345e4982760c5d577555fff3b5a8148ec1158d3", 0, methods, slots, NULL, NULL, NULL,
+};
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }
