@@ -211,9 +211,8 @@ class Expressions:
         whole = value.text[1:] + "." if value.text.startswith("&") else value.within(CALL) + "->"
         text = f"{whole}{local(name)}"
         if part.of is not None:
-            kind = Memories(part.of, part.shape[0]) if part.shape else Memory(part.of)
-            self.struct(kind)
-            return Value(text, kind, CALL) if part.shape else Value(f"&{text}", kind, UNARY)
+            inner = self.struct(Memories(part.of, part.shape[0]) if part.shape else Memory(part.of))
+            return Value(text, inner, CALL) if part.shape else Value(f"&{text}", inner, UNARY)
         if not part.shape:
             return Value(text, FLOAT, CALL)
         kind = Array(FLOAT, len(part.shape))
@@ -319,8 +318,8 @@ class Expressions:
             case ast.Constant(value=int() as value):
                 return value
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                value = self.constant(operand)
-                return None if value is None else -value
+                positive = self.constant(operand)
+                return None if positive is None else -positive
             case ast.Attribute(value=whole, attr="length"):
                 layout = layout_at(self.reader, whole)
                 return None if layout is None else layout.length
@@ -329,21 +328,24 @@ class Expressions:
             case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
                 found = member(self.reader, owner, name)
             case ast.BinOp(left=left, op=op, right=right):
-                one, other = self.constant(left), self.constant(right)
-                if one is None or other is None or type(op) not in BINARY:
+                first, second = self.constant(left), self.constant(right)
+                if first is None or second is None or type(op) not in BINARY:
                     return None
-                return {"+": one + other, "-": one - other, "*": one * other}[BINARY[type(op)][0]]
+                return {"+": first + second, "-": first - second, "*": first * second}[BINARY[type(op)][0]]
             case ast.Call(func=ast.Name(id="len"), args=[one]):
-                whole = self.value(one)
-                if isinstance(whole.kind, Memories):
-                    return whole.kind.count
-                if whole.place:
-                    return int(whole.text.rpartition("{")[2].rstrip("}").split(", ")[1])
-                return len(whole.kind.kinds) if isinstance(whole.kind, Parts) else None
+                return self._length(self.value(one))
             case _:
                 return None
-        value = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
-        return value if isinstance(value, int) else None
+        known = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
+        return known if isinstance(known, int) else None
+
+    def _length(self, value: Value) -> int | None:
+        """How many a tuple or a part of a memory holds."""
+        if isinstance(value.kind, Memories):
+            return value.kind.size
+        if value.place:  # its text is a struct: the first number, then the sizes
+            return int(value.text.rpartition("{")[2].rstrip("}").split(", ")[1])
+        return len(value.kind.kinds) if isinstance(value.kind, Parts) else None
 
     def whole(self, node: ast.expr) -> Value:
         """An index."""

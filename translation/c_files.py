@@ -22,7 +22,7 @@ from translation.c_expressions import literal
 from translation.c_law import Function
 from translation.c_module import module_text
 from translation.c_names import Law, Made, c_name, local
-from translation.kinds import Memory, Parts, kind_of_value
+from translation.kinds import Memory, Number, Parts, kind_of_value
 from translation.source import PLAIN, Name, is_law, module
 
 WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"
@@ -149,7 +149,7 @@ def header(prelude: str, functions: list[Function]) -> str:
             casts[source.c, target.c] = source, target
     lines = [WRITTEN, "#ifndef POINTPRED_LAWS", "#define POINTPRED_LAWS", prelude.rstrip(), ""]
     for kind in structs.values():
-        fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
+        fields = " ".join(f"{inner.c} {kind.field(i)};" for i, inner in enumerate(kind.kinds))
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
     layouts: list[type[Layout]] = []
     for one in functions:
@@ -158,11 +158,10 @@ def header(prelude: str, functions: list[Function]) -> str:
     lines += [struct_text(layout) for layout in layouts]
     for source, target in sorted(casts.values(), key=lambda pair: (_depth(pair[0]), pair[0].c, pair[1].c)):
         parts = []
-        for i, (one, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
+        for i, (inner, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
             part = f"value.{source.field(i)}"
-            parts.append(
-                f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part
-            )
+            same = inner.c == other.c or isinstance(inner, Number)
+            parts.append(part if same else f"{other.c}_of_{inner.c}({part})")
         lines.append(
             f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) "
             f"{{ return ({target.c}){{{', '.join(parts)}}}; }}"

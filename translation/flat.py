@@ -16,12 +16,12 @@ from translation.source import Module, Name, UntranslatableError, is_law, member
 
 
 class Place(NamedTuple):
-    """A memory with names, or ``count`` of them: the array, where it begins there, its layout."""
+    """A memory with names, or ``size`` of them: the array, where it begins there, its layout."""
 
     array: ast.expr
     at: ast.expr
     layout: type[Layout]
-    count: int = 0
+    size: int = 0
 
 
 def layouts_of(reader: Module, function: ast.FunctionDef) -> dict[str, type[Layout]]:
@@ -49,10 +49,11 @@ def _sum(*parts: ast.expr) -> ast.expr:
     known, others = 0, []
     for part in parts:
         for one in _summands(part):
-            if isinstance(one, ast.Constant):
-                known += one.value
-            else:
-                others.append(one)
+            match one:
+                case ast.Constant(value=int() as value):
+                    known += value
+                case _:
+                    others.append(one)
     if known or not others:
         others.append(ast.Constant(known))
     total = others[0]
@@ -68,8 +69,9 @@ def _summands(node: ast.expr) -> list[ast.expr]:
 
 
 def _times(node: ast.expr, size: int) -> ast.expr:
-    if isinstance(node, ast.Constant):
-        return ast.Constant(node.value * size)
+    match node:
+        case ast.Constant(value=int() as value):
+            return ast.Constant(value * size)
     return node if size == 1 else ast.BinOp(node, ast.Mult(), ast.Constant(size))
 
 
@@ -151,7 +153,7 @@ class _Flat(ast.NodeTransformer):
                     )
             case ast.Subscript(value=value, slice=index) if (
                 outer := self.place(value)
-            ) is not None and outer.count:
+            ) is not None and outer.size:
                 index = self.visit(index)
                 return Place(outer.array, _sum(outer.at, _times(index, outer.layout.length)), outer.layout)
             case ast.Call(args=[array, *at]) if (layout := self._layout(node)) is not None:
@@ -244,8 +246,8 @@ class _Flat(ast.NodeTransformer):
     def _size(self, node: ast.expr) -> int | None:
         """How many a part of a memory has."""
         place = self.place(node)
-        if place is not None and place.count:
-            return place.count
+        if place is not None and place.size:
+            return place.size
         if isinstance(node, ast.Attribute) and (outer := self.place(node.value)) is not None:
             part = self._part(node, outer, node.attr)
             return part.shape[0] if part is not None and part.shape and part.shape[0] > 0 else None

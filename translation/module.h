@@ -42,9 +42,21 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
-static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
-  if (view->shape[0] >= least) return true;
-  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+/* The numbers of a memory: an array, or a view with names of one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
+                        const Py_buffer **taken) {
+  bool good;
+  if (PyObject_CheckBuffer(given)) {
+    good = take_array(held, given, law, argument, 'd', 1, written, taken);
+  } else {
+    PyObject *memory = PyObject_GetAttrString(given, "memory");
+    if (memory == NULL) return false;
+    good = take_array(held, memory, law, argument, 'd', 1, written, taken);
+    Py_DecRef(memory);
+  }
+  if (!good || (*taken)->shape[0] >= least) return good;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least,
+               (*taken)->shape[0]);
   return false;
 }
 

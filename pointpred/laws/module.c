@@ -43,9 +43,21 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
-static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
-  if (view->shape[0] >= least) return true;
-  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+/* The numbers of a memory: an array, or a view with names of one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
+                        const Py_buffer **taken) {
+  bool good;
+  if (PyObject_CheckBuffer(given)) {
+    good = take_array(held, given, law, argument, 'd', 1, written, taken);
+  } else {
+    PyObject *memory = PyObject_GetAttrString(given, "memory");
+    if (memory == NULL) return false;
+    good = take_array(held, memory, law, argument, 'd', 1, written, taken);
+    Py_DecRef(memory);
+  }
+  if (!good || (*taken)->shape[0] >= least) return good;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least,
+               (*taken)->shape[0]);
   return false;
 }
 
@@ -388,8 +400,7 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "last", 'd', 1, true, &view)
-        && is_long_enough(view, law, "last", 8)
+        && take_memory(&held, args[0], law, "last", true, 8, &view)
         && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
@@ -409,8 +420,7 @@ static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 25)
+        && take_memory(&held, args[0], law, "memory", true, 25, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -438,11 +448,9 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[0], law, "settings", false, 17, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "axis", 'd', 1, true, &view)
-        && is_long_enough(view, law, "axis", 8)
+        && take_memory(&held, args[1], law, "axis", true, 8, &view)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -465,8 +473,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -487,8 +494,7 @@ static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *c
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[1], law, "settings", true, 17, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_fill(a0, a1);
@@ -505,8 +511,7 @@ static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyOb
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[0], law, "settings", true, 17, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
@@ -523,8 +528,7 @@ static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_settle(a0);
@@ -543,8 +547,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -564,8 +567,7 @@ static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *c
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -592,8 +594,7 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "axis", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[1], law, "p", false, 6, &view)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -613,8 +614,7 @@ static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const 
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 6)
+        && take_memory(&held, args[1], law, "settings", true, 6, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_kalman_fill(a0, a1);
@@ -633,8 +633,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
-        && is_long_enough(view, law, "plane", 12)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -656,8 +655,7 @@ static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[0], law, "p", true, 6, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
@@ -691,8 +689,7 @@ static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *con
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
-        && is_long_enough(view, law, "plane", 12)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
@@ -710,11 +707,9 @@ static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 6)
+        && take_memory(&held, args[0], law, "settings", false, 6, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "samples", 'd', 1, false, &view)
-        && is_long_enough(view, law, "samples", 12)
+        && take_memory(&held, args[1], law, "samples", false, 12, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   result = differentiators_kalman_settle_s(a0, a1);
@@ -731,8 +726,7 @@ static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[0], law, "p", true, 6, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
@@ -751,8 +745,7 @@ static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 30)
+        && take_memory(&held, args[0], law, "memory", true, 30, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -777,11 +770,9 @@ static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 4)
+        && take_memory(&held, args[0], law, "settings", false, 4, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "s", 'd', 1, true, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[1], law, "s", true, 12, &view)
         && (a1 = view->buf, true)
         && take_tuple(args[2], law, "event", 6)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
@@ -826,8 +817,7 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[0], law, "s", false, 12, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -861,8 +851,7 @@ static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *c
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[0], law, "s", false, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
@@ -7585,8 +7574,7 @@ static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7614,8 +7602,7 @@ static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", true, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7643,8 +7630,7 @@ static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *a
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7673,8 +7659,7 @@ static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -11688,6 +11673,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "bd684eaa97829e259bc545a50523a02e1dcaf605b02b1c6a5ccce75600555b7a", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "affdc4b2e63a1d96cc1b14e53f1279937420f015e440fe4db67ffb5d21bcdc07", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -72,6 +72,7 @@ typedef struct {
 #define PyBUF_ND 0x0008
 #define PyBUF_STRIDES (0x0010 | PyBUF_ND)
 #define PyBUF_C_CONTIGUOUS (0x0020 | PyBUF_STRIDES)
+API int PyObject_CheckBuffer(PyObject *);
 API int PyObject_GetBuffer(PyObject *, Py_buffer *, int);
 API void PyBuffer_Release(Py_buffer *);
 
@@ -88,7 +89,9 @@ API int PyTuple_SetItem(PyObject *, Py_ssize_t, PyObject *);
 API unsigned long PyType_GetFlags(PyTypeObject *);
 #define PyTuple_Check(one) ((PyType_GetFlags((one)->ob_type) & (1UL << 26)) != 0)
 
+API PyObject *PyObject_GetAttrString(PyObject *, const char *);
 API void Py_IncRef(PyObject *);
+API void Py_DecRef(PyObject *);
 API PyObject _Py_NoneStruct;
 #define Py_None (&_Py_NoneStruct)
 
