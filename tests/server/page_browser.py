@@ -6,8 +6,6 @@ import json
 import subprocess
 import sys
 import time
-import urllib.error
-import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -47,7 +45,6 @@ VALUE = """async (expression) => {
 }"""
 """Playwright itself would call a function that comes out of an expression."""
 PATIENCE_S = 120.0
-WARMING_S = 600.0
 
 
 @contextmanager
@@ -58,19 +55,9 @@ def service(port: int = 0) -> Iterator[str]:
         assert process.stdout is not None
         try:
             address = next(line.strip() for line in process.stdout if line.startswith("http"))
-            until(lambda: ready(address), "the service to be ready", WARMING_S)
             yield address
         finally:
             process.kill()
-
-
-def ready(address: str) -> bool:
-    """Whether a service says that it is ready."""
-    try:
-        with urllib.request.urlopen(f"{address}readyz"):
-            return True
-    except urllib.error.HTTPError:
-        return False
 
 
 @contextmanager
