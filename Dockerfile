@@ -5,15 +5,10 @@ COPY . .
 RUN ["sh", "container/steps.sh", "wheel"]
 # hadolint ignore=DL3059
 RUN ["sh", "container/steps.sh", "install"]
-# hadolint ignore=DL3059
-RUN ["sh", "container/steps.sh", "warm"]
 
 FROM python:3.11-slim-bookworm
 COPY --from=build /opt/pointpred /opt/pointpred
-# A generic processor: what was compiled at build time fits every machine of this architecture.
-ENV POINTPRED_CACHE_DIR=/opt/pointpred/cache \
-    NUMBA_CPU_NAME=generic \
-    PYTHONDONTWRITEBYTECODE=1 \
+ENV PYTHONDONTWRITEBYTECODE=1 \
     PYTHONUNBUFFERED=1 \
     POINTPRED_HOST=0.0.0.0 \
     POINTPRED_PORT=8765

@@ -24,20 +24,12 @@ step_install() { # install them with the versions the project is tested with
     cp "$SOURCE/container/healthy.py" "$APP/healthy.py"
 }
 
-step_warm() { # compile the laws into the cache that the image carries
-    # A whole second: a cached law is told to be stale by its file's time, and layers keep whole seconds only.
-    find "$APP" -name '*.py' -exec touch -d '2000-01-01T00:00:00Z' {} +
-    "$APP/bin/python" -m compileall -q "$APP/lib" || true # some packages carry templates that are no Python
-    mkdir -p "$APP/cache"
-    POINTPRED_CACHE_DIR="$APP/cache" NUMBA_CPU_NAME=generic "$APP/bin/python" "$SOURCE/container/warm.py"
-}
-
 rehearse() { # every step, then what the image does: serve, and the health check
     folder="$(mktemp -d)"
     trap 'rm -rf "$folder"' EXIT
     chmod 755 "$folder"
     APP="$folder/pointpred"
-    for step in wheel install warm; do
+    for step in wheel install; do
         echo "step: $step"
         "step_$step"
     done
@@ -48,8 +40,8 @@ rehearse() { # every step, then what the image does: serve, and the health check
         for place in / /dev/shm; do mount -o remount,bind,ro "$place"; done
         cd "$APP"
         exec setpriv --reuid "$USER_ID" --regid "$USER_ID" --clear-groups --no-new-privs --bounding-set=-all \
-            env -i HOME=/nonexistent PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 NUMBA_CPU_NAME=generic \
-            POINTPRED_CACHE_DIR="$APP/cache" POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" \
+            env -i HOME=/nonexistent PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 \
+            POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" \
             "$APP/bin/pointpred" serve --host 0.0.0.0
     ' &
     served=$!
@@ -68,10 +60,10 @@ rehearse() { # every step, then what the image does: serve, and the health check
 }
 
 case "${1:-}" in
-wheel | install | warm) "step_$1" ;;
+wheel | install) "step_$1" ;;
 rehearse) rehearse ;;
 *)
-    echo "usage: $0 wheel | install | warm | rehearse" >&2
+    echo "usage: $0 wheel | install | rehearse" >&2
     exit 2
     ;;
 esac

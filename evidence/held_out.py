@@ -99,7 +99,7 @@ def key(folder: Path) -> str:
 
 def place(folder: Path) -> Path:
     """Where the coefficients for these recordings stand in the cache."""
-    named = os.environ.get("POINTPRED_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
+    named = os.environ.get("XDG_CACHE_HOME")
     cache = Path(named) if named else Path.home() / ".cache"
     return cache / "pointpred-held-out" / key(folder)
 

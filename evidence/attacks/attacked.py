@@ -27,7 +27,7 @@ from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection, connect
 
 from evidence.arguments import parse
-from evidence.costs.load.servers import wait_until_compiled
+from evidence.costs.load.servers import wait_until_ready
 from evidence.data import Table, keep
 from evidence.machine import machine, processor_s
 
@@ -341,7 +341,7 @@ def main() -> None:
         found = re.search(r":(\d+)/", service.stdout.readline())
         assert found is not None
         port = int(found[1])
-        wait_until_compiled(f"http://127.0.0.1:{port}/")
+        wait_until_ready(f"http://127.0.0.1:{port}/")
         try:
             rows = []
             for attack in ATTACKS:

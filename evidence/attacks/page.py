@@ -28,7 +28,7 @@ class Run(msgspec.Struct, frozen=True):
     executions: int
     edges: int
     most_mib: int
-    """Of the whole process, which holds the compiler as well."""
+    """Of the whole process."""
     breaches: int
     date: str
     machine: str

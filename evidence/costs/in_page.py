@@ -151,7 +151,7 @@ def costs(in_view: int) -> dict[str, Costs]:
                     page.evaluate(LISTEN)
                 elif name is not None:
                     page.evaluate(REGISTER.replace("PREDICTOR", name))
-                drive_coalesced(page, 3.0, RATE_HZ)  # what is compiled at first
+                drive_coalesced(page, 3.0, RATE_HZ)  # what the browser compiles at first
                 measured[name].append(share(page, SECONDS, RATE_HZ))
     server.shutdown()
     server.server_close()

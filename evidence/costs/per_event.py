@@ -94,7 +94,7 @@ def measure(plain: bool = False) -> dict[str, dict[str, float]]:
         for mode, make in modes.items()
     }
     for action in actions.values():
-        action()  # compiled code is loaded here, not in the measurement
+        action()  # what the first call takes longer is not measured
     rounds = 1 if plain else ROUNDS
     times: dict[tuple[str, str], list[float]] = {key: [] for key in actions}
     for _ in range(rounds):
@@ -145,7 +145,7 @@ def scoring_rows() -> list[tuple[str, ...]]:
     rows = []
     for name in REGISTRY:
         pipeline = build(name, cpi=2000.0)
-        replay(prepared, pipeline)  # compiled code is loaded here
+        replay(prepared, pipeline)  # what the first call takes longer is not measured
         times, costs = [], []
         for _ in range(3):
             start = time.perf_counter()
@@ -157,7 +157,7 @@ def scoring_rows() -> list[tuple[str, ...]]:
 
 
 def command_rows() -> list[tuple[str, ...]]:
-    """Seconds until the command line has answered, with the compile cache present."""
+    """Seconds until the command line has answered."""
     rows = []
     for arguments in (["--help"], ["predictors"], ["score", "--predictors", "switched"]):
         times = []

@@ -11,15 +11,9 @@ from __future__ import annotations
 import argparse
 import itertools
 import json
-import os
-import subprocess
 import sys
-import tempfile
-import time
 from collections.abc import Sequence
 from contextlib import ExitStack
-from urllib.error import HTTPError
-from urllib.request import urlopen
 
 import numpy as np
 
@@ -128,44 +122,6 @@ def target_table(one: Server) -> Table:
     )
 
 
-def ready_s(cache: str | None = None) -> float:
-    """Seconds from starting ``pointpred serve`` until it says that it is ready."""
-    environment = {**os.environ, **({"POINTPRED_CACHE_DIR": cache} if cache else {})}
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
-    start = time.perf_counter()
-    quiet = subprocess.DEVNULL
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=quiet, text=True, env=environment
-    ) as process:
-        assert process.stdout is not None
-        try:
-            while not (line := process.stdout.readline()).startswith("http"):
-                if not line:
-                    raise RuntimeError("the service ended before it was ready")
-            while not is_ready(line.strip() + "readyz"):
-                time.sleep(0.01)
-            return time.perf_counter() - start
-        finally:
-            process.terminate()
-
-
-def is_ready(url: str) -> bool:
-    """Whether a service says that its compiled code is warm."""
-    try:
-        with urlopen(url) as answer:
-            return bool(answer.status == 200)
-    except HTTPError:
-        return False
-
-
-def start_rows() -> list[tuple[str, ...]]:
-    """With the compile cache, and without it."""
-    warm = min(ready_s() for _ in range(5))
-    with tempfile.TemporaryDirectory() as empty:
-        cold = ready_s(empty)
-    return [("with the compile cache", f"{warm:.2f}"), ("the first ever", f"{cold:.1f}")]
-
-
 def main(before: str | None) -> None:
     """Measure, and write the page's numbers."""
     print("measuring what a message costs; this takes about three minutes", file=sys.stderr)
@@ -175,7 +131,6 @@ def main(before: str | None) -> None:
         one = stack.enter_context(service(raised=True))
         old = stack.enter_context(service(root=checkout(before), raised=True)) if before else None
         tables = {**cost_tables(one, old), "targets": target_table(one)}
-    tables["start"] = Table.of(("start", "s until ready"), start_rows())
     numbers = {"before": before or "", "recording": recording().name}
     keep("costs", tables, part="service", machine=where, numbers=numbers)
 

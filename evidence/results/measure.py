@@ -94,7 +94,7 @@ def results_of(recording: Recording, predictors: Sequence[str], held: HeldOut) -
     print(f"scoring {recording.name}: {len(recording.events)} events", flush=True)
     summary = summarise(scored(recording, predictors, held, SEED))
     print(f"{recording.name}: {time.monotonic() - began:.0f} s", flush=True)
-    versions = {name: version(name) for name in ("pointpred", "numpy", "numba")}
+    versions = {name: version(name) for name in ("pointpred", "numpy")}
     return SetResults(versions, summary)
 
 

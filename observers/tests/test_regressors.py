@@ -14,7 +14,6 @@ from scipy import integrate, linalg
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.regression import gradient
 from pointpred_observers import GradientRegressor
-from pointpred_observers.regressors import gradient as gradient_regressor
 
 SEEDS = st.integers(0, 2**32 - 1)
 
@@ -148,11 +147,6 @@ def test_a_table_gives_what_single_samples_give() -> None:
     assert answers[39].tobytes() == left[37].tobytes()
     fresh = single.fresh()
     assert fresh.update(d[0], y[0], t[0]).tolist() == [0.0, 0.0, 0.0]
-    plain = getattr(gradient_regressor.step, "py_func", gradient_regressor.step)
-    memory, out = GradientRegressor(3, outputs=2, gain=2.0)._memory, np.empty(3)
-    for i in range(40):
-        plain(memory, rows[i], out)
-    assert out == pytest.approx(table[39], abs=1e-13)
 
 
 def test_what_is_refused_changes_nothing() -> None:

@@ -11,7 +11,6 @@ from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError, UndecidedError
 from pointpred_observers import GradientRegressor, NonlinearRegressor, regression_margin
-from pointpred_observers.regressors import nonlinear_regression
 
 TRUTH = np.array([3.0, 5.0])
 
@@ -63,11 +62,6 @@ def test_a_table_gives_what_single_samples_give_and_refusals_change_nothing() ->
         if begin[i]:
             single.reset()
         assert single.update(*parts[i], t[i]).tobytes() == table[i].tobytes()
-    plain = getattr(nonlinear_regression.step, "py_func", nonlinear_regression.step)
-    memory, out = NonlinearRegressor(2, gain=3.0)._memory, np.empty(2)
-    for row in rows[:25]:
-        plain(memory, row, out)
-    assert out == pytest.approx(table[24], abs=1e-12)
     spoiled = rows.copy()
     spoiled[10, 1], spoiled[12, 4] = np.inf, 1.5
     answers = NonlinearRegressor(2, gain=3.0).walk(begin, spoiled)

@@ -84,7 +84,7 @@ def python() -> list[Finding]:
 
 
 def laws() -> list[Finding]:
-    """Whether laws are compiled and kept, and one prediction as a proof that they run."""
+    """Whether laws are compiled, and one prediction as a proof that they run."""
     from pointpred import PointerEvent, build
 
     pipeline = build("hold")
@@ -93,22 +93,11 @@ def laws() -> list[Finding]:
     if answer is None:
         return [Finding("prediction", "broken", "none was made where one is due", "install pointpred anew")]
     findings = [Finding("prediction", "good", "one was made")]
-    if not compiled.COMPILED:
-        return [
-            *findings,
-            Finding("laws", "missing", "run as plain Python, much slower", "unset POINTPRED_COMPILED"),
-        ]
-    folder = compiled._cache_folder()
-    if folder is None or not os.access(_standing(folder), os.W_OK | os.X_OK):
-        words = "no folder can be written" if folder is None else f"{folder} cannot be written"
-        advice = "name a folder of your own with POINTPRED_CACHE_DIR, or every start compiles anew"
-        return [*findings, Finding("laws", "missing", f"compiled, not kept: {words}", advice)]
-    return [*findings, Finding("laws", "good", f"compiled, kept in {folder}")]
-
-
-def _standing(folder: Path) -> Path:
-    """The folder, or the nearest above it that is there."""
-    return next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())
+    if compiled.COMPILED:
+        return [*findings, Finding("laws", "good", "compiled")]
+    chosen = os.environ.get("POINTPRED_COMPILED") == "0"
+    advice = "unset POINTPRED_COMPILED" if chosen else "install a C compiler, then install pointpred again"
+    return [*findings, Finding("laws", "missing", "run as plain Python, much slower", advice)]
 
 
 def extras() -> list[Finding]:

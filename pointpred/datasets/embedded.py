@@ -15,7 +15,7 @@ FILE = Path(__file__).with_name("simulated_circle_samples.parquet")
 def generate() -> Recording:
     """Simulate the sample anew: 10 people x 8 conditions x 3 movements, the same every time.
 
-    Half a second once compiled. Labelled as simulated in its name and its provenance.
+    Takes half a second. Labelled as simulated in its name and its provenance.
     """
     from pointpred.simulation.circle import THESIS_CONDITIONS, simulate_circle
     from pointpred.simulation.person import people

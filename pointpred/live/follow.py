@@ -21,7 +21,7 @@ from pointpred.devices.source import DeviceInfo, DeviceSource
 from pointpred.errors import ParameterError, SourceError
 from pointpred.files import beside
 from pointpred.garbage import tune_collector
-from pointpred.live.run import LiveRun, OutputOptions, compile_for
+from pointpred.live.run import LiveRun, OutputOptions
 from pointpred.live.session import LiveSession
 from pointpred.person import LARGEST, portable
 from pointpred.pipeline import Pipeline
@@ -64,7 +64,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
     if saved is not None and cpi is None and not device.measure_cpi:
         cpi = saved.cpi
     person = read_person(device.person, outputs.predictor)
-    compile_for(outputs.predictor)
+    build(outputs.predictor)  # a wrong name is an error before a device is asked for
     with ExitStack() as stack:
         source = stack.enter_context(choose(device.device, device.display, device.stream, remark))
         if isinstance(source, LslInlet):

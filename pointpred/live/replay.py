@@ -11,7 +11,7 @@ from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import RecordingError
 from pointpred.garbage import tune_collector
 from pointpred.live.playback import PlayedPipeline, PlayedSource, PlayedTrial
-from pointpred.live.run import LiveRun, OutputOptions, compile_for
+from pointpred.live.run import LiveRun, OutputOptions
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording
 from pointpred.records import Pair
@@ -26,7 +26,6 @@ def follow_replay(
     """
     if not trials:
         raise RecordingError(f"{file}: no trial can be played; see the reasons above")
-    compile_for(outputs.predictor)
     simulated = recording.provenance.simulated
     outputs = replace(outputs, simulated=simulated)
     name = f"replay of {file.name}" + (" (simulated people)" if simulated else "")

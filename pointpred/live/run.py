@@ -31,9 +31,8 @@ from pointpred.live.terminal import DASH, TerminalLog, show, summary
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.server_messages import Curve
-from pointpred.records import PointerEvent
 from pointpred.registry import build
-from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
+from pointpred.transfer import GainCurve
 
 PAGE_FIRST = "; begins when the page is opened"
 SWITCH_S = 0.0005
@@ -244,17 +243,6 @@ class LiveRun:
         source = self.session.source
         trial = [("trial", source.playing or DASH)] if isinstance(source, PlayedSource) else []
         return [*trial, *self._output_rows(), *log]
-
-
-def compile_for(predictor: str) -> None:
-    """Compile what is not compiled yet, before reports wait for it; raises ParameterError."""
-    pipeline, learner = build(predictor, cpi=1000.0), TransferLearner(cpi=1000.0)
-    transfer = PixelTransfer(ConstantGain(), cpi=1000.0)
-    for i in range(4):
-        event = PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0)
-        pipeline.update(event)
-        learner.update(event)
-        transfer.update((event.t, 4.0, 2.0))
 
 
 class SessionThread:

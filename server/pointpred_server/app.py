@@ -19,7 +19,6 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred_server import samples
 from pointpred_server.access import HostGuard, HostRule, admits_origin, header, origin_advice
-from pointpred_server.compiling.parts import TRIALS
 from pointpred_server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
 from pointpred_server.http_responses import (
     SECURITY_HEADERS,
@@ -96,7 +95,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
-    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled)
+    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled, deprecated=True)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     for path, call in (("/v1/score", _score), ("/v1/recording", _recording)):
@@ -131,7 +130,7 @@ def _summary(call: Callable[..., Any]) -> str:
 
 @contextlib.asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Compile beside answering; write what is recorded at the end."""
+    """Write what is recorded at the end."""
     service: Service = app.state.service
     service.start()
     yield
@@ -145,17 +144,17 @@ def _health() -> dict[str, str]:
 
 
 def _ready(request: Request) -> Response:
-    """The recommended predictor answers: 200, before that 503."""
+    """Sessions are served: 200; while workers start, or the service stops, 503."""
     service: Service = request.app.state.service
     return json_response(
         {"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503
     )
 
 
-def _compiling(request: Request) -> Response:
-    """What is compiled, on the first start only: how many predictors are ready, of how many, what is next."""
-    service: Service = request.app.state.service
-    return json_response(service.compiler.progress())
+def _compiling() -> dict[str, Any]:
+    """Every predictor is ready at once: nothing is compiled at a start any more."""
+    names = list(REGISTRY)
+    return {"done": len(names), "of": len(names), "next": None, "ready": names, "recommended": RECOMMENDED}
 
 
 async def _metrics(request: Request) -> Response:
@@ -206,12 +205,9 @@ def _samples() -> Response:
     return json_response(samples.listing())
 
 
-async def _sample(request: Request, name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
+async def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
-    service: Service = request.app.state.service
-    names = _names(predictors)
-    await service.compiler.until(names)
-    return json_response(await asyncio.to_thread(samples.trial, name, names))
+    return json_response(await asyncio.to_thread(samples.trial, name, _names(predictors)))
 
 
 def _live(request: Request) -> Response:
@@ -236,8 +232,6 @@ async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Resp
     """Have an upload opened or scored by another process."""
     service: Service = request.app.state.service
     async with received_body(request, service) as body:
-        if task == "score":
-            await while_connected(request, service.compiler.until([*(names or REGISTRY), TRIALS]))
         await while_connected(request, service.scoring.acquire())  # one at a time: sessions go first
         try:
             query = dict(request.query_params)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Sequence
 from itertools import islice
 from time import perf_counter
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code
@@ -36,10 +36,6 @@ STUCK_S = 10.0
 """A session ends whose client has read nothing for so long although answers wait ..."""
 GRACE_S = 5.0
 """... and the client has so long to read why."""
-MOST_MESSAGES = 4096
-MOST_BYTES = 2**20
-"""What is read from a client while it waits for the compiler. Only by reading does the service notice that a
-client has left. A client that sends more than this is read again after the wait."""
 
 
 class Violation(NamedTuple):
@@ -122,13 +118,11 @@ class Connection:
         arrivals: Arrivals,
         observe: Observe = lambda taken_s, arrived_s: None,
         threads: WorkThreads | None = None,
-        prepare: Callable[[Frame], Coroutine[Any, Any, None] | None] | None = None,
     ) -> None:
         """``arrivals`` is shared by the connections of an event loop. ``observe`` gets the delays.
 
-        ``threads`` do the work of sessions; the loop's own executor where none are given. ``prepare``
-        returns what a frame has to wait for, ``None`` where there is nothing; a client that leaves meanwhile
-        cancels it. Limits count frames that waited by the time they came.
+        ``threads`` do the work of sessions; the loop's own executor where none are given. Limits count
+        frames that waited by the time they came.
         """
         self.session = session
         self.frames = 0
@@ -137,14 +131,10 @@ class Connection:
         self._arrivals = arrivals
         self._observe_delays = observe
         self._threads = threads
-        self.prepare = prepare
-        """Set to ``None`` once no frame has to wait: then they are taken in faster, and may be joined."""
         self._loop = asyncio.get_running_loop()
         self._over: asyncio.Future[None] = self._loop.create_future()
         self._waiting: deque[_Waiting] = deque()
-        self._waiting_bytes = 0
         self._working = False  # whether they wait for another thread,
-        self._preparation: asyncio.Task[None] | None = None  # for what the first of them needs,
         self._turn: asyncio.Handle | None = None  # or for the turn of others
         self._late = False  # whether they have waited for the session's own work
         self._left = False  # whether the client has
@@ -194,13 +184,12 @@ class Connection:
         if self._paused_at is not None:
             came, self._paused_at = min(came, self._paused_at), None
         free = not (self._waiting or self._working or self._turn)
-        if free and len(frames) == 1 and self.prepare is None:
+        if free and len(frames) == 1:
             self._take(frames, now, taken_at, came)  # most frames
         else:
             waited = taken_at - came >= TOGETHER_S
             self._waiting.extend(_Waiting(frame, now, came, waited) for frame in frames)
-            self._waiting_bytes += sum(map(len, frames))
-            if self._turn or len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
+            if self._turn:
                 self._pause()
             self._take_waiting()
         self._arrivals.busy_until = used_at = perf_counter()
@@ -221,7 +210,7 @@ class Connection:
             self.session.end(refusal.close, refusal.message)
         elif refusal is not None and refusal.code is not None:
             self.session.fail(refusal.code, refusal.message, refusal.close)
-        if self._preparation is not None or not (self._waiting or self._working):
+        if not (self._waiting or self._working):
             self._end()
 
     def _flush(self) -> None:
@@ -270,18 +259,13 @@ class Connection:
         """Take in frames that wait, until one has to wait again or others have their turn."""
         taken, begun_at = 0, perf_counter()
         while taken < FRAMES_AT_ONCE and perf_counter() - begun_at < TURN_S:
-            if self._working or self._preparation or self._turn or self._over.done():
+            if self._working or self._turn or self._over.done():
                 return
             if not self._waiting:
                 self._late = False
                 if self._left:
                     self._end()
                 self._socket.resume_frames()
-                return
-            first = self._waiting[0]
-            if self.prepare is not None and (preparation := self.prepare(first.frame)) is not None:
-                self._preparation = self._loop.create_task(preparation)
-                self._preparation.add_done_callback(self._take_prepared)
                 return
             taken += self._take_first(FRAMES_AT_ONCE - taken)
         self._turn = self._loop.call_soon(self._take_turn)
@@ -291,27 +275,16 @@ class Connection:
     def _take_first(self, most: int) -> int:
         """Take in the first of the frames that wait, or several that have waited long; returns how many."""
         first = self._waiting[0]
-        if not (first.waited or self._late) or self.prepare is not None:
+        if not (first.waited or self._late):
             most = 1
         frames = [each.frame for each in islice(self._waiting, most)]
         taken = self._take(frames, first.received, perf_counter(), first.came)
         for _ in range(taken):
-            self._waiting_bytes -= len(self._waiting.popleft().frame)
+            self._waiting.popleft()
         return taken
 
     def _take_turn(self) -> None:
         self._turn = None
-        self._take_waiting()
-
-    def _take_prepared(self, preparation: asyncio.Task[None]) -> None:
-        """Take in a frame that has waited for what it needs, and then those behind it."""
-        self._preparation = None
-        if preparation.cancelled() or self._over.done():
-            return
-        if error := preparation.exception():
-            self._over.set_exception(error)
-            return
-        self._take_first(most=1)
         self._take_waiting()
 
     def _pause(self) -> None:
@@ -347,5 +320,3 @@ class Connection:
     def _end(self) -> None:
         if not self._over.done():
             self._over.set_result(None)
-        if self._preparation is not None:
-            self._preparation.cancel()

@@ -7,21 +7,16 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Coroutine
-from functools import partial
-from typing import Any
 
 from uvicorn.protocols.utils import ClientDisconnected
 
 from pointpred.logs import place_of
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred_server.access import Receive, Scope, Send, admits_origin, has_token, header
-from pointpred_server.compiling.parts import parts_for
 from pointpred_server.connection import FRAMES, GRACE_S, Connection, FrameSocket
 from pointpred_server.service import Service
-from pointpred_server.sessions.lifecycle import FAILED, Session
+from pointpred_server.sessions.lifecycle import FAILED
 
 log = logging.getLogger("pointpred.service")
 
@@ -90,8 +85,6 @@ class StreamEndpoint:
         connection = Connection(
             session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.work_threads
         )
-        if not service.compiler.over:
-            connection.prepare = partial(self._prepare, connection)
         try:
             await self._run(connection, send)
         finally:
@@ -111,22 +104,6 @@ class StreamEndpoint:
             log.error("session failed", extra={"session": session.name, "error": place_of(error)})
             session.fail()
             await send_error(send, "internal", FAILED, 1011)
-
-    def _prepare(self, connection: Connection, frame: Frame) -> Coroutine[Any, Any, None] | None:
-        """Compile what a message needs before the session gets it; its first event would wait for it."""
-        compiler = self.service.compiler
-        if compiler.over:
-            connection.prepare = None
-            return None
-        names = compiler.missing(parts_for(frame))
-        return self._wait(connection.session, names) if names else None
-
-    async def _wait(self, session: Session, names: list[str]) -> None:
-        session.waits_for_compiler = True
-        try:
-            await self.service.compiler.until(names)
-        finally:
-            session.waits_for_compiler = False
 
 
 class LiveEndpoint(StreamEndpoint):

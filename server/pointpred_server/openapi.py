@@ -30,18 +30,18 @@ class Error(BaseModel):
 class Readiness(BaseModel):
     """Whether sessions are served at once."""
 
-    ready: bool = Field(description="The recommended predictor is compiled.")
+    ready: bool = Field(description="Every worker has started, and the service does not stop.")
     stopping: bool
 
 
 class Compiled(BaseModel):
-    """How far a first start has compiled the predictors; a session that asks for another waits for it."""
+    """Every predictor is ready; earlier versions said here what their first start had compiled."""
 
-    done: int = Field(description="Predictors that are compiled.")
+    done: int = Field(description="All predictors.")
     of: int = Field(description="All predictors.")
-    next: str | None = Field(description="What is compiled now; null when nothing is left.")
-    ready: list[str] = Field(description="The names of the predictors that are compiled.")
-    recommended: str = Field(description="The name of the recommended predictor, which is compiled first.")
+    next: str | None = Field(description="Always null.")
+    ready: list[str] = Field(description="The names of all predictors.")
+    recommended: str = Field(description="The name of the recommended predictor.")
 
 
 class Origin(BaseModel):

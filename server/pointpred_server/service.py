@@ -17,10 +17,8 @@ import numpy as np
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
 from pointpred.recorder.writer import Recorder
-from pointpred.registry import RECOMMENDED
 from pointpred_server.access import RefusedOrigins, network_of
 from pointpred_server.arrivals import Arrivals
-from pointpred_server.compiling.compiler import Compiler
 from pointpred_server.connection import Connection
 from pointpred_server.live_feed import LiveFeed
 from pointpred_server.metrics import Metrics, SessionCounts
@@ -54,7 +52,7 @@ class Peers(Protocol):
     """The workers of a service that has several, this one included."""
 
     ready: bool
-    """Whether every worker has been ready."""
+    """Whether every worker has started."""
 
     @property
     def sessions(self) -> int:
@@ -76,8 +74,6 @@ class Service:
         self.recorder = Recorder(self.settings.record) if self.settings.record else None
         self.origins = RefusedOrigins()
         self.stopping = False
-        self.compiler = Compiler()
-        """Compiles while the service answers."""
         self.scoring = asyncio.Semaphore(1)
         """Recordings are scored one at a time."""
         self.uploads = 0
@@ -100,9 +96,8 @@ class Service:
 
     @property
     def ready(self) -> bool:
-        """Whether the recommended predictor answers at once."""
-        others = self.peers is None or self.peers.ready
-        return others and self.compiler.ready(RECOMMENDED) and not self.stopping
+        """Whether sessions are served: every worker has started, and the service does not stop."""
+        return (self.peers is None or self.peers.ready) and not self.stopping
 
     @property
     def full(self) -> bool:
@@ -198,18 +193,16 @@ class Service:
             self.metrics.update_session(session, _frames(connection), counts)
 
     def start(self) -> None:
-        """Compile in the background: only the first start of an installation takes long."""
+        """Begin to serve, and to read the attached device."""
         sys.setswitchinterval(SWITCH_S)
         if self.live is not None:
             self.live.start(asyncio.get_running_loop())
-        self.compiler.start()
 
     def stop(self, reason: str = STOPS) -> None:
         """Send bye to every session; new ones are refused."""
         if not self.stopping:
             self._stop_by = time.monotonic() + STOP_TOTAL_S
         self.stopping = True
-        self.compiler.stop()
         for session, (connection, _) in list(self._open.items()):
             session.stop(reason)
             if connection is not None:

@@ -25,7 +25,7 @@ def test_docstring_examples(path: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
 def test_page_examples(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # A page's service may have to compile everything before it answers, for longer than a client waits.
+    # A service on a busy machine may answer later than a client waits.
     defaults = connect.__kwdefaults__
     assert defaults is not None
     monkeypatch.setitem(defaults, "timeout_s", 2 * PATIENCE_S)

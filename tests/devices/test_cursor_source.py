@@ -23,8 +23,6 @@ from pointpred.devices.screen_cursor import (
 )
 from pointpred.errors import ParameterError, SourceError
 from pointpred.live.outputs import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
-from pointpred.live.run import compile_for
-from pointpred.registry import RECOMMENDED
 from tests.devices.screens import Screen
 
 
@@ -188,8 +186,6 @@ def test_macos_counts_points_from_the_top() -> None:
 
 @pytest.fixture
 def windows(monkeypatch: pytest.MonkeyPatch) -> User32:
-    for name in ("hold", RECOMMENDED):  # for the system there really is
-        compile_for(name)
     user32 = User32()
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(ctypes, "windll", SimpleNamespace(user32=user32), raising=False)

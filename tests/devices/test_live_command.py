@@ -13,9 +13,7 @@ from pointpred.devices import selection
 from pointpred.devices.first_moving import FirstMoving
 from pointpred.devices.source import DeviceInfo
 from pointpred.live import follow
-from pointpred.live.run import compile_for
-from pointpred.pipeline import Pipeline
-from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, save_transfer
+from pointpred.transfer import ConstantGain, save_transfer
 
 CLOSED = DeviceInfo(
     "/dev/hidraw3", "Some mouse", "hid", False, "Permission denied", "put this line into /etc/udev/rules.d/x"
@@ -175,18 +173,3 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
     monkeypatch.setattr(counts_per_inch, "counts_per_inch", resolution)
     assert command("live", "--transfer", tmp_path / "desk.json").code == 130
     assert asked == [1234.0]
-
-
-@pytest.mark.parametrize("stage", [Pipeline, TransferLearner, PixelTransfer])
-def test_whatever_a_report_may_run_through_has_run_before_one_waits(
-    monkeypatch: pytest.MonkeyPatch, stage: Any
-) -> None:
-    update, ran = stage.update, []
-
-    def noted(self: Any, sample: Any, /) -> Any:
-        ran.append(update(self, sample))
-        return ran[-1]
-
-    monkeypatch.setattr(stage, "update", noted)
-    compile_for("kinematic")
-    assert len(ran) > 1

@@ -110,13 +110,13 @@ def service(
 
 
 def wait_until_ready(running: Running) -> None:
-    """Compiled code is there."""
+    """Until it says so."""
     until = time.monotonic() + 2 * PATIENCE_S
     while time.monotonic() < until:
         try:
             running.get("readyz")
             return
-        except HTTPError:  # 503 while compiled code is loaded
+        except HTTPError:  # 503 while workers start
             time.sleep(0.05)
     raise AssertionError("the service was not ready in time")
 

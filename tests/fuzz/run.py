@@ -22,7 +22,7 @@ from tests.fuzz.targets import TARGETS, Target
 
 
 def instrument(target: Target) -> None:
-    """Have the target's own code report its coverage; instrumented laws could not be compiled."""
+    """Have the target's own code report its coverage; laws in C report none."""
     for name, module in list(sys.modules.items()):
         if module is not None and name.startswith(target.modules):
             for function in functions_of(vars(module), name):
@@ -51,7 +51,7 @@ def main() -> None:
     instrument(target)
     with tempfile.TemporaryDirectory(prefix="seeds-") as folder:
         for place, seed in enumerate(target.seeds()):
-            target.check(seed)  # compiles what it needs: a first run takes longer than any input may
+            target.check(seed)  # a first run takes longer than any input may
             (Path(folder) / f"seed{place}").write_bytes(seed)
         for place, kept in enumerate(corpus(name)):
             (Path(folder) / f"kept{place}").write_bytes(kept)

@@ -24,7 +24,6 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import PREDICTION, pack_events, pack_predictions
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import build
-from pointpred_server.compiling.parts import parts_for
 from pointpred_server.sessions.pointing import PointingSession
 from tests.fuzz.refusals import refused
 
@@ -79,7 +78,6 @@ def check_message(data: bytes) -> str:
     else:
         assert np.isfinite(table[:, :3]).all()
     text = data.decode(errors="replace")
-    parts_for(text)
     try:
         message = decode_client_message(text)
     except ProtocolError as error:

@@ -25,7 +25,7 @@ from tests.golden.exchanges import FOLDER, Exchange, Frame, Step, persons, read,
 SILENCE_S = 1.5
 """Without a further answer for so long, the service has answered a frame."""
 PATIENCE_S = 1800.0
-"""The longest wait for an answer that must come: the service may have to compile."""
+"""The longest wait for an answer that must come."""
 THINNED = 8
 """One event of so many is kept, which is about 125 Hz."""
 PER_FRAME = 12

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred import PointerEvent, build
 from pointpred.errors import SourceError
 from tests.intent.page import IntentPage
 from tests.server import browser
@@ -61,9 +60,6 @@ def test_a_handle_says_when_its_predictor_is_loaded(page: IntentPage) -> None:
 
 @pytest.fixture
 def served(visitor: Visitor) -> Iterator[tuple[IntentPage, Listener]]:
-    warm = build("minimum-jerk")  # compiles what the service needs: it would keep the page waiting
-    for i in range(10):
-        warm.update(PointerEvent(0.01 * i, 10.0 * i, 0.0))
     with Listener() as listener:
         yield IntentPage(visitor, listener.url, package="/web"), listener
 

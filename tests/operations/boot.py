@@ -1,7 +1,7 @@
 """Boot the unit of deploy/ under systemd in a container, use the service there, kill it and stop it.
 
 ``python -m tests.operations.boot`` from the project's root, as root, with Debian's systemd-container. It
-takes some minutes, most of them for compiling. Nothing of this machine is changed: /etc, /var and /run of the
+takes a minute. Nothing of this machine is changed: /etc, /var and /run of the
 container are in memory, everything else is read-only, and it has no network.
 """
 

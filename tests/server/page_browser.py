@@ -6,8 +6,6 @@ import json
 import subprocess
 import sys
 import time
-import urllib.error
-import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -47,36 +45,19 @@ VALUE = """async (expression) => {
 }"""
 """Playwright itself would call a function that comes out of an expression."""
 PATIENCE_S = 120.0
-WARMING_S = 600.0
 
 
 @contextmanager
 def service(port: int = 0) -> Iterator[str]:
-    """A service of its own, ready to answer, at a free port unless one is given; yields its page's address.
-
-    The page itself waits ten seconds for some answers, and code may take longer to be warm on a busy machine.
-    """
+    """A service of its own, ready to answer, at a free port unless one is given; yields its address."""
     command = [sys.executable, "-m", "pointpred", "serve", "--port", str(port)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None
         try:
             address = next(line.strip() for line in process.stdout if line.startswith("http"))
-            until(lambda: ready(address), "the service to be ready", WARMING_S)
             yield address
         finally:
             process.kill()
-
-
-def ready(address: str) -> bool:
-    """Whether a service says that it is ready, and has nothing more to compile."""
-    try:
-        with (
-            urllib.request.urlopen(f"{address}readyz"),
-            urllib.request.urlopen(f"{address}v1/compiling") as answer,
-        ):
-            return json.load(answer)["next"] is None
-    except urllib.error.HTTPError:
-        return False
 
 
 @contextmanager

@@ -24,8 +24,7 @@ from pointpred_server.settings import Settings
 
 HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
 PATIENCE_S = 600.0
-"""A service answers hello once its code is warm, which in a fresh clone means compiled: a minute of work,
-and many where others share the processors."""
+"""For what is bound to come, however busy the machine is."""
 
 
 def event(t: float) -> str:

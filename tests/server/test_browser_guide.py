@@ -14,7 +14,7 @@ from tests.hosts import file_host
 from tests.server import browser
 from tests.server.browser import move_at
 from tests.server.listener import soon
-from tests.server.running import PATIENCE_S, running
+from tests.server.running import running
 
 pytestmark = browser.needed
 
@@ -44,7 +44,6 @@ def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal:
         running(allow_origin=(origin,)) as service,
         browser.running(tmp_path / "profile") as chromium,
     ):
-        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         (tmp_path / "site/cards.html").write_text(page_text.replace(USUAL, service.url))
         with chromium.tab(f"{origin}/cards.html") as page:
             places = page.evaluate(f"({WATCH})()")

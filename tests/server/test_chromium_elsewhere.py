@@ -12,7 +12,7 @@ from pointpred_server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.pages_elsewhere import page_elsewhere
-from tests.server.running import PATIENCE_S, running
+from tests.server.running import running
 
 pytestmark = browser.needed
 
@@ -43,7 +43,6 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
         browser.running(tmp_path / "profile") as chromium,
         chromium.tab(origin) as page,
     ):
-        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(USE.format(url=service.url))
         settled(page)
         loaded = page.evaluate("performance.getEntriesByType('resource').map(({ name }) => name)")
@@ -132,7 +131,6 @@ def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:
         browser.running(tmp_path / "profile") as chromium,
         chromium.tab(origin) as page,
     ):
-        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         assert "http://127.0.0.1:8765" in lines
         page.evaluate(
             f"document.write({lines.replace('http://127.0.0.1:8765', service.url)!r}); document.close()"

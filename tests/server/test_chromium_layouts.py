@@ -23,7 +23,7 @@ from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.browser import Chromium, move_at
 from tests.server.listener import soon
-from tests.server.running import PATIENCE_S, Running, running
+from tests.server.running import Running, running
 from tests.server.test_chromium_elsewhere import page_elsewhere
 
 pytestmark = browser.needed
@@ -84,7 +84,6 @@ def site() -> Iterator[str]:
 @pytest.fixture(scope="module")
 def service(site: str) -> Iterator[Running]:
     with running(allow_origin=(site,)) as here:
-        soon(lambda: here.service.ready, "the service is warm", PATIENCE_S)
         yield here
 
 

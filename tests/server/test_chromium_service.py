@@ -15,7 +15,7 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.live.devtools import drive_mouse
-from tests.server import browser, page_browser
+from tests.server import browser
 from tests.server.listener import soon
 
 pytestmark = browser.needed
@@ -46,7 +46,6 @@ def test_the_service_counts_every_event_of_a_page(url: str, tmp_path: Path) -> N
         chromium.tab(f"{url}healthz") as page,
         chromium.hand(page) as hand,
     ):
-        soon(lambda: page_browser.ready(url), "the service is warm", page_browser.WARMING_S)
         page.evaluate(connect)
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
         i = np.arange(500.0)

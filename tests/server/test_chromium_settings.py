@@ -9,7 +9,7 @@ from pointpred import RECOMMENDED
 from tests.server import browser
 from tests.server.browser import Chromium
 from tests.server.listener import Listener, soon
-from tests.server.running import PATIENCE_S, running
+from tests.server.running import running
 from tests.server.test_chromium_client import CONNECT, connected
 
 pytestmark = browser.needed
@@ -99,7 +99,6 @@ def test_a_listener_may_close_whatever_it_hears(page: Page, listener: Listener, 
 
 def test_another_token_is_tried(chromium: Chromium) -> None:
     with running(token="the right words") as service, chromium.tab(f"{service.url}/healthz") as page:
-        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(CONNECT.replace("OPTIONS", "{ token: 'guess' }"))
         soon(lambda: page.evaluate("connection.state") == "refused", "the token was refused")
         page.evaluate("connection.configure({ token: 'the right words', predictor: 'hold' })")

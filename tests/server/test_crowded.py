@@ -43,11 +43,6 @@ def descriptors(here: Served) -> int:
     return len(list(Path(f"/proc/{here.process.pid}/fd").iterdir()))
 
 
-def compiled(here: Served) -> bool:
-    progress = get(f"{here.url}/v1/compiling", timeout=PATIENCE_S).json()
-    return bool(progress["done"] == progress["of"])
-
-
 def answers(here: Served) -> bool:
     try:
         return get(f"{here.url}/healthz", timeout=2).status_code == 200
@@ -58,7 +53,6 @@ def answers(here: Served) -> bool:
 @pytest.fixture(scope="module")
 def here() -> Iterator[Served]:
     with served(files=FILES) as running:
-        soon(lambda: compiled(running), "everything is compiled", PATIENCE_S)  # which needs files, too
         yield running
 
 

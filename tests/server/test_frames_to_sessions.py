@@ -82,7 +82,7 @@ class Client:
                 self.socket.sendall(data[place : place + (piece or len(data))])
 
     def receive(self) -> tuple[int, bytes]:
-        """Opcode and data of the next frame; pings, sent while something is compiled, are answered."""
+        """Opcode and data of the next frame; pings are answered."""
         while True:
             first, second = self.reader.read(2)
             length = second & 0x7F

@@ -14,11 +14,9 @@ from httpx2 import get
 from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from pointpred.registry import RECOMMENDED
 from pointpred_server.connection import FRAMES
 from pointpred_server.endpoints import StreamEndpoint
 from pointpred_server.service import Service
-from tests.server.compiler import FakeProcesses
 from tests.server.fake_socket import FakeSocket
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -108,9 +106,7 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
 
 
 def test_leaving_while_the_service_stops_is_no_error() -> None:
-    service, compiler = Service(), FakeProcesses()
-    service.compiler = compiler.compiling([RECOMMENDED, "switched"])
-    socket = FakeSocket()
+    service, socket = Service(), FakeSocket()
 
     def come() -> None:
         socket.there.receive([HELLO])
@@ -126,7 +122,6 @@ def test_leaving_while_the_service_stops_is_no_error() -> None:
     socket.on_attach = come
     extensions = {FRAMES: {"socket": socket}}
     scope = {"type": "websocket", "headers": [], "query_string": b"", "extensions": extensions}
-    service.compiler.start()
     asyncio.run(StreamEndpoint(service)(scope, receive, send))
     assert not service._open
 

@@ -17,7 +17,7 @@ from tests.devices.live_fakes import reach
 from tests.server import browser, page_browser
 from tests.server.live_attached import Attachment, attached, followed, play
 from tests.server.page_browser import Visitor, until
-from tests.server.running import PATIENCE_S, Running, running
+from tests.server.running import Running, running
 from tests.server.test_page import LIGHT, pixels
 
 pytestmark = browser.needed
@@ -37,7 +37,6 @@ STATE = "document.querySelector('#device-status').dataset.state"
 @pytest.fixture(scope="module")
 def service() -> Iterator[tuple[Running, Attachment]]:
     with attached() as (here, made), followed(made):
-        until(lambda: here.service.ready, "the service to be warm", PATIENCE_S)
         yield here, made
 
 

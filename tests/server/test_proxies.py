@@ -90,8 +90,6 @@ class Proxied:
 def proxied(name: str, folder: Path, *, tls: bool) -> Iterator[Proxied]:
     with ExitStack() as stack:
         services = [stack.enter_context(running(**SERVING)) for _ in range(2)]
-        for each in services:
-            soon(lambda each=each: each.service.ready, "it is ready")
         ports = [each.port for each in services]
         port = stack.enter_context(proxies.proxy(name, folder, ports, tls=tls))
         here = Proxied(services, port, folder, tls=tls)

@@ -44,12 +44,12 @@ def reach(t: float) -> tuple[float, float, float, int, int, int]:
 
 
 def wait_until_ready(address: str) -> None:
-    until = time.monotonic() + 2 * PATIENCE_S  # all code may have to be compiled
+    until = time.monotonic() + 2 * PATIENCE_S
     while time.monotonic() < until:
         try:
             with urlopen(f"{address}readyz", timeout=PATIENCE_S):
                 return
-        except OSError:  # 503 while compiled code is warmed
+        except OSError:  # nobody listens yet
             time.sleep(0.05)
     pytest.fail("the service was not ready in time")
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-import json
 import os
 import pty
 import re
@@ -15,10 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred_server.cli.service_start import ServiceStart, changed_settings
+from pointpred_server.cli.service_start import changed_settings
 from pointpred_server.settings import Settings
-from tests.server.compiler import FakeProcesses
 from tests.server.running import PATIENCE_S
 
 MAKEFILE = Path(__file__).parents[2] / "Makefile"
@@ -37,7 +33,7 @@ def seen(*more: str) -> tuple[str, str]:
     here, there = pty.openpty()
     process = subprocess.Popen([*SERVE, *more], stdout=subprocess.PIPE, stderr=there, text=True)
     os.close(there)
-    shown, until = b"", time.monotonic() + 2 * PATIENCE_S  # all code may have to be compiled
+    shown, until = b"", time.monotonic() + 2 * PATIENCE_S
     try:
         while b"Ready" not in shown or not shown.endswith(b"\n"):
             assert time.monotonic() < until, shown
@@ -49,15 +45,13 @@ def seen(*more: str) -> tuple[str, str]:
         os.close(here)
 
 
-def test_in_a_terminal_the_progress_is_one_line_and_the_address_comes_last() -> None:
+def test_in_a_terminal_the_settings_come_first_and_the_address_last() -> None:
     out, shown = seen("--max-sessions", "3")
     assert re.fullmatch(ADDRESS + r"\n", out)
-    lines = [line.rpartition("\x1b[2K")[2].strip() for line in shown.split("\n")[:-1]]
-    left = [line for line in lines if line]
-    assert left[0] == "Settings: port 0, max_sessions 3; everything else default"
-    assert left[-1] == f"Ready: open {out.strip()} in a browser. Ctrl-C stops."
-    assert len(left) == 2, "a line that stays on the screen between"
-    assert "{" not in shown
+    assert [line.strip() for line in shown.splitlines()] == [
+        "Settings: port 0, max_sessions 3; everything else default",
+        f"Ready: open {out.strip()} in a browser. Ctrl-C stops.",
+    ]
 
 
 def test_a_made_up_token_is_shown_once() -> None:
@@ -81,8 +75,7 @@ def test_elsewhere_entries_are_json_and_the_settings_can_say_otherwise() -> None
         process.terminate()
         out, _ = process.communicate(timeout=PATIENCE_S)
     assert re.fullmatch(ADDRESS + r"\n", out)
-    entries = [json.loads(line) for line in lines if not line.startswith(("Settings", "Ready"))]
-    assert {entry["message"].split(":")[0] for entry in entries} <= {"Compiling once"}, "loading is no news"
+    assert [line.partition(":")[0] for line in lines] == ["Settings", "Ready"]
     assert "\x1b" not in "".join(lines)
 
 
@@ -102,27 +95,3 @@ def test_setting_up_says_that_it_takes_a_while() -> None:
     runs, _, ready = MAKEFILE.read_text(encoding="utf-8").partition("$(RUNS): ")[2].partition("$(READY): ")
     assert runs.index("about half a minute") < runs.index("-m venv") < runs.index("'.[live,client]'")
     assert ready.index("about a minute") < ready.index("$(INSTALL) '.[dev]'")
-
-
-class Terminal(io.StringIO):
-    """A screen that somebody looks at."""
-
-    def isatty(self) -> bool:
-        return True
-
-
-def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
-    compiler, screen = FakeProcesses(), Terminal()
-    compiling = compiler.compiling([RECOMMENDED, "ktm"])
-    ServiceStart(Settings(), "http://127.0.0.1:1/", screen).watch(compiling)
-    compiler.allow()
-    compiling.start()
-    compiling.join()
-    shown = screen.getvalue()
-    assert shown.count("\n") == 2, "the settings, and that it is ready"
-    far = [line for line in re.split(r"[\n\r]", shown) if "only this once" in line]
-    count = len(REGISTRY)
-    assert {f"0 of {count}, {RECOMMENDED}", f"1 of {count}, ktm"} <= {
-        line.rpartition(": ")[2] for line in far
-    }
-    assert shown.endswith("\x1b[2K")

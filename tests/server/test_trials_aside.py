@@ -9,9 +9,6 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 
 import pointpred_server.sessions.trials
-from pointpred_server.compiling.compiler import Compiler
-from pointpred_server.compiling.parts import predict, score_trial
-from pointpred_server.service import Service
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running, told
 
@@ -43,8 +40,6 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
             raise RuntimeError("at 7315.25")
         return real(*arguments, **options)  # type: ignore[arg-type]
 
-    predict("switched")  # here, where nobody waits for the compiler
-    score_trial()
     monkeypatch.setattr("pointpred_server.listening.CLOSE_S", PATIENCE_S)
     monkeypatch.setattr(pointpred_server.sessions.trials, "prepare", slow)
     yield here
@@ -53,10 +48,7 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 
 @pytest.fixture
 def service(held: Held) -> Iterator[Running]:
-    def prepare(service: Service) -> None:
-        service.compiler = Compiler([])  # it would score a trial, too
-
-    with running(prepare) as here:
+    with running() as here:
         yield here
         held.go.set()
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import gzip
 import io
 import signal
@@ -21,7 +20,6 @@ from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
 from pointpred.recordings import Reading
-from pointpred_server.compiling.compiler import Compiler
 from pointpred_server.uploads import limits, process, receiving, recordings
 from pointpred_server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
 from pointpred_server.uploads.process import UploadProcess
@@ -240,23 +238,6 @@ def test_a_client_that_leaves_before_its_turn_leaves_its_place() -> None:
         process.send_signal(signal.SIGCONT)
         assert answer.result(PATIENCE_S).status_code == 200
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
-
-
-def test_a_client_that_leaves_while_code_is_compiled_leaves_its_place(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    compiling = threading.Event()
-
-    async def until(self: Compiler, names: list[str]) -> None:
-        compiling.set()
-        await asyncio.Event().wait()
-
-    with running() as here:
-        monkeypatch.setattr(Compiler, "until", until)
-        with begun(here, CSV):
-            assert compiling.wait(PATIENCE_S)
-            assert here.service.uploads == 1
-        soon(lambda: here.service.uploads == 0, "its place is free")
 
 
 def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(

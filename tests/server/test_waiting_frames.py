@@ -1,4 +1,4 @@
-"""Frames that wait for the compiler, and count by the time they came, or for a busy service."""
+"""Frames that wait for the work of a session, and count by the time they came, or for a busy service."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import asyncio
 import itertools
 import json
 from collections.abc import Coroutine
+from concurrent.futures import Future
 from typing import Any
 
 import pytest
@@ -15,18 +16,29 @@ from pointpred.protocol.server_messages import Limits
 from pointpred_server.arrivals import Arrivals
 from pointpred_server.connection import Connection
 from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.sessions.work import Completion, Work
+from pointpred_server.work_threads import WorkThreads
 from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 
 HELLO = '{"type":"hello","version":1,"predictor":"hold"}'
 EVENT = '{"type":"events","events":[[%d,5,6,null,null,0]]}'
-FRAMES = [HELLO, *(EVENT % i for i in range(1, 9))]
+START, END = '{"type":"trial","action":"start"}', '{"type":"trial","action":"end"}'
+FRAMES = [HELLO, START, END, *(EVENT % i for i in range(1, 9))]
+
+
+class SlowThread(WorkThreads):
+    """Takes a minute for anything."""
+
+    def submit(self, work: Work) -> Future[Completion]:
+        done: Future[Completion] = Future()
+        asyncio.get_running_loop().call_later(60.0, lambda: done.set_result(work()))
+        return done
 
 
 async def session_after_frames(most: int) -> tuple[PointingSession, Connection]:
-    """A session whose hello waits until all its frames have come, one a second."""
+    """A session that scores a trial until all its frames have come, one a second."""
     loop = asyncio.get_running_loop()
-    compiled = asyncio.Event()
 
     def write(frame: Frame) -> None:
         if session.close is not None or "8.0" in str(frame):
@@ -35,20 +47,10 @@ async def session_after_frames(most: int) -> tuple[PointingSession, Connection]:
     def come() -> None:
         for place, text in enumerate(FRAMES):
             loop.call_later(1.0 * place, lambda text=text: socket.there.receive([text]))
-        loop.call_later(60.0, compiled.set)
-
-    async def wait() -> None:
-        await compiled.wait()
 
     session, socket = PointingSession("early", Limits(max_events_per_s=most), loop.time()), FakeSocket(write)
-    session.waits_for_compiler = True
     socket.on_attach = come
-    connection = Connection(
-        session,
-        socket,
-        Arrivals(),
-        prepare=lambda frame: wait() if frame == HELLO and not compiled.is_set() else None,
-    )
+    connection = Connection(session, socket, Arrivals(), threads=SlowThread())
     await connection.run()
     return session, connection
 
@@ -62,17 +64,6 @@ def test_frames_that_waited_are_not_a_burst() -> None:
     session, connection = in_no_time(session_after_frames(1))
     assert session.refusals == {}
     assert connection.frames == len(FRAMES)
-
-
-def test_waiting_is_not_silence() -> None:
-    session = PointingSession("early", Limits(), 0.0)
-    session.waits_for_compiler = True
-    session.tick(300.0)
-    session.waits_for_compiler = False
-    session.receive(HELLO, 1.0)
-    session.receive(EVENT % 1, 2.0)
-    session.tick(301.0)
-    assert session.close is None
 
 
 class Late(Arrivals):

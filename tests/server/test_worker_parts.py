@@ -5,9 +5,7 @@ from __future__ import annotations
 import asyncio
 import signal
 import socket
-import subprocess
 import sys
-import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, cast
@@ -19,8 +17,6 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from pointpred.errors import ParameterError, SourceError
 from pointpred.live.run import page_opener
 from pointpred_server.cli.serve import serve
-from pointpred_server.compiling.alone import compiling_alone
-from pointpred_server.compiling.parts import Part
 from pointpred_server.listening import listen
 from pointpred_server.settings import Settings
 from pointpred_server.workers import restarts
@@ -239,56 +235,6 @@ def test_a_device_is_served_by_one_process(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setenv("POINTPRED_WORKERS", "2")
     with pytest.raises(ParameterError, match="POINTPRED_WORKERS is 2, but a device is served from the one"):
         page_opener("127.0.0.1", 0)
-
-
-HOLDER = """
-import sys, numba, pathlib
-from types import SimpleNamespace
-from pointpred_server.compiling.alone import compiling_alone
-from pointpred_server.compiling.parts import Part
-law = SimpleNamespace(stats=SimpleNamespace(cache_path=sys.argv[1]))
-with compiling_alone(Part("any", lambda: None, (law,))):
-    print("held", flush=True)
-    sys.stdin.read()
-"""
-
-
-class Law:
-    """Something that is kept in a folder."""
-
-    def __init__(self, folder: Path) -> None:
-        self.stats = self
-        self.cache_path = str(folder)
-
-
-@pytest.mark.parametrize("how", ["ends", "is killed"])
-def test_one_process_compiles_a_part_and_others_wait(tmp_path: Path, how: str) -> None:
-    command = [sys.executable, "-c", HOLDER, str(tmp_path)]
-    holder = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-    assert holder.stdout is not None
-    assert holder.stdin is not None
-    assert holder.stdout.readline() == "held\n"
-    held = threading.Event()
-
-    def wait() -> None:
-        with compiling_alone(Part("any", lambda: None, (Law(tmp_path),))):
-            held.set()
-
-    thread = threading.Thread(target=wait)
-    thread.start()
-    assert not held.wait(0.2)
-    if how == "is killed":
-        holder.kill()
-    holder.communicate()
-    assert held.wait(PATIENCE_S)
-    thread.join()
-
-
-def test_a_part_without_a_folder_is_compiled_all_the_same(tmp_path: Path) -> None:
-    with compiling_alone(Part("any", lambda: None, (Law(tmp_path / "missing"),))):
-        pass
-    with compiling_alone(Part("any", lambda: None, ())):
-        pass
 
 
 def test_workers_that_somebody_stops_are_no_failures() -> None:

@@ -86,16 +86,17 @@ def test_a_port_in_use_is_told_with_the_one_that_is_taken(
     assert "--port 0" in one["advice"]
 
 
-@pytest.mark.skipif(not compiled.COMPILED, reason="laws run as plain Python here")
-def test_a_cache_that_cannot_be_kept_is_told(
-    command: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_laws_that_are_not_compiled_are_told_with_what_to_do(
+    command: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(compiled, "_cache_folder", lambda: tmp_path / "to" / "come")
+    monkeypatch.setattr(compiled, "COMPILED", True)
     assert findings(command)["laws"]["state"] == "good"
-    monkeypatch.setattr(compiled, "_cache_folder", lambda: None)
-    one = findings(command)["laws"]
-    assert one["state"] == "missing"
-    assert "POINTPRED_CACHE_DIR" in one["advice"]
+    monkeypatch.setattr(compiled, "COMPILED", False)
+    for value, advice in (("0", "unset POINTPRED_COMPILED"), ("1", "install a C compiler")):
+        monkeypatch.setenv("POINTPRED_COMPILED", value)
+        one = findings(command)["laws"]
+        assert one["state"] == "missing"
+        assert one["advice"].startswith(advice)
 
 
 def test_without_a_screen_the_cursor_says_so(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:

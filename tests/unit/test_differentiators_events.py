@@ -226,7 +226,7 @@ def test_a_row_that_begins_may_lie_earlier(differentiator: Differentiator) -> No
 
 
 def test_whole_numbers_are_numbers(differentiator: Differentiator) -> None:
-    """Integers, numpy scalars and floats are one event, without a compilation each."""
+    """Integers, numpy scalars and floats are one event."""
     twin = differentiator.fresh()
     for i in range(30):
         one = differentiator.update(PointerEvent(i, 2 * i, np.int32(i), np.float32(4.0), 1))

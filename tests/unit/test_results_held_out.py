@@ -81,7 +81,7 @@ def test_what_nobody_can_judge_is_said(held: HeldOut) -> None:
 
 
 def test_the_cache_hangs_on_code_and_recordings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("POINTPRED_CACHE_DIR", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     (tmp_path / "one_samples.parquet").write_bytes(b"1")
     before = held_out.place(tmp_path)
     assert before.is_relative_to(tmp_path)

@@ -25,7 +25,7 @@ CALLS_MOST = 6000
 def calls(name: str) -> int:
     """How many functions are called on the loop for a message."""
     one = MESSAGES[name]
-    session_before(one).receive(one.frame, 1e4)  # what is imported and compiled once
+    session_before(one).receive(one.frame, 1e4)  # what is done once
     session, count = session_before(one), 0
 
     def note(frame: object, event: str, argument: object) -> None:

@@ -26,7 +26,7 @@ TODAY = "this build"
 FULL = {"rounds": 3, "seconds": 1.2, "overload": 30.0}
 SHORT = {"rounds": 1, "seconds": 0.6, "overload": 6.0}
 SHOWN = "the round with the median p99 is shown"
-PACKAGES = ("uvicorn", "uvloop", "websockets", "numba", "msgspec")
+PACKAGES = ("uvicorn", "uvloop", "websockets", "msgspec")
 
 
 def several(stack: ExitStack, workers: int, before: str | None) -> list[Series]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import asyncio
 import io
-import json
 import os
 import socket
 import subprocess
@@ -60,13 +59,13 @@ def checkout(commit: str) -> Path:
 def service(
     *, cores: set[int] = FIRST, workers: int = 1, root: Path = ROOT, raised: bool = False
 ) -> Iterator[Server]:
-    """``pointpred serve`` of the source tree in ``root``, once everything is compiled."""
+    """``pointpred serve`` of the source tree in ``root``, once it is ready."""
     words = ["-m", "pointpred", "serve", "--port", "0", *(["--workers", str(workers)] if workers > 1 else [])]
     limits = RAISED if raised else {"POINTPRED_MAX_SESSIONS": "1000"}
     path = os.pathsep.join((str(root), str(root / "server")))
     with _process(words, cores, root, {**limits, "PYTHONPATH": path}) as (process, lines):
         address = next(line.strip() for line in lines if line.startswith("http"))
-        wait_until_compiled(address)
+        wait_until_ready(address)
         _wait_until_idle(process.pid)
         yield Server(int(address.rstrip("/").rpartition(":")[2]), family(process.pid))
 
@@ -105,23 +104,21 @@ def _process(
                 process.terminate()
 
 
-def wait_until_compiled(address: str) -> None:
-    """Until every predictor of a service answers at once; raises SystemExit where that takes too long."""
+def wait_until_ready(address: str) -> None:
+    """Until a service says that it is ready; raises SystemExit where that takes too long."""
     until = time.monotonic() + PATIENCE_S
     while time.monotonic() < until:
         try:
-            with urlopen(f"{address}v1/compiling") as answer:
-                progress = json.load(answer)
-            if progress["done"] == progress["of"]:
+            with urlopen(f"{address}readyz"):
                 return
         except (HTTPError, ConnectionError):
             pass
         time.sleep(0.05)
-    raise SystemExit(f"the service had not compiled everything after {PATIENCE_S:g} s")
+    raise SystemExit(f"the service was not ready after {PATIENCE_S:g} s")
 
 
 def _wait_until_idle(pid: int) -> None:
-    """Until what is loaded beside answering is loaded, and the processes that compile have ended."""
+    """Until the start is over; a build of before compiles then."""
     used_s = 0.0
     while abs((now_s := sum(map(processor_s, family(pid)))) - used_s) > IDLE_S / 50:
         used_s = now_s

@@ -22,12 +22,12 @@ from urllib.request import Request, urlopen
 import msgspec
 
 from evidence.arguments import parse
-from evidence.costs.load.servers import wait_until_compiled
+from evidence.costs.load.servers import wait_until_ready
 from evidence.costs.soak.players import recording
 from evidence.costs.soak.sessions import Plan, Report
 from evidence.costs.soak.verdicts import Second, Usage, Verdict, judge, percentile_ms, usage_of
 from evidence.data import Table, Tables, file_of, write
-from evidence.machine import family, machine
+from evidence.machine import machine
 from pointpred.errors import ParameterError
 
 FILE = file_of("costs", "soak")
@@ -54,11 +54,9 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             address = process.stdout.readline().strip()
             if not address:
                 raise SystemExit(f"the service did not start: {log.read_text(encoding='utf-8')[-500:]}")
-            wait_until_compiled(address)
+            wait_until_ready(address)
             with urlopen(Request(f"{address}v1/score?predictors=hold", recording())) as answer:
                 answer.read()  # starts the process that opens recordings
-            while len(family(process.pid)) > 2:  # until those that compile have ended
-                time.sleep(0.2)
             yield process, int(address.rstrip("/").rpartition(":")[2])
         finally:
             process.terminate()

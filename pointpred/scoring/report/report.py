@@ -207,7 +207,7 @@ def _spans(places: Sequence[int]) -> Spans:
     return tuple((AXIS_FRACTIONS[run[0]], AXIS_FRACTIONS[run[-1]]) for run in runs)
 
 
-PACKAGES = ("pointpred", "numpy", "numba", "scipy", "statsmodels", "matplotlib")
+PACKAGES = ("pointpred", "numpy", "scipy", "statsmodels", "matplotlib")
 LONGEST = 80
 """Characters of a name that are shown."""
 NOTHING = "–"

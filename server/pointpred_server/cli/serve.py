@@ -128,9 +128,7 @@ def _serve_alone(opened: socket, settings: Settings, starting: ServiceStart) -> 
     from pointpred_server.listening import serve as answer
     from pointpred_server.service import Service
 
-    service = Service(settings)
-    starting.watch(service.compiler)
-    answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
+    answer(opened, HostRule(settings.host, settings.allow_host), Service(settings), starting.announce)
 
 
 def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceStart) -> None:
@@ -140,7 +138,7 @@ def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceSta
 
     if settings.record is not None:
         prepare(settings.record)
-    supervise(Supervisor(opened, settings, starting.announce, starting.ready, starting.progress))
+    supervise(Supervisor(opened, settings, starting.announce))
 
 
 def open_port(settings: Settings) -> socket:

@@ -100,8 +100,6 @@ class Session:
         """What was refused, by error code: events that run backwards, frames for all else."""
         self.last_received = now
         """When the client last sent something."""
-        self.waits_for_compiler = False
-        """Whether the client waits for something to be compiled, and cannot be blamed for its silence."""
         self._quota = Quota(limits, now)
         self._stop_reason: str | None = None  # why the session is to stop once its work is done
 
@@ -153,8 +151,6 @@ class Session:
         if late_s > STANDSTILL_S:
             self.last_received += late_s
             self._quota.extend(late_s)
-        if self.waits_for_compiler:
-            self.last_received = now
         silent_s = now - self.last_received
         if self.state is State.CLOSED:
             return

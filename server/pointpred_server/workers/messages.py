@@ -7,7 +7,6 @@ from typing import Any
 
 import msgspec
 
-from pointpred_server.compiling.compiler import Progress
 from pointpred_server.workers.families import Family
 
 LINE_BYTES = 2**24
@@ -27,7 +26,7 @@ class Collect(msgspec.Struct, tag="collect"):
 
 
 class ServiceReady(msgspec.Struct, tag="service-ready"):
-    """To a worker: every worker has been ready."""
+    """To a worker: every worker has started."""
 
 
 class Text(msgspec.Struct, tag="text"):
@@ -44,16 +43,6 @@ class Started(msgspec.Struct, tag="started"):
     """From a worker: it answers requests."""
 
 
-class Ready(msgspec.Struct, tag="ready"):
-    """From a worker: the recommended predictor is compiled."""
-
-
-class Compiling(msgspec.Struct, tag="compiling"):
-    """From a worker: what it compiles."""
-
-    progress: Progress
-
-
 class Collected(msgspec.Struct, tag="collected"):
     """From a worker: its metrics."""
 
@@ -65,7 +54,7 @@ class AskText(msgspec.Struct, tag="ask-text"):
 
 
 ToWorker = Begin | Collect | ServiceReady | Text | Stop
-FromWorker = Started | Ready | Compiling | Collected | AskText
+FromWorker = Started | Collected | AskText
 
 to_worker: msgspec.json.Decoder[ToWorker] = msgspec.json.Decoder(ToWorker)
 from_worker: msgspec.json.Decoder[FromWorker] = msgspec.json.Decoder(FromWorker)

@@ -19,7 +19,6 @@ from pointpred_server.workers.messages import (
     Collect,
     Collected,
     FromWorker,
-    Ready,
     Started,
     ToWorker,
     from_worker,
@@ -36,7 +35,6 @@ class WorkerProcess:
         self.number = number
         self.started = False
         """Whether it answers requests."""
-        self.ready = False
         self.answered_at = self.begun_at = time.monotonic()
         self._counts = counts
         self._observe = observe
@@ -134,8 +132,6 @@ class WorkerProcess:
         self.answered_at = time.monotonic()
         if isinstance(message, Started):
             self.started = True
-        elif isinstance(message, Ready):
-            self.ready = True
         self._observe(self, message)
         if isinstance(message, Collected) and self._collected is not None:
             self._collected.set_result(None)

@@ -1,7 +1,6 @@
 """Starts the workers of a service, hands them connections, restarts those that end, and stops all.
 
-Workers share the settings, the folder of recordings and the cache of compiled code; a crash of one ends its
-own sessions only.
+Workers share the settings and the folder of recordings; a crash of one ends its own sessions only.
 """
 
 from __future__ import annotations
@@ -18,7 +17,6 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 from prometheus_client.process_collector import ProcessCollector
 
 from pointpred.errors import SourceError
-from pointpred_server.compiling.compiler import Progress
 from pointpred_server.settings import Settings
 from pointpred_server.workers.counts import CONNECTIONS, SESSIONS, WorkerCounts
 from pointpred_server.workers.dispatcher import Dispatcher
@@ -26,9 +24,7 @@ from pointpred_server.workers.families import ServiceFamilies, families_of, text
 from pointpred_server.workers.messages import (
     AskText,
     Collected,
-    Compiling,
     FromWorker,
-    Ready,
     ServiceReady,
     Started,
     Stop,
@@ -62,8 +58,7 @@ log = logging.getLogger("pointpred.service")
 class Supervisor:
     """The workers of one service.
 
-    ``on_start`` is called once, when every worker answers, ``on_ready`` once, when every one is ready, and
-    ``on_compiling`` with the progress of a first start.
+    ``on_start`` is called once, when every worker answers.
     """
 
     def __init__(
@@ -71,14 +66,12 @@ class Supervisor:
         listening: socket.socket,
         settings: Settings,
         on_start: Callable[[], None],
-        on_ready: Callable[[], None] = lambda: None,
-        on_compiling: Callable[[Progress], None] = lambda progress: None,
     ) -> None:
         self.settings = settings.guarded()
         self.workers: dict[int, WorkerProcess] = {}
         """The running workers by number."""
-        self._on_start, self._on_ready, self._on_compiling = on_start, on_ready, on_compiling
-        self._announced = self._ready = False
+        self._on_start = on_start
+        self._ready = False
         self._counts = WorkerCounts(settings.workers, settings.max_sessions)
         self._families = ServiceFamilies()
         self._registry = SupervisorMetrics()
@@ -177,10 +170,9 @@ class Supervisor:
         log.error(sentence, *about, how, pause_s)
 
     def _takers(self) -> list[WorkerProcess]:
-        """Who may be given a connection: ready workers that answer; else any that has started."""
+        """Who may be given a connection: workers that answer; else any that has started."""
         started = [worker for worker in self.workers.values() if worker.started]
-        ready = [worker for worker in started if worker.ready and worker.silent_s < SILENT_S]
-        return ready or started
+        return [worker for worker in started if worker.silent_s < SILENT_S] or started
 
     async def _watch(self) -> None:
         """Ask each worker for its metrics again and again; kill one that hangs."""
@@ -209,25 +201,20 @@ class Supervisor:
             task = asyncio.get_running_loop().create_task(self._answer(worker))
             self._texts.add(task)
             task.add_done_callback(self._texts.discard)
-        elif isinstance(message, Compiling):
-            self._on_compiling(message.progress)
-        elif isinstance(message, Started | Ready):
+        elif isinstance(message, Started):
             self._advance(worker)
 
     def _advance(self, worker: WorkerProcess) -> None:
-        """Say once that all answer, and once that all are ready."""
+        """Say once that all answer."""
         if self._ready:
             worker.send(ServiceReady())
         workers = self.workers.values()
         complete = len(workers) == self.settings.workers
-        if not self._announced and complete and all(each.started for each in workers):
-            self._announced = True
-            self._on_start()
-        if not self._ready and complete and all(each.ready for each in workers):
+        if not self._ready and complete and all(each.started for each in workers):
             self._ready = True
             for each in workers:
                 each.send(ServiceReady())
-            self._on_ready()
+            self._on_start()
 
     async def _answer(self, worker: WorkerProcess) -> None:
         """Send the metrics of all workers to one of them, which was asked for them."""

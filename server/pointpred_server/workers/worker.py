@@ -12,7 +12,7 @@ import logging
 import signal
 import socket
 import sys
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Coroutine, Iterator
 from typing import Any, cast
 
 import msgspec
@@ -20,7 +20,6 @@ import msgspec
 from pointpred.garbage import tune_collector
 from pointpred_server.access import HostRule
 from pointpred_server.allocator import bound_free_memory
-from pointpred_server.compiling.compiler import Progress
 from pointpred_server.http_protocol import BoundedHttpProtocol
 from pointpred_server.listening import PointpredServer, web_config
 from pointpred_server.logs import set_up
@@ -36,9 +35,7 @@ from pointpred_server.workers.messages import (
     Begin,
     Collect,
     Collected,
-    Compiling,
     FromWorker,
-    Ready,
     ServiceReady,
     Started,
     Text,
@@ -59,7 +56,7 @@ class OtherWorkers:
 
     def __init__(self, number: int, counts: WorkerCounts) -> None:
         self.ready = False
-        """Whether every worker has been ready."""
+        """Whether every worker has started."""
         self.ask: asyncio.StreamWriter | None = None
         self._row = counts.rows[number]
         self._counts = counts
@@ -107,9 +104,6 @@ class WorkerServer(PointpredServer):
         loop = asyncio.get_running_loop()
         reader, self._writer = await asyncio.open_connection(sock=self._control, limit=LINE_BYTES)
         self._peers.ask = self._writer
-        compiler = self.service.compiler
-        compiler.on_progress = lambda progress: self._report_progress(loop, progress)
-        compiler.on_ready = lambda: _call(loop, self._send, Ready())
         await super().startup([])
         self._connections.setblocking(False)
         loop.add_reader(self._connections, self._take_connections)
@@ -197,10 +191,6 @@ class WorkerServer(PointpredServer):
         self.service.update_metrics()
         self._send(Collected(families_of(self.service.metrics.registry)))
 
-    def _report_progress(self, loop: asyncio.AbstractEventLoop, progress: Progress) -> None:
-        if self.service.compiler.compiled_any:
-            _call(loop, self._send, Compiling(progress))
-
     def _send(self, message: FromWorker) -> None:
         send(self._writer, message)
 
@@ -208,14 +198,6 @@ class WorkerServer(PointpredServer):
         task = asyncio.get_running_loop().create_task(coroutine)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
-
-
-def _call(
-    loop: asyncio.AbstractEventLoop, function: Callable[[FromWorker], None], message: FromWorker
-) -> None:
-    """Have a function called on the event loop, from another thread."""
-    with contextlib.suppress(RuntimeError):  # the loop has closed
-        loop.call_soon_threadsafe(function, message)
 
 
 def first_message(control: socket.socket) -> Begin:

@@ -126,7 +126,7 @@ function draw() {
 }
 
 function onState(state) {
-  status.show(state, { predictor: select.value, error: connection?.error });
+  status.show(state, { error: connection?.error });
   if (state === "waiting" || state === "refused") release(inPage() ? "the predictor could not be loaded" : "the service does not answer");
 }
 

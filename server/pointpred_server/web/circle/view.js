@@ -85,7 +85,7 @@ function showProgress() {
 }
 
 function onState(state) {
-  status.show(state, { predictor: form.elements.predictor.value, error: connection?.error });
+  status.show(state, { error: connection?.error });
   startButton.disabled = !READY.includes(state);
   showRunStatus();
   if (state === "open") return;

@@ -90,6 +90,6 @@ export class LiveCard {
     const predictor = this.select.value;
     this.#card.dataset.chosen = predictor;
     const disconnected = predictor || !this.isFilled ? stateText("connecting") : "No predictor chosen.";
-    this.#status.show(this.connection?.state, { predictor, error: this.connection?.error, disconnected });
+    this.#status.show(this.connection?.state, { error: this.connection?.error, disconnected });
   }
 }

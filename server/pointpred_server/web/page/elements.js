@@ -20,7 +20,6 @@ export function fillSelect(select, predictors, selected, none = null) {
   const options = predictors.map(({ name, title }) => {
     const option = new Option(name, name, false, name === selected);
     option.title = title ?? "";
-    option.dataset.predictor = name;
     return option;
   });
   if (none !== null) options.unshift(new Option(none, "", false, selected === ""));

@@ -1,0 +1,200 @@
+"""What the translator makes of the law language in C: it computes as Python does, and refuses what it has not."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from translation.c_law import Function
+from translation.c_names import c_name
+from translation.source import Name, UntranslatableError, parse
+
+GCC = shutil.which("gcc")
+NUMBERS = {
+    "quotient": "a / b",
+    "down": "a // b",
+    "rest": "a % b",
+    "square": "(a - b) ** 2",
+    "cube": "a ** 3 - a ** -2",
+    "largest": "max(a, b, 1.0)",
+    "least": "min(a, b) + abs(a)",
+    "between": "1.0 if 0.0 < a <= b else 2.0 if not a < b else 3.0",
+    "either": "float(a < b or a > 2.0 and b > 0.0)",
+    "away": "hypot(a, b) + copysign(1.0, a) * atan2(a, b)",
+    "order": "a - (b - a) - -b",
+}
+WHOLE = {"down_whole": "i // j", "rest_whole": "i % j", "bits": "(i & 12) + ~j", "parts": "i / j"}
+LOOPS = '''
+@law
+def loops(memory: FloatArray, i: int, j: int) -> float:
+    """Loops, a row, a slice and an exchange."""
+    total, last = 0.0, Row(0.0, 1.0)
+    for k in range(len(memory) - 1, -1, -1):
+        if k == i % 5:
+            continue
+        memory[k], memory[0] = memory[0] + last.y, memory[k]
+        last = Row(memory[k], last.x + 1.0)
+    part = memory[1:4]
+    part[1] += 2.0
+    while total < 3.0:
+        total += part[0] if part[0] > 0.5 else 1.0
+        if total > 2.5:
+            break
+    for k in range(0, 5, 2):
+        total += memory[k] * last.x
+    memory[3:] = 0.5
+    return total
+'''
+HEAD = """
+from math import atan2, copysign, hypot
+from typing import NamedTuple
+import numpy as np
+from pointpred.records import FloatArray, FloatTable
+
+class Row(NamedTuple):
+    x: float
+    y: float
+"""
+BIG = st.floats(-1e6, 1e6) | st.sampled_from([0.0, -0.0, 1.0, -1.0, math.inf, math.nan])
+
+
+def source() -> str:
+    laws = [
+        f"@law\ndef {name}(a: float, b: float) -> float:\n    return {text}\n"
+        for name, text in NUMBERS.items()
+    ]
+    laws += [
+        f"@law\ndef {name}(i: int, j: int) -> {'float' if '/ ' in text and '//' not in text else 'int'}:\n"
+        f"    return {text}\n"
+        for name, text in WHOLE.items()
+    ]
+    return HEAD + "\n".join(laws) + LOOPS
+
+
+def plain() -> dict[str, Any]:
+    values: dict[str, Any] = {"law": lambda function: function, "__name__": "pointpred.step"}
+    exec(source(), values)
+    return values
+
+
+def function_of(text: str, name: str, values: dict[str, Any]) -> Function:
+    reader = parse("pointpred.step", text, Path("step.py"), values)
+
+    def unknown(law: Any) -> Function:
+        raise AssertionError(law)
+
+    return Function(Name("pointpred.step", name), reader, reader.functions[name], unknown)
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    if GCC is None:
+        pytest.skip("needs gcc")
+    folder = tmp_path_factory.mktemp("laws")
+    names = [*NUMBERS, *WHOLE, "loops"]
+    functions = [function_of(source(), name, plain()) for name in names]
+    structs = {kind.c: kind for one in functions for kind in one.structs.values()}
+    lines = [(Path(__file__).parents[2] / "translation" / "c_prelude.h").read_text("utf-8")]
+    for kind in structs.values():
+        fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
+        lines.append(f"typedef struct {{ {fields} }} {kind.c};")
+    lines += [one.text for one in functions]
+    (folder / "laws.c").write_text("\n".join(lines))
+    command = [
+        GCC,
+        "-std=c11",
+        "-O3",
+        "-ffp-contract=off",
+        "-shared",
+        "-fPIC",
+        "laws.c",
+        "-lm",
+        "-o",
+        "laws.so",
+    ]
+    subprocess.run(command, cwd=folder, check=True)
+    library = ctypes.CDLL(str(folder / "laws.so"))
+    for name in names:
+        getattr(library, c_name(Name("pointpred.step", name))).restype = ctypes.c_double
+    for name in ("down_whole", "rest_whole", "bits"):
+        getattr(library, c_name(Name("pointpred.step", name))).restype = ctypes.c_int64
+    return library
+
+
+def call(library: ctypes.CDLL, name: str, *arguments: Any) -> Any:
+    return getattr(library, c_name(Name("pointpred.step", name)))(*arguments)
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_numbers_are_computed_as_in_python(compiled: ctypes.CDLL, name: str) -> None:
+    @settings(deadline=None, max_examples=200, derandomize=True)
+    @given(BIG, BIG)
+    def check(a: float, b: float) -> None:
+        found = call(compiled, name, ctypes.c_double(a), ctypes.c_double(b))
+        try:
+            expected = plain()[name](a, b)
+        except ZeroDivisionError:
+            return  # in C an infinity or NaN, as the language says
+        assert found == pytest.approx(expected, rel=1e-14, nan_ok=True)
+
+    check()
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_whole_numbers_are_computed_as_in_python(compiled: ctypes.CDLL, name: str) -> None:
+    for i in range(-20, 20):
+        for j in [one for one in range(-7, 8) if one]:
+            assert call(compiled, name, ctypes.c_int64(i), ctypes.c_int64(j)) == plain()[name](i, j)
+
+
+def test_loops_rows_and_slices_do_the_same_to_a_memory(compiled: ctypes.CDLL) -> None:
+    import numpy as np
+
+    class Vector(ctypes.Structure):
+        _fields_ = [("p", ctypes.c_void_p), ("n", ctypes.c_int64)]
+
+    for i in range(7):
+        one = np.random.default_rng(i).normal(size=6)
+        other = one.copy()
+        given_one = Vector(one.ctypes.data, len(one))
+        found = call(compiled, "loops", given_one, ctypes.c_int64(i), ctypes.c_int64(0))
+        assert found == plain()["loops"](other, i, 0)
+        assert one.tolist() == other.tolist()
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("for x in (a, a): b = x", "for x in (a, a)"),
+        ("c = [a]", "List"),
+        ("c = lambda: a", "Lambda"),
+        ("c = a is None", "Is in a is None"),
+        ("c = sum(m)", "call of sum"),
+        ("c = np.median(m)", "call of np.median"),
+        ("try: c = a\n    except ValueError: c = 0.0", "Try"),
+        ("c = m[a]", "an index that is no whole number: a"),
+        ("c = m[-1]", "an index from the end in m[-1]"),
+        ("c = m[0, 0]", "2 indices into Vector"),
+        ("c = t[:, 0]", "a column of a table: t[:, 0]"),
+        ("c = m.mean", ".mean of m, which is Vector"),
+        ("if a: b = 1.0", "the float a as a condition"),
+        ("c = a if a > 0.0 else m", "double and Vector under one name"),
+        ("while len(np.zeros(int(a))) > 1: b = 1.0", "a new array within a condition"),
+        ("for k in range(3): k = 2", "k is changed within its loop"),
+        ("c = unknown", "the name unknown"),
+    ],
+)
+def test_what_c_would_do_otherwise_is_refused(line: str, reason: str) -> None:
+    text = f"{HEAD}@law\ndef step(a: float, b: float, m: FloatArray, t: FloatTable) -> float:\n    {line}\n    return a\n"
+    with pytest.raises((UntranslatableError)) as error:
+        function_of(text, "step", {"step": None, **plain()})
+    assert str(error.value).startswith("step.py:")
+    assert reason in str(error.value)
