@@ -10,34 +10,46 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable
-from functools import wraps
+from functools import cache, wraps
+from importlib import import_module
 from inspect import unwrap
 from typing import Any, TypeVar, cast
 
 from pointpred.layout import Layout
 
 NOT_COMPILED = (
-    "the laws of pointpred are not compiled and run as plain Python, about 100 times slower: install a C "
-    "compiler (gcc or clang) or 'python -m pip install ziglang', and install pointpred again; "
+    "the laws of {0} are not compiled and run as plain Python, about 100 times slower: install a C "
+    "compiler (gcc or clang) or 'python -m pip install ziglang', and install {0} again; "
     "POINTPRED_COMPILED=0 says that plain Python is wanted"
 )
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+OURS = ("pointpred", "pointpred_observers")
 _functions: dict[str, Any] = {}
-if os.environ.get("POINTPRED_COMPILED", "1") != "0":
-    try:
-        from pointpred import _laws
-    except ImportError:
-        warnings.warn(NOT_COMPILED, RuntimeWarning, stacklevel=2)
-    else:
-        _functions = vars(_laws)
+"""The laws in C of the packages met so far, by their keys."""
 
-COMPILED = bool(_functions)
+
+@cache
+def has_c(package: str) -> bool:
+    """Whether a package has laws in C, and they are wanted."""
+    if os.environ.get("POINTPRED_COMPILED", "1") == "0":
+        return False
+    try:
+        _functions.update(vars(import_module(f"{package}._laws")))
+    except ImportError:
+        if package in OURS:
+            warnings.warn(NOT_COMPILED.format(package), RuntimeWarning, stacklevel=3)
+        return False
+    return True
+
+
+COMPILED = has_c("pointpred")
 """False when laws run as plain Python."""
 
 
 def law(function: Function) -> Function:
     """The law in C, or in Python where there is none, as in a package of somebody else."""
+    has_c(function.__module__.partition(".")[0])
     return _functions.get(key_of(function)) or with_names(function)
 
 

@@ -21,7 +21,7 @@ from pointpred.stage import CompiledStage
 from translation.c_expressions import literal
 from translation.c_law import Function
 from translation.c_module import module_text
-from translation.c_names import Law, Made, c_name, local
+from translation.c_names import Law, Made, c_name, local, source_of
 from translation.kinds import Memory, Number, Parts, kind_of_value
 from translation.source import PLAIN, Name, is_law, module
 
@@ -47,7 +47,7 @@ def texts(package: str) -> dict[str, str]:
 
     def read(law: Law) -> Function:
         if law not in known:
-            known[law] = Function(law, read)
+            known[law] = Function(law, *source_of(law), read)
         return known[law]
 
     for law in [*laws_in(package), *closures(package)]:

@@ -6,9 +6,9 @@ import ast
 from collections.abc import Callable, Iterable, Iterator
 
 from translation.c_expressions import BINARY, CALL, Expressions, Value
-from translation.c_names import Law, Made, c_name, local, source_of
+from translation.c_names import Law, Made, c_name, local
 from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined
-from translation.source import UntranslatableError
+from translation.source import Module, UntranslatableError
 
 ROUNDS = 8
 """How often a law is read until the kinds of its names no longer change."""
@@ -20,9 +20,10 @@ class Function:
     ``written``: the arguments whose arrays it changes.
     """
 
-    def __init__(self, law: Law, known: Callable[[Law], Function]) -> None:
-        self.law = law
-        self.reader, self.node = source_of(law)
+    def __init__(
+        self, law: Law, reader: Module, node: ast.FunctionDef, known: Callable[[Law], Function]
+    ) -> None:
+        self.law, self.reader, self.node = law, reader, node
         bound = dict(law.bound) if isinstance(law, Made) else {}
         self._known = known
         self._at = Expressions(self.reader, self.node, bound, known)
