@@ -236,7 +236,10 @@ class Expressions:
         outer, self._guarded = self._guarded, True
         one, other = self.value(body), self.value(orelse)
         self._guarded = outer
-        kind = self.struct(joined(one.kind, other.kind))
+        try:
+            kind = self.struct(joined(one.kind, other.kind))
+        except UntranslatableError as error:
+            raise self.error(node, str(error)) from error
         one, other = self.cast(one, kind, node), self.cast(other, kind, node)
         text = f"{condition.within(CHOICE + 1)} ? {one.within(CHOICE + 1)} : {other.within(CHOICE)}"
         return Value(text, kind, CHOICE)
@@ -406,11 +409,11 @@ class Expressions:
                 first = f"{array}.p + {start} * {array}.m" if start else f"{array}.p"
                 return Value(f"(Table){{{first}, {count}, {array}.m}}", kind, CALL)
             return Value(f"({kind.c}){{{array}.p{f' + {start}' if start else ''}, {count}}}", kind, CALL)
+        if isinstance(indices[0], ast.Slice):
+            raise self.error(node, f"a column of a table: {ast.unparse(node)}")
         row = f"{array}.p + {self.whole(indices[0]).within(PRODUCT)} * {array}.m"
         if len(indices) == 1:
             return Value(f"({flat.c}){{{row}, {array}.m}}", flat, CALL)
-        if isinstance(indices[0], ast.Slice):
-            raise self.error(node, f"a column of a table: {ast.unparse(node)}")
         if isinstance(last, ast.Slice):
             start = self.whole(last.lower).within(SUM + 1) if last.lower else "0"
             end = self.whole(last.upper).within(SUM) if last.upper else f"{array}.m"

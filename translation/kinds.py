@@ -155,7 +155,7 @@ def joined(one: Kind | None, other: Kind) -> Kind:
     numbers = (FLAG, WHOLE, FLOAT)
     if one in numbers and other in numbers:
         return numbers[max(numbers.index(one), numbers.index(other))]
-    raise UntranslatableError(f"{one} and {other} under one name")
+    raise UntranslatableError(f"{one.c} and {other.c} under one name")
 
 
 def kind_of_value(value: Any) -> Kind | None:
