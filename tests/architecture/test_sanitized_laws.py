@@ -23,7 +23,7 @@ TESTS = (
     *(
         "unit/test_transfer_assisted_stage.py",
         "unit/test_transfer_identification.py",
-        "unit/test_training.py",
+        "unit/test_predictors_adaptation_law.py",
     ),
 )
 OBSERVERS = (
