@@ -68,6 +68,8 @@ class Layout:
         for name, hint in hints.items():
             if name in Layout.__annotations__:
                 continue
+            if hasattr(Layout, name):
+                raise TypeError(f"{name} has a meaning of its own in a layout")
             part = _part(name, at, hint)
             at += part.length
             parts.append(part)

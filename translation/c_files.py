@@ -22,7 +22,7 @@ from translation.c_expressions import literal
 from translation.c_law import Function
 from translation.c_module import module_text
 from translation.c_names import Law, Made, c_name, local, source_of
-from translation.kinds import Memory, Number, Parts, kind_of_value
+from translation.kinds import Memory, Number, Parts, in_c, kind_of_value
 from translation.source import PLAIN, Name, is_law, module
 
 WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"
@@ -219,7 +219,7 @@ def constant(name: Name) -> str:
     assert kind is not None
     word = kind.c
     if isinstance(kind, Parts) and type(value) is not tuple:
-        word = f"{type(value).__module__.rpartition('.')[2]}_{type(value).__name__}"
+        word = in_c(Name(type(value).__module__, type(value).__name__))
     return f"static const {word} {c_name(name)} = {literal(value).text};"
 
 

@@ -6,6 +6,7 @@ import ast
 from functools import cache
 from typing import NamedTuple, TypeAlias
 
+from translation.kinds import in_c
 from translation.source import Module, Name, UntranslatableError, module
 
 RESERVED = frozenset(
@@ -101,8 +102,7 @@ def c_name(law: Law) -> str:
     """The name of a law, a constant or a row in C."""
     if isinstance(law, Made):
         return "_".join([law.name, *(f"_{c_name(one)}" for _, one in law.bound)])
-    place = law.module.partition(".")[2].replace(".", "_")
-    return f"{place}_{law.name}"
+    return in_c(law)
 
 
 def key_of(law: Law) -> str:

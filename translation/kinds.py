@@ -10,6 +10,11 @@ from pointpred.layout import Layout
 from translation.source import Module, Name, UntranslatableError, member, module, origin, row_of
 
 
+def in_c(name: Name) -> str:
+    """A name of a module as one of C."""
+    return "_".join([*name.module.split(".")[1:], name.name])
+
+
 class Number(NamedTuple):
     """A single value."""
 
@@ -41,7 +46,7 @@ class Parts(NamedTuple):
     def c(self) -> str:
         """The struct in C: after the class, or by the kinds of the parts."""
         if self.of is not None:
-            return f"{self.of.module.rpartition('.')[2]}_{self.of.name}"
+            return in_c(self.of)
         codes = [one.letter if isinstance(one, Number) else f"_{one.c}_" for one in self.kinds]
         runs = [(code, len(list(same))) for code, same in groupby(codes)]
         return "T" + "".join(f"{count}{code}" if count > 1 else code for code, count in runs)
@@ -59,7 +64,7 @@ class Memory(NamedTuple):
     @property
     def struct(self) -> str:
         """The name of the struct."""
-        return f"{self.of.__module__.rpartition('.')[2]}_{self.of.__name__}"
+        return in_c(Name(self.of.__module__, self.of.__name__))
 
     @property
     def c(self) -> str:

@@ -109,7 +109,7 @@ static PyObject *give_Tq3db(Tq3db value) {
   PyTuple_SetItem(tuple, 4, PyBool_FromLong(value.f4));
   return tuple;
 }
-static PyObject *give_destination_Heading(destination_Heading value) {
+static PyObject *give_predictors_adaptation_destination_Heading(predictors_adaptation_destination_Heading value) {
   PyObject *tuple = PyTuple_New(7);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
@@ -121,11 +121,11 @@ static PyObject *give_destination_Heading(destination_Heading value) {
   PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.tail));
   return tuple;
 }
-static PyObject *give_T2_destination_Heading_(T2_destination_Heading_ value) {
+static PyObject *give_T2_predictors_adaptation_destination_Heading_(T2_predictors_adaptation_destination_Heading_ value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, give_destination_Heading(value.f0));
-  PyTuple_SetItem(tuple, 1, give_destination_Heading(value.f1));
+  PyTuple_SetItem(tuple, 0, give_predictors_adaptation_destination_Heading(value.f0));
+  PyTuple_SetItem(tuple, 1, give_predictors_adaptation_destination_Heading(value.f1));
   return tuple;
 }
 static PyObject *give_T2d(T2d value) {
@@ -135,10 +135,10 @@ static PyObject *give_T2d(T2d value) {
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   return tuple;
 }
-static PyObject *give_T_destination_Heading_d(T_destination_Heading_d value) {
+static PyObject *give_T_predictors_adaptation_destination_Heading_d(T_predictors_adaptation_destination_Heading_d value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, give_destination_Heading(value.f0));
+  PyTuple_SetItem(tuple, 0, give_predictors_adaptation_destination_Heading(value.f0));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   return tuple;
 }
@@ -168,14 +168,14 @@ static PyObject *give_T3d(T3d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   return tuple;
 }
-static PyObject *give_time_left_Pace(time_left_Pace value) {
+static PyObject *give_predictors_adaptation_time_left_Pace(predictors_adaptation_time_left_Pace value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.of_peak));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.slow_s));
   return tuple;
 }
-static PyObject *give_correction_Parts(correction_Parts value) {
+static PyObject *give_predictors_adaptation_correction_Parts(predictors_adaptation_correction_Parts value) {
   PyObject *tuple = PyTuple_New(3);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.distances));
@@ -208,7 +208,7 @@ static PyObject *give_T4d(T4d value) {
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
   return tuple;
 }
-static PyObject *give_stages_Moment(stages_Moment value) {
+static PyObject *give_predictors_adaptation_stages_Moment(predictors_adaptation_stages_Moment value) {
   PyObject *tuple = PyTuple_New(12);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
@@ -237,7 +237,7 @@ static PyObject *give_T7d(T7d value) {
   PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
   return tuple;
 }
-static PyObject *give_kep_Quartic(kep_Quartic value) {
+static PyObject *give_predictors_kep_Quartic(predictors_kep_Quartic value) {
   PyObject *tuple = PyTuple_New(5);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.c0));
@@ -247,7 +247,7 @@ static PyObject *give_kep_Quartic(kep_Quartic value) {
   PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.c4));
   return tuple;
 }
-static PyObject *give_history_Point(history_Point value) {
+static PyObject *give_predictors_kinematic_history_Point(predictors_kinematic_history_Point value) {
   PyObject *tuple = PyTuple_New(4);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
@@ -256,14 +256,14 @@ static PyObject *give_history_Point(history_Point value) {
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.path));
   return tuple;
 }
-static PyObject *give_Tq_history_Point_(Tq_history_Point_ value) {
+static PyObject *give_Tq_predictors_kinematic_history_Point_(Tq_predictors_kinematic_history_Point_ value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
-  PyTuple_SetItem(tuple, 1, give_history_Point(value.f1));
+  PyTuple_SetItem(tuple, 1, give_predictors_kinematic_history_Point(value.f1));
   return tuple;
 }
-static PyObject *give_features_Frame(features_Frame value) {
+static PyObject *give_predictors_kinematic_features_Frame(predictors_kinematic_features_Frame value) {
   PyObject *tuple = PyTuple_New(4);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.reach));
@@ -272,11 +272,11 @@ static PyObject *give_features_Frame(features_Frame value) {
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.uy));
   return tuple;
 }
-static PyObject *give_Tq_features_Frame_(Tq_features_Frame_ value) {
+static PyObject *give_Tq_predictors_kinematic_features_Frame_(Tq_predictors_kinematic_features_Frame_ value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
-  PyTuple_SetItem(tuple, 1, give_features_Frame(value.f1));
+  PyTuple_SetItem(tuple, 1, give_predictors_kinematic_features_Frame(value.f1));
   return tuple;
 }
 static PyObject *give_Tb3d(Tb3d value) {
@@ -340,7 +340,7 @@ static PyObject *give_T4q(T4q value) {
   PyTuple_SetItem(tuple, 3, PyLong_FromLongLong(value.f3));
   return tuple;
 }
-static PyObject *give_posterior_Situation(posterior_Situation value) {
+static PyObject *give_targets_posterior_Situation(targets_posterior_Situation value) {
   PyObject *tuple = PyTuple_New(8);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
@@ -393,7 +393,7 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.difference:advance";
   Held held;
   const Py_buffer *view;
-  difference_Differences * a0;
+  differentiators_difference_Differences * a0;
   int64_t a1;
   double a2;
   double a3;
@@ -414,7 +414,7 @@ static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.difference:step";
   Held held;
   const Py_buffer *view;
-  difference_Memory * a0;
+  differentiators_difference_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
@@ -438,8 +438,8 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:advance";
   Held held;
   const Py_buffer *view;
-  homogeneous_Settings * a0;
-  homogeneous_Axis * a1;
+  differentiators_homogeneous_Settings * a0;
+  differentiators_homogeneous_Axis * a1;
   double a2;
   double a3;
   double a4;
@@ -465,7 +465,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:chatter";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -488,7 +488,7 @@ static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *c
   Held held;
   const Py_buffer *view;
   Vector a0;
-  homogeneous_Settings * a1;
+  differentiators_homogeneous_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
@@ -505,7 +505,7 @@ static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyOb
   static const char law[] = "pointpred.differentiators.homogeneous:place_poles";
   Held held;
   const Py_buffer *view;
-  homogeneous_Settings * a0;
+  differentiators_homogeneous_Settings * a0;
   double a1;
   double a2;
   (void)self, (void)view;
@@ -524,7 +524,7 @@ static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.homogeneous:settle";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
@@ -539,7 +539,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   static const char law[] = "pointpred.differentiators.homogeneous:settling";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -561,7 +561,7 @@ static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.homogeneous:step";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
@@ -586,7 +586,7 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   Held held;
   const Py_buffer *view;
   Vector a0;
-  kalman_Covariance * a1;
+  differentiators_kalman_Covariance * a1;
   double a2;
   double a3;
   (void)self, (void)view;
@@ -608,7 +608,7 @@ static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  kalman_Settings * a1;
+  differentiators_kalman_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
@@ -625,7 +625,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:follow";
   Held held;
   const Py_buffer *view;
-  kalman_Plane * a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   double a2;
   double a3;
@@ -650,7 +650,7 @@ static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:narrow";
   Held held;
   const Py_buffer *view;
-  kalman_Covariance * a0;
+  differentiators_kalman_Covariance * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
@@ -684,7 +684,7 @@ static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *con
   static const char law[] = "pointpred.differentiators.kalman:restart";
   Held held;
   const Py_buffer *view;
-  kalman_Plane * a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
@@ -701,8 +701,8 @@ static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.kalman:settle_s";
   Held held;
   const Py_buffer *view;
-  kalman_Settings * a0;
-  sampling_State * a1;
+  differentiators_kalman_Settings * a0;
+  differentiators_sampling_State * a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
@@ -720,7 +720,7 @@ static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:spread";
   Held held;
   const Py_buffer *view;
-  kalman_Covariance * a0;
+  differentiators_kalman_Covariance * a0;
   double a1;
   double a2;
   (void)self, (void)view;
@@ -739,7 +739,7 @@ static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.differentiators.kalman:step";
   Held held;
   const Py_buffer *view;
-  kalman_Memory * a0;
+  differentiators_kalman_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
@@ -763,8 +763,8 @@ static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:accept";
   Held held;
   const Py_buffer *view;
-  sampling_Settings * a0;
-  sampling_State * a1;
+  differentiators_sampling_Settings * a0;
+  differentiators_sampling_State * a1;
   records_EventRow a2;
   Tq3db result;
   (void)self, (void)view;
@@ -808,7 +808,7 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:motion";
   Held held;
   const Py_buffer *view;
-  sampling_State * a0;
+  differentiators_sampling_State * a0;
   records_EventRow a1;
   T2_T2d_ a2;
   double a3;
@@ -844,7 +844,7 @@ static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.sampling:settled";
   Held held;
   const Py_buffer *view;
-  sampling_State * a0;
+  differentiators_sampling_State * a0;
   double a1;
   double a2;
   double result;
@@ -3264,10 +3264,10 @@ static PyObject *py_predictors_adaptation_correction_adapt(PyObject *self, PyObj
   Vector a0;
   int64_t a1;
   int64_t a2;
-  correction_Parts a3;
+  predictors_adaptation_correction_Parts a3;
   scene_Scene a4;
   T10d a5;
-  time_left_Pace a6;
+  predictors_adaptation_time_left_Pace a6;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
@@ -3310,11 +3310,11 @@ static PyObject *py_predictors_adaptation_correction_adapted_end(PyObject *self,
   Vector a0;
   int64_t a1;
   int64_t a2;
-  correction_Parts a3;
+  predictors_adaptation_correction_Parts a3;
   scene_Scene a4;
-  destination_Heading a5;
+  predictors_adaptation_destination_Heading a5;
   double a6;
-  T2_destination_Heading_ result;
+  T2_predictors_adaptation_destination_Heading_ result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 7)
@@ -3342,7 +3342,7 @@ static PyObject *py_predictors_adaptation_correction_adapted_end(PyObject *self,
     return let_go(&held);
   result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
-  return give_T2_destination_Heading_(result);
+  return give_T2_predictors_adaptation_destination_Heading_(result);
 }
 static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
@@ -3350,7 +3350,7 @@ static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, Py
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  destination_Heading a2;
+  predictors_adaptation_destination_Heading a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
@@ -3398,9 +3398,9 @@ static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self
   Vector a0;
   int64_t a1;
   int64_t a2;
-  destination_Heading a3;
+  predictors_adaptation_destination_Heading a3;
   double a4;
-  T_destination_Heading_d result;
+  T_predictors_adaptation_destination_Heading_d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
@@ -3420,7 +3420,7 @@ static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self
     return let_go(&held);
   result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3, a4);
   let_go(&held);
-  return give_T_destination_Heading_d(result);
+  return give_T_predictors_adaptation_destination_Heading_d(result);
 }
 static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:by_places";
@@ -3429,11 +3429,11 @@ static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, P
   Vector a0;
   int64_t a1;
   int64_t a2;
-  correction_Parts a3;
+  predictors_adaptation_correction_Parts a3;
   scene_Scene a4;
-  T2_destination_Heading_ a5;
+  T2_predictors_adaptation_destination_Heading_ a5;
   T2d a6;
-  destination_Heading result;
+  predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 7)
@@ -3472,7 +3472,7 @@ static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, P
     return let_go(&held);
   result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
-  return give_destination_Heading(result);
+  return give_predictors_adaptation_destination_Heading(result);
 }
 static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:conclude";
@@ -3482,7 +3482,7 @@ static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, Py
   int64_t a1;
   int64_t a2;
   double a3;
-  correction_Parts a4;
+  predictors_adaptation_correction_Parts a4;
   scene_Scene a5;
   (void)self, (void)view;
   held.count = 0;
@@ -3572,7 +3572,7 @@ static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, 
   Vector a0;
   int64_t a1;
   T10d a2;
-  destination_Heading result;
+  predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
@@ -3593,7 +3593,7 @@ static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, 
     return let_go(&held);
   result = predictors_adaptation_correction_heading_of(a0, a1, a2);
   let_go(&held);
-  return give_destination_Heading(result);
+  return give_predictors_adaptation_destination_Heading(result);
 }
 static PyObject *py_predictors_adaptation_correction_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:learn";
@@ -3625,7 +3625,7 @@ static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self,
   Vector a0;
   int64_t a1;
   int64_t a2;
-  correction_Parts a3;
+  predictors_adaptation_correction_Parts a3;
   scene_Scene a4;
   (void)self, (void)view;
   held.count = 0;
@@ -3654,7 +3654,7 @@ static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyO
   Vector a0;
   int64_t a1;
   int64_t a2;
-  correction_Parts a3;
+  predictors_adaptation_correction_Parts a3;
   scene_Scene a4;
   T2d a5;
   (void)self, (void)view;
@@ -3687,7 +3687,7 @@ static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyOb
   Vector a0;
   int64_t a1;
   double a2;
-  stages_Moment a3;
+  predictors_adaptation_stages_Moment a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
@@ -3761,10 +3761,10 @@ static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject 
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  destination_Heading a2;
+  predictors_adaptation_destination_Heading a2;
   double a3;
   double a4;
-  destination_Heading result;
+  predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
@@ -3784,7 +3784,7 @@ static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject 
     return let_go(&held);
   result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3, a4);
   let_go(&held);
-  return give_destination_Heading(result);
+  return give_predictors_adaptation_destination_Heading(result);
 }
 static PyObject *py_predictors_adaptation_correction_write_mixture(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:write_mixture";
@@ -3820,7 +3820,7 @@ static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self,
   int64_t a1;
   int64_t a2;
   T2d a3;
-  destination_Heading a4;
+  predictors_adaptation_destination_Heading a4;
   Table a5;
   int64_t result;
   (void)self, (void)view;
@@ -3856,8 +3856,8 @@ static PyObject *py_predictors_adaptation_destination_combine(PyObject *self, Py
   int64_t a1;
   int64_t a2;
   T2d a3;
-  destination_Heading a4;
-  destination_Heading result;
+  predictors_adaptation_destination_Heading a4;
+  predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
@@ -3879,7 +3879,7 @@ static PyObject *py_predictors_adaptation_destination_combine(PyObject *self, Py
     return let_go(&held);
   result = predictors_adaptation_destination_combine(a0, a1, a2, a3, a4);
   let_go(&held);
-  return give_destination_Heading(result);
+  return give_predictors_adaptation_destination_Heading(result);
 }
 static PyObject *py_predictors_adaptation_destination_favour_near(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.destination:favour_near";
@@ -3928,7 +3928,7 @@ static PyObject *py_predictors_adaptation_destination_likelihood(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.destination:likelihood";
   Held held;
   const Py_buffer *view;
-  destination_Heading a0;
+  predictors_adaptation_destination_Heading a0;
   double a1;
   double a2;
   double a3;
@@ -3988,7 +3988,7 @@ static PyObject *py_predictors_adaptation_destination_scaled(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.destination:scaled";
   Held held;
   const Py_buffer *view;
-  destination_Heading a0;
+  predictors_adaptation_destination_Heading a0;
   double a1;
   double a2;
   double a3;
@@ -4016,10 +4016,10 @@ static PyObject *py_predictors_adaptation_destination_shift_law(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.destination:shift_law";
   Held held;
   const Py_buffer *view;
-  destination_Heading a0;
+  predictors_adaptation_destination_Heading a0;
   double a1;
   double a2;
-  destination_Heading result;
+  predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
@@ -4036,7 +4036,7 @@ static PyObject *py_predictors_adaptation_destination_shift_law(PyObject *self, 
     return let_go(&held);
   result = predictors_adaptation_destination_shift_law(a0, a1, a2);
   let_go(&held);
-  return give_destination_Heading(result);
+  return give_predictors_adaptation_destination_Heading(result);
 }
 static PyObject *py_predictors_adaptation_destination_spread_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.destination:spread_of";
@@ -4072,7 +4072,7 @@ static PyObject *py_predictors_adaptation_destination_weigh(PyObject *self, PyOb
   int64_t a1;
   int64_t a2;
   T2d a3;
-  destination_Heading a4;
+  predictors_adaptation_destination_Heading a4;
   T2d a5;
   (void)self, (void)view;
   held.count = 0;
@@ -4126,7 +4126,7 @@ static PyObject *py_predictors_adaptation_distances_combine(PyObject *self, PyOb
   Vector a0;
   int64_t a1;
   double a2;
-  distances_Ahead a3;
+  predictors_adaptation_distances_Ahead a3;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
@@ -5037,7 +5037,7 @@ static PyObject *py_predictors_adaptation_predictor_adapt(PyObject *self, PyObje
   const Py_buffer *view;
   Vector a0;
   T10d a1;
-  time_left_Pace a2;
+  predictors_adaptation_time_left_Pace a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
@@ -5143,7 +5143,7 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
   const Py_buffer *view;
   Vector a0;
   records_MotionRow a1;
-  time_left_Pace result;
+  predictors_adaptation_time_left_Pace result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
@@ -5163,14 +5163,14 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
     return let_go(&held);
   result = predictors_adaptation_predictor_pace_of(a0, a1);
   let_go(&held);
-  return give_time_left_Pace(result);
+  return give_predictors_adaptation_time_left_Pace(result);
 }
 static PyObject *py_predictors_adaptation_predictor_parts_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:parts_of";
   Held held;
   const Py_buffer *view;
   Vector a0;
-  correction_Parts result;
+  predictors_adaptation_correction_Parts result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
@@ -5179,7 +5179,7 @@ static PyObject *py_predictors_adaptation_predictor_parts_of(PyObject *self, PyO
     return let_go(&held);
   result = predictors_adaptation_predictor_parts_of(a0);
   let_go(&held);
-  return give_correction_Parts(result);
+  return give_predictors_adaptation_correction_Parts(result);
 }
 static PyObject *py_predictors_adaptation_predictor_scene_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:scene_of";
@@ -5484,7 +5484,7 @@ static PyObject *py_predictors_adaptation_stages_learn(PyObject *self, PyObject 
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  stages_Moment a2;
+  predictors_adaptation_stages_Moment a2;
   double a3;
   double a4;
   double a5;
@@ -5521,7 +5521,7 @@ static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObj
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  stages_Moment result;
+  predictors_adaptation_stages_Moment result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
@@ -5531,7 +5531,7 @@ static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObj
     return let_go(&held);
   result = predictors_adaptation_stages_moment_at(a0, a1);
   let_go(&held);
-  return give_stages_Moment(result);
+  return give_predictors_adaptation_stages_Moment(result);
 }
 static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:record";
@@ -5539,7 +5539,7 @@ static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  stages_Moment a2;
+  predictors_adaptation_stages_Moment a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
@@ -5761,9 +5761,9 @@ static PyObject *py_predictors_adaptation_time_left_stated(PyObject *self, PyObj
   T3d a2;
   double a3;
   double a4;
-  time_left_Estimates a5;
-  time_left_Way a6;
-  time_left_Pace a7;
+  predictors_adaptation_time_left_Estimates a5;
+  predictors_adaptation_time_left_Way a6;
+  predictors_adaptation_time_left_Pace a7;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
@@ -5798,9 +5798,9 @@ static PyObject *py_predictors_adaptation_time_left_terms(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.time_left:terms";
   Held held;
   const Py_buffer *view;
-  time_left_Estimates a0;
-  time_left_Way a1;
-  time_left_Pace a2;
+  predictors_adaptation_time_left_Estimates a0;
+  predictors_adaptation_time_left_Way a1;
+  predictors_adaptation_time_left_Pace a2;
   double a3;
   double a4;
   T7d result;
@@ -5990,7 +5990,7 @@ static PyObject *py_predictors_kep_bends(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.kep:bends";
   Held held;
   const Py_buffer *view;
-  kep_Quartic a0;
+  predictors_kep_Quartic a0;
   double a1;
   T2d result;
   (void)self, (void)view;
@@ -6012,8 +6012,8 @@ static PyObject *py_predictors_kep_derivative(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.predictors.kep:derivative";
   Held held;
   const Py_buffer *view;
-  kep_Quartic a0;
-  kep_Quartic result;
+  predictors_kep_Quartic a0;
+  predictors_kep_Quartic result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
@@ -6026,13 +6026,13 @@ static PyObject *py_predictors_kep_derivative(PyObject *self, PyObject *const *a
     return let_go(&held);
   result = predictors_kep_derivative(a0);
   let_go(&held);
-  return give_kep_Quartic(result);
+  return give_predictors_kep_Quartic(result);
 }
 static PyObject *py_predictors_kep_first_zero(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kep:first_zero";
   Held held;
   const Py_buffer *view;
-  kep_Quartic a0;
+  predictors_kep_Quartic a0;
   double a1;
   double result;
   (void)self, (void)view;
@@ -6121,7 +6121,7 @@ static PyObject *py_predictors_kep_value(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.kep:value";
   Held held;
   const Py_buffer *view;
-  kep_Quartic a0;
+  predictors_kep_Quartic a0;
   double a1;
   double result;
   (void)self, (void)view;
@@ -6143,7 +6143,7 @@ static PyObject *py_predictors_kep_zero_between(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.predictors.kep:zero_between";
   Held held;
   const Py_buffer *view;
-  kep_Quartic a0;
+  predictors_kep_Quartic a0;
   double a1;
   double a2;
   double result;
@@ -6205,8 +6205,8 @@ static PyObject *py_predictors_kinematic_features_fill_lags(PyObject *self, PyOb
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
-  features_Frame a3;
+  predictors_kinematic_history_Point a2;
+  predictors_kinematic_features_Frame a3;
   Vector a4;
   (void)self, (void)view;
   held.count = 0;
@@ -6237,9 +6237,9 @@ static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyOb
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
+  predictors_kinematic_history_Point a2;
   records_MotionRow a3;
-  features_Frame a4;
+  predictors_kinematic_features_Frame a4;
   Vector a5;
   (void)self, (void)view;
   held.count = 0;
@@ -6281,8 +6281,8 @@ static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyO
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
-  features_Frame a3;
+  predictors_kinematic_history_Point a2;
+  predictors_kinematic_features_Frame a3;
   Vector a4;
   (void)self, (void)view;
   held.count = 0;
@@ -6314,7 +6314,7 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
   Vector a0;
   int64_t a1;
   records_MotionRow a2;
-  Tq_history_Point_ result;
+  Tq_predictors_kinematic_history_Point_ result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
@@ -6335,7 +6335,7 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
     return let_go(&held);
   result = predictors_kinematic_features_follow(a0, a1, a2);
   let_go(&held);
-  return give_Tq_history_Point_(result);
+  return give_Tq_predictors_kinematic_history_Point_(result);
 }
 static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
@@ -6343,9 +6343,9 @@ static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObj
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
+  predictors_kinematic_history_Point a2;
   records_MotionRow a3;
-  features_Frame result;
+  predictors_kinematic_features_Frame result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
@@ -6371,7 +6371,7 @@ static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObj
     return let_go(&held);
   result = predictors_kinematic_features_frame_of(a0, a1, a2, a3);
   let_go(&held);
-  return give_features_Frame(result);
+  return give_predictors_kinematic_features_Frame(result);
 }
 static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:observe";
@@ -6381,7 +6381,7 @@ static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObje
   int64_t a1;
   records_MotionRow a2;
   Vector a3;
-  Tq_features_Frame_ result;
+  Tq_predictors_kinematic_features_Frame_ result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
@@ -6404,7 +6404,7 @@ static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObje
     return let_go(&held);
   result = predictors_kinematic_features_observe(a0, a1, a2, a3);
   let_go(&held);
-  return give_Tq_features_Frame_(result);
+  return give_Tq_predictors_kinematic_features_Frame_(result);
 }
 static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:observe_all";
@@ -6477,7 +6477,7 @@ static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject
   int64_t a1;
   T3d a2;
   T3d a3;
-  history_Point result;
+  predictors_kinematic_history_Point result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
@@ -6495,7 +6495,7 @@ static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject
     return let_go(&held);
   result = predictors_kinematic_history_extend(a0, a1, a2, a3);
   let_go(&held);
-  return give_history_Point(result);
+  return give_predictors_kinematic_history_Point(result);
 }
 static PyObject *py_predictors_kinematic_history_past(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.history:past";
@@ -6503,7 +6503,7 @@ static PyObject *py_predictors_kinematic_history_past(PyObject *self, PyObject *
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
+  predictors_kinematic_history_Point a2;
   double a3;
   T3d result;
   (void)self, (void)view;
@@ -6709,7 +6709,7 @@ static PyObject *py_predictors_kinematic_submovements_divide(PyObject *self, PyO
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
+  predictors_kinematic_history_Point a2;
   double a3;
   double a4;
   (void)self, (void)view;
@@ -6736,7 +6736,7 @@ static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject 
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  history_Point a2;
+  predictors_kinematic_history_Point a2;
   records_MotionRow a3;
   double a4;
   (void)self, (void)view;
@@ -7568,7 +7568,7 @@ static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const
   static const char law[] = "pointpred.predictors.movement:fault_of";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   int64_t result;
   (void)self, (void)view;
@@ -7596,7 +7596,7 @@ static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:follow";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   Tqbd result;
   (void)self, (void)view;
@@ -7624,7 +7624,7 @@ static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.predictors.movement:phase";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   double result;
   (void)self, (void)view;
@@ -7652,7 +7652,7 @@ static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:refuse";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   int64_t a2;
   T10d result;
@@ -9166,7 +9166,7 @@ static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const
   const Py_buffer *view;
   Vector a0;
   double a1;
-  loop_Place a2;
+  simulation_loop_Place a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
@@ -10163,8 +10163,8 @@ static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *a
   Held held;
   const Py_buffer *view;
   Vector a0;
-  posterior_Situation a1;
-  posterior_Law a2;
+  targets_posterior_Situation a1;
+  targets_posterior_Law a2;
   bool a3;
   T6d result;
   (void)self, (void)view;
@@ -10200,7 +10200,7 @@ static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *
   const Py_buffer *view;
   Vector a0;
   Table a1;
-  posterior_Law a2;
+  targets_posterior_Law a2;
   Table a3;
   (void)self, (void)view;
   held.count = 0;
@@ -10227,7 +10227,7 @@ static PyObject *py_targets_posterior_lawful(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.targets.posterior:lawful";
   Held held;
   const Py_buffer *view;
-  posterior_Law a0;
+  targets_posterior_Law a0;
   bool result;
   (void)self, (void)view;
   held.count = 0;
@@ -10302,7 +10302,7 @@ static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  posterior_Situation result;
+  targets_posterior_Situation result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
@@ -10311,7 +10311,7 @@ static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const 
     return let_go(&held);
   result = targets_posterior_situation(a0);
   let_go(&held);
-  return give_posterior_Situation(result);
+  return give_targets_posterior_Situation(result);
 }
 static PyObject *py_targets_posterior_unclaimed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:unclaimed";
@@ -10555,7 +10555,7 @@ static PyObject *py_targets_rectangle_mass_node_sum(PyObject *self, PyObject *co
   static const char law[] = "pointpred.targets.rectangle_mass:node_sum";
   Held held;
   const Py_buffer *view;
-  rectangle_mass_Distance a0;
+  targets_rectangle_mass_Distance a0;
   double a1;
   double result;
   (void)self, (void)view;
@@ -10578,7 +10578,7 @@ static PyObject *py_targets_rectangle_mass_normal_sum(PyObject *self, PyObject *
   static const char law[] = "pointpred.targets.rectangle_mass:normal_sum";
   Held held;
   const Py_buffer *view;
-  rectangle_mass_Distance a0;
+  targets_rectangle_mass_Distance a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
@@ -10599,7 +10599,7 @@ static PyObject *py_targets_rectangle_mass_student_sum(PyObject *self, PyObject 
   static const char law[] = "pointpred.targets.rectangle_mass:student_sum";
   Held held;
   const Py_buffer *view;
-  rectangle_mass_Distance a0;
+  targets_rectangle_mass_Distance a0;
   double a1;
   double result;
   (void)self, (void)view;
@@ -10856,7 +10856,7 @@ static PyObject *py_transfer_bands_learn(PyObject *self, PyObject *const *args, 
   const Py_buffer *view;
   Vector a0;
   int64_t a1;
-  bands_Model a2;
+  transfer_bands_Model a2;
   double a3;
   int64_t a4;
   double a5;
@@ -11673,6 +11673,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "affdc4b2e63a1d96cc1b14e53f1279937420f015e440fe4db67ffb5d21bcdc07", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "7bb182d08603f2ebc19e3de69fb4692439f46ca27fee9aaf546fe4f553264a20", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

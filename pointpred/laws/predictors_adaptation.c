@@ -785,7 +785,7 @@ void predictors_adaptation_places_visit(Vector memory, int64_t at, double key, T
 }
 
 /* Learn which place the movement went to; before its distance is taken in. */
-void predictors_adaptation_correction_learn_place(Vector memory, int64_t person, int64_t at, correction_Parts parts, scene_Scene scene) {
+void predictors_adaptation_correction_learn_place(Vector memory, int64_t person, int64_t at, predictors_adaptation_correction_Parts parts, scene_Scene scene) {
   double x0, y0, x, y, distance, usual, near;
   int64_t where, habit;
   x0 = memory.p[at + predictors_adaptation_correction_X0] - scene.x;
@@ -813,10 +813,10 @@ void predictors_adaptation_durations_forget(Vector memory, int64_t at) {
 }
 
 /* The moment of a stage. */
-stages_Moment predictors_adaptation_stages_moment_at(Vector memory, int64_t place) {
+predictors_adaptation_stages_Moment predictors_adaptation_stages_moment_at(Vector memory, int64_t place) {
   Vector p;
   p = (Vector){memory.p + (place + predictors_adaptation_stages_PARTS), place + predictors_adaptation_stages_MOMENT - (place + predictors_adaptation_stages_PARTS)};
-  return (stages_Moment){p.p[0], p.p[1], p.p[2], p.p[3], p.p[4], p.p[5], p.p[6], p.p[7], p.p[8], p.p[9], p.p[10], p.p[11]};
+  return (predictors_adaptation_stages_Moment){p.p[0], p.p[1], p.p[2], p.p[3], p.p[4], p.p[5], p.p[6], p.p[7], p.p[8], p.p[9], p.p[10], p.p[11]};
 }
 
 /* Logarithm of what a stage multiplies the time left by. */
@@ -881,7 +881,7 @@ void predictors_adaptation_stages_scale(Vector memory, int64_t at, int64_t which
 }
 
 /* Learn from one stage of a finished movement: where it ended, and when the cursor came to rest. */
-void predictors_adaptation_stages_learn(Vector memory, int64_t at, stages_Moment m, double x, double y, double t) {
+void predictors_adaptation_stages_learn(Vector memory, int64_t at, predictors_adaptation_stages_Moment m, double x, double y, double t) {
   double dx, dy, off, aside, total, shift, rest, paid, weight, f0, f1, left, late, slow;
   for (int64_t i = 0; i < predictors_adaptation_stages_WIDTH; i++) {
     if (i != predictors_adaptation_stages_TOTAL && i != predictors_adaptation_stages_AHEAD) {
@@ -1156,7 +1156,7 @@ void predictors_adaptation_correction_learn(Vector memory, int64_t person, int64
   double x, y, start, duration, left, median;
   int64_t clock, place, stage;
   bool not_first;
-  stages_Moment m;
+  predictors_adaptation_stages_Moment m;
   T3q timed;
   x = memory.p[at + predictors_adaptation_correction_X];
   y = memory.p[at + predictors_adaptation_correction_Y];
@@ -1190,7 +1190,7 @@ void predictors_adaptation_correction_learn(Vector memory, int64_t person, int64
 }
 
 /* The movement has ended where the cursor is: learn from it, and forget it. */
-void predictors_adaptation_correction_conclude(Vector memory, int64_t person, int64_t at, double shortest, correction_Parts parts, scene_Scene scene) {
+void predictors_adaptation_correction_conclude(Vector memory, int64_t person, int64_t at, double shortest, predictors_adaptation_correction_Parts parts, scene_Scene scene) {
   double distance, end;
   bool whole;
   distance = hypot(memory.p[at + predictors_adaptation_correction_X] - memory.p[at + predictors_adaptation_correction_X0], memory.p[at + predictors_adaptation_correction_Y] - memory.p[at + predictors_adaptation_correction_Y0]);
@@ -1239,7 +1239,7 @@ void predictors_adaptation_correction_follow(Vector memory, int64_t at, T3d now,
 }
 
 /* Write the moment of a stage. */
-void predictors_adaptation_stages_record(Vector memory, int64_t place, stages_Moment moment) {
+void predictors_adaptation_stages_record(Vector memory, int64_t place, predictors_adaptation_stages_Moment moment) {
   memory.p[place + predictors_adaptation_stages_PRESENT] = 1.0;
   for (int64_t i = 0; i < 12; i++) {
     memory.p[place + predictors_adaptation_stages_PARTS + i] = ((const double *)&moment)[i];
@@ -1247,7 +1247,7 @@ void predictors_adaptation_stages_record(Vector memory, int64_t place, stages_Mo
 }
 
 /* Remember the first moment of a stage, as its last sample has it. */
-void predictors_adaptation_correction_record(Vector memory, int64_t at, double share, stages_Moment moment) {
+void predictors_adaptation_correction_record(Vector memory, int64_t at, double share, predictors_adaptation_stages_Moment moment) {
   int64_t stage, place;
   bool again;
   stage = (int64_t)floor(share * predictors_adaptation_stages_STAGES - 0.5 + predictors_adaptation_correction_EARLY);
@@ -1270,7 +1270,7 @@ double predictors_adaptation_correction_fading(double share, double since) {
 }
 
 /* The law of an answer along and across the direction from the start to the cursor. */
-destination_Heading predictors_adaptation_correction_heading_of(Vector memory, int64_t at, T10d answer) {
+predictors_adaptation_destination_Heading predictors_adaptation_correction_heading_of(Vector memory, int64_t at, T10d answer) {
   double px, py, sxx, sxy, syy, left, tail, away_x, away_y, reached, ux, uy, wide2, broad2;
   px = answer.f1;
   py = answer.f2;
@@ -1283,20 +1283,20 @@ destination_Heading predictors_adaptation_correction_heading_of(Vector memory, i
   away_y = memory.p[at + predictors_adaptation_correction_Y] - memory.p[at + predictors_adaptation_correction_Y0];
   reached = hypot(away_x, away_y);
   if (!(reached > 0.0 && left > 0.0 && tail > 0.0 && sxx + syy > 0.0)) {
-    return (destination_Heading){px, py, 0.0, 0.0, 0.0, 0.0, tail};
+    return (predictors_adaptation_destination_Heading){px, py, 0.0, 0.0, 0.0, 0.0, tail};
   }
   ux = away_x / reached;
   uy = away_y / reached;
   wide2 = sxx * ux * ux + 2.0 * sxy * ux * uy + syy * uy * uy;
   broad2 = sxx * uy * uy - 2.0 * sxy * ux * uy + syy * ux * ux;
   if (!(wide2 > 0.0 && broad2 > 0.0)) {
-    return (destination_Heading){px, py, 0.0, 0.0, 0.0, 0.0, tail};
+    return (predictors_adaptation_destination_Heading){px, py, 0.0, 0.0, 0.0, 0.0, tail};
   }
-  return (destination_Heading){px, py, ux, uy, sqrt(wide2), sqrt(broad2), tail};
+  return (predictors_adaptation_destination_Heading){px, py, ux, uy, sqrt(wide2), sqrt(broad2), tail};
 }
 
 /* The way from the cursor to the centre of a law, along and across its direction, px. */
-T2d predictors_adaptation_correction_ahead_of(Vector memory, int64_t at, destination_Heading heading) {
+T2d predictors_adaptation_correction_ahead_of(Vector memory, int64_t at, predictors_adaptation_destination_Heading heading) {
   double dx, dy;
   dx = heading.x - memory.p[at + predictors_adaptation_correction_X];
   dy = heading.y - memory.p[at + predictors_adaptation_correction_Y];
@@ -1304,7 +1304,7 @@ T2d predictors_adaptation_correction_ahead_of(Vector memory, int64_t at, destina
 }
 
 /* A law whose centre lies ``along`` px ahead of the cursor, of the width ``wide`` px along. */
-destination_Heading predictors_adaptation_correction_with_centre_ahead(Vector memory, int64_t at, destination_Heading heading, double along, double wide) {
+predictors_adaptation_destination_Heading predictors_adaptation_correction_with_centre_ahead(Vector memory, int64_t at, predictors_adaptation_destination_Heading heading, double along, double wide) {
   double across, x, y, ux, uy, broad, tail;
   T2d values_1 = predictors_adaptation_correction_ahead_of(memory, at, heading);
   across = values_1.f1;
@@ -1316,11 +1316,11 @@ destination_Heading predictors_adaptation_correction_with_centre_ahead(Vector me
   tail = heading.tail;
   x = memory.p[at + predictors_adaptation_correction_X] + along * ux - across * uy;
   y = memory.p[at + predictors_adaptation_correction_Y] + along * uy + across * ux;
-  return (destination_Heading){x, y, ux, uy, wide, broad, tail};
+  return (predictors_adaptation_destination_Heading){x, y, ux, uy, wide, broad, tail};
 }
 
 /* The way ahead and its width along, by the predicted law and the last distances: (px, px). */
-T3d predictors_adaptation_distances_combine(Vector memory, int64_t at, double reached, distances_Ahead predicted) {
+T3d predictors_adaptation_distances_combine(Vector memory, int64_t at, double reached, predictors_adaptation_distances_Ahead predicted) {
   double ahead, wide, broad, tail, total, low, high, distance, gap, kernel2, both2, fits, part, middle, below, off, around;
   int64_t count, most, parts;
   Vector weight, shift, width;
@@ -1387,20 +1387,20 @@ T3d predictors_adaptation_distances_combine(Vector memory, int64_t at, double re
 }
 
 /* The law of the endpoint by the last distances, and how likely ``own`` makes these. */
-T_destination_Heading_d predictors_adaptation_correction_by_distances(Vector memory, int64_t person, int64_t at, destination_Heading own, double share) {
+T_predictors_adaptation_destination_Heading_d predictors_adaptation_correction_by_distances(Vector memory, int64_t person, int64_t at, predictors_adaptation_destination_Heading own, double share) {
   double reached, along, usual_along, usual_wide, usual, weight;
-  distances_Ahead ahead;
+  predictors_adaptation_distances_Ahead ahead;
   reached = hypot(memory.p[at + predictors_adaptation_correction_X] - memory.p[at + predictors_adaptation_correction_X0], memory.p[at + predictors_adaptation_correction_Y] - memory.p[at + predictors_adaptation_correction_Y0]);
   T2d values_1 = predictors_adaptation_correction_ahead_of(memory, at, own);
   along = values_1.f0;
-  ahead = (distances_Ahead){along, own.wide, own.broad, own.tail};
+  ahead = (predictors_adaptation_distances_Ahead){along, own.wide, own.broad, own.tail};
   T3d values_2 = predictors_adaptation_distances_combine(memory, person + predictors_adaptation_correction_DISTANCES, reached, ahead);
   usual_along = values_2.f0;
   usual_wide = values_2.f1;
   usual = values_2.f2;
   weight = predictors_adaptation_correction_fading(share, predictors_adaptation_correction_FADE);
   along += weight * (usual_along - along);
-  return (T_destination_Heading_d){predictors_adaptation_correction_with_centre_ahead(memory, at, own, along, own.wide * pow(usual_wide / own.wide, weight)), usual};
+  return (T_predictors_adaptation_destination_Heading_d){predictors_adaptation_correction_with_centre_ahead(memory, at, own, along, own.wide * pow(usual_wide / own.wide, weight)), usual};
 }
 
 /* How far from a place its visits end, as a share of the distance to it: the geometric mean. */
@@ -1463,7 +1463,7 @@ void predictors_adaptation_destination_prepare(Vector memory, T2q known, int64_t
 }
 
 /* Lay out how likely each place is for a movement from ``start``, px from the scene's origin. */
-void predictors_adaptation_correction_prepare(Vector memory, int64_t person, int64_t going, correction_Parts parts, scene_Scene scene, T2d start) {
+void predictors_adaptation_correction_prepare(Vector memory, int64_t person, int64_t going, predictors_adaptation_correction_Parts parts, scene_Scene scene, T2d start) {
   double near;
   T2q known;
   near = predictors_adaptation_places_NEAR_SHARE * memory.p[person + predictors_adaptation_correction_DISTANCES + predictors_adaptation_distances_DISTANCES];
@@ -1472,7 +1472,7 @@ void predictors_adaptation_correction_prepare(Vector memory, int64_t person, int
 }
 
 /* How likely a law makes a place, over what it is where nothing is known. */
-double predictors_adaptation_destination_likelihood(destination_Heading law_of_end, double x, double y, double distance, double spread) {
+double predictors_adaptation_destination_likelihood(predictors_adaptation_destination_Heading law_of_end, double x, double y, double distance, double spread) {
   double ux, uy, wide, broad, tail, dx, dy, along, across, wide2, broad2, far2, density;
   ux = law_of_end.ux;
   uy = law_of_end.uy;
@@ -1491,7 +1491,7 @@ double predictors_adaptation_destination_likelihood(destination_Heading law_of_e
 }
 
 /* The share of each place now, and of elsewhere; positions in px from the origin. */
-void predictors_adaptation_destination_weigh(Vector memory, int64_t place_memory, int64_t at, T2d start, destination_Heading law_of_end, T2d elsewhere) {
+void predictors_adaptation_destination_weigh(Vector memory, int64_t place_memory, int64_t at, T2d start, predictors_adaptation_destination_Heading law_of_end, T2d elsewhere) {
   double x0, y0, usual, counts, returns, total, before, share, x, y, distance, spread, rest;
   int64_t count, place;
   x0 = start.f0;
@@ -1525,7 +1525,7 @@ void predictors_adaptation_destination_weigh(Vector memory, int64_t place_memory
 }
 
 /* A law whose centre is shifted. */
-destination_Heading predictors_adaptation_destination_shift_law(destination_Heading heading, double dx, double dy) {
+predictors_adaptation_destination_Heading predictors_adaptation_destination_shift_law(predictors_adaptation_destination_Heading heading, double dx, double dy) {
   double x, y, ux, uy, wide, broad, tail;
   x = heading.x;
   y = heading.y;
@@ -1534,7 +1534,7 @@ destination_Heading predictors_adaptation_destination_shift_law(destination_Head
   wide = heading.wide;
   broad = heading.broad;
   tail = heading.tail;
-  return (destination_Heading){x + dx, y + dy, ux, uy, wide, broad, tail};
+  return (predictors_adaptation_destination_Heading){x + dx, y + dy, ux, uy, wide, broad, tail};
 }
 
 /* How far visits of a place end from it, px. */
@@ -1543,7 +1543,7 @@ double predictors_adaptation_destination_spread_of(Vector memory, int64_t at, T2
 }
 
 /* Fill rows of share, position and squared width, px^2: elsewhere, then the places; returns how many. */
-int64_t predictors_adaptation_destination_candidates(Vector memory, int64_t place_memory, int64_t at, T2d start, destination_Heading elsewhere, Table out) {
+int64_t predictors_adaptation_destination_candidates(Vector memory, int64_t place_memory, int64_t at, T2d start, predictors_adaptation_destination_Heading elsewhere, Table out) {
   double size2, counts, rest, share, x, y, spread;
   int64_t count, place;
   size2 = 0.5 * (elsewhere.wide * elsewhere.wide + elsewhere.broad * elsewhere.broad);
@@ -1603,7 +1603,7 @@ T2d predictors_adaptation_destination_geometric_median(Table rows, int64_t count
 }
 
 /* The law of the endpoint by the places and elsewhere: ``elsewhere`` moved and of another size. */
-destination_Heading predictors_adaptation_destination_combine(Vector memory, int64_t place_memory, int64_t at, T2d start, destination_Heading elsewhere) {
+predictors_adaptation_destination_Heading predictors_adaptation_destination_combine(Vector memory, int64_t place_memory, int64_t at, T2d start, predictors_adaptation_destination_Heading elsewhere) {
   Table rows;
   int64_t count;
   double x, y, ux, uy, wide, broad, tail, new_wide, new_broad, total, dx, dy, share, along, across, wide2, broad2;
@@ -1637,12 +1637,12 @@ destination_Heading predictors_adaptation_destination_combine(Vector memory, int
     new_broad += share * sqrt(across * across + broad2);
     total += share;
   }
-  return (destination_Heading){x, y, ux, uy, new_wide / total, new_broad / total, tail};
+  return (predictors_adaptation_destination_Heading){x, y, ux, uy, new_wide / total, new_broad / total, tail};
 }
 
 /* The law of the endpoint by the places where the person was before. */
-destination_Heading predictors_adaptation_correction_by_places(Vector memory, int64_t person, int64_t at, correction_Parts parts, scene_Scene scene, T2_destination_Heading_ laws, T2d weights) {
-  destination_Heading own, elsewhere, combined;
+predictors_adaptation_destination_Heading predictors_adaptation_correction_by_places(Vector memory, int64_t person, int64_t at, predictors_adaptation_correction_Parts parts, scene_Scene scene, T2_predictors_adaptation_destination_Heading_ laws, T2d weights) {
+  predictors_adaptation_destination_Heading own, elsewhere, combined;
   T2d start;
   int64_t where, going;
   own = laws.f0;
@@ -1662,22 +1662,22 @@ destination_Heading predictors_adaptation_correction_by_places(Vector memory, in
 }
 
 /* The law of the endpoint by all parts that answer, and that of elsewhere, without the places. */
-T2_destination_Heading_ predictors_adaptation_correction_adapted_end(Vector memory, int64_t person, int64_t at, correction_Parts parts, scene_Scene scene, destination_Heading own, double share) {
-  destination_Heading elsewhere;
+T2_predictors_adaptation_destination_Heading_ predictors_adaptation_correction_adapted_end(Vector memory, int64_t person, int64_t at, predictors_adaptation_correction_Parts parts, scene_Scene scene, predictors_adaptation_destination_Heading own, double share) {
+  predictors_adaptation_destination_Heading elsewhere;
   double usual;
   T2d weights;
   elsewhere = own;
   usual = 1.0;
   if (parts.distances == 1.0) {
-    T_destination_Heading_d values_1 = predictors_adaptation_correction_by_distances(memory, person, at, own, share);
+    T_predictors_adaptation_destination_Heading_d values_1 = predictors_adaptation_correction_by_distances(memory, person, at, own, share);
     elsewhere = values_1.f0;
     usual = values_1.f1;
   }
   if (parts.places == 0.0) {
-    return (T2_destination_Heading_){elsewhere, elsewhere};
+    return (T2_predictors_adaptation_destination_Heading_){elsewhere, elsewhere};
   }
   weights = (T2d){usual, predictors_adaptation_correction_fading(share, predictors_adaptation_correction_PLACES_FADE)};
-  return (T2_destination_Heading_){predictors_adaptation_correction_by_places(memory, person, at, parts, scene, (T2_destination_Heading_){own, elsewhere}, weights), elsewhere};
+  return (T2_predictors_adaptation_destination_Heading_){predictors_adaptation_correction_by_places(memory, person, at, parts, scene, (T2_predictors_adaptation_destination_Heading_){own, elsewhere}, weights), elsewhere};
 }
 
 /* The likeliest place that is less likely than ``below``; -1 where there is none above ``LEAST``. */
@@ -1903,7 +1903,7 @@ T2d predictors_adaptation_region_widening_widen(Vector memory, int64_t at, doubl
 }
 
 /* The endpoint, the scale matrix times a factor, and a tail. */
-T6d predictors_adaptation_destination_scaled(destination_Heading end, double shape, double factor, double tail) {
+T6d predictors_adaptation_destination_scaled(predictors_adaptation_destination_Heading end, double shape, double factor, double tail) {
   double wide2, broad2, cross, ux, uy, sxx, sxy, syy;
   wide2 = factor * end.wide * end.wide;
   broad2 = factor * end.broad * end.broad;
@@ -1942,7 +1942,7 @@ void predictors_adaptation_time_left_solve(Vector memory, int64_t person, Vector
 }
 
 /* What the time left is a sum of, in medians of the last durations; ``since`` s have passed. */
-T7d predictors_adaptation_time_left_terms(time_left_Estimates estimates, time_left_Way way, time_left_Pace pace, double since, double median) {
+T7d predictors_adaptation_time_left_terms(predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace, double since, double median) {
   double mixed, predicted, share, slow, near;
   mixed = min_float(estimates.mixed / median, predictors_adaptation_time_left_LONGEST);
   predicted = min_float(estimates.predicted / median, predictors_adaptation_time_left_LONGEST);
@@ -1953,7 +1953,7 @@ T7d predictors_adaptation_time_left_terms(time_left_Estimates estimates, time_le
 }
 
 /* The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both. */
-T2d predictors_adaptation_time_left_stated(Vector memory, T3q place, T3d cursor, double since, double median, time_left_Estimates estimates, time_left_Way way, time_left_Pace pace) {
+T2d predictors_adaptation_time_left_stated(Vector memory, T3q place, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace) {
   int64_t person, intervals, at, moment;
   T7d known;
   double total, left, spread;
@@ -1983,10 +1983,10 @@ T2d predictors_adaptation_time_left_stated(Vector memory, T3q place, T3d cursor,
 }
 
 /* The prediction as it is for this person; as it was where it claims too little or has no direction. */
-T10d predictors_adaptation_correction_adapt(Vector memory, int64_t person, int64_t at, correction_Parts parts, scene_Scene scene, T10d answer, time_left_Pace pace) {
+T10d predictors_adaptation_correction_adapt(Vector memory, int64_t person, int64_t at, predictors_adaptation_correction_Parts parts, scene_Scene scene, T10d answer, predictors_adaptation_time_left_Pace pace) {
   double t, px, py, sxx, sxy, syy, predicted, phase, tail, ux, uy, wide, broad, now, x, y, reached, since, along, across, share, shift, widen, broaden, slow, left, shape, factor, spread;
-  destination_Heading heading, own, end, elsewhere;
-  stages_Moment m;
+  predictors_adaptation_destination_Heading heading, own, end, elsewhere;
+  predictors_adaptation_stages_Moment m;
   T6d first, region;
   t = answer.f0;
   px = answer.f1;
@@ -2015,7 +2015,7 @@ T10d predictors_adaptation_correction_adapt(Vector memory, int64_t person, int64
   along = values_1.f0;
   across = values_1.f1;
   share = since / (since + predicted);
-  m = (stages_Moment){now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached};
+  m = (predictors_adaptation_stages_Moment){now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached};
   predictors_adaptation_correction_record(memory, at, share, m);
   if (memory.p[person + predictors_adaptation_correction_DISTANCES + predictors_adaptation_distances_COUNT] == 0.0) {
     first = (T6d){px, py, sxx, sxy, syy, tail};
@@ -2031,8 +2031,8 @@ T10d predictors_adaptation_correction_adapt(Vector memory, int64_t person, int64
   share = since / (since + left);
   shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad);
   own = predictors_adaptation_correction_with_centre_ahead(memory, at, heading, along + shift * predictors_adaptation_correction_fading(share, predictors_adaptation_correction_BIAS_FADE), wide * widen);
-  own = (destination_Heading){own.x, own.y, ux, uy, own.wide, broad * broaden, tail};
-  T2_destination_Heading_ values_3 = predictors_adaptation_correction_adapted_end(memory, person, at, parts, scene, own, share);
+  own = (predictors_adaptation_destination_Heading){own.x, own.y, ux, uy, own.wide, broad * broaden, tail};
+  T2_predictors_adaptation_destination_Heading_ values_3 = predictors_adaptation_correction_adapted_end(memory, person, at, parts, scene, own, share);
   end = values_3.f0;
   elsewhere = values_3.f1;
   T2d values_4 = predictors_adaptation_region_widening_widen(memory, person + predictors_adaptation_correction_REGIONS, share, tail);
@@ -2045,7 +2045,7 @@ T10d predictors_adaptation_correction_adapt(Vector memory, int64_t person, int64
   sxx = region.f2;
   sxy = region.f3;
   syy = region.f4;
-  T2d values_5 = predictors_adaptation_time_left_stated(memory, (T3q){person + predictors_adaptation_correction_TIME_LEFT, person + predictors_adaptation_correction_INTERVALS, at + predictors_adaptation_correction_TIMED}, (T3d){now, x, y}, since, memory.p[person + predictors_adaptation_correction_DURATIONS + predictors_adaptation_durations_MEDIAN], (time_left_Estimates){left, predicted}, (time_left_Way){reached, hypot(px - x, py - y)}, pace);
+  T2d values_5 = predictors_adaptation_time_left_stated(memory, (T3q){person + predictors_adaptation_correction_TIME_LEFT, person + predictors_adaptation_correction_INTERVALS, at + predictors_adaptation_correction_TIMED}, (T3d){now, x, y}, since, memory.p[person + predictors_adaptation_correction_DURATIONS + predictors_adaptation_durations_MEDIAN], (predictors_adaptation_time_left_Estimates){left, predicted}, (predictors_adaptation_time_left_Way){reached, hypot(px - x, py - y)}, pace);
   left = values_5.f0;
   spread = values_5.f1;
   return (T10d){t, px, py, sxx, sxy, syy, left, phase, tail, spread};
@@ -2059,8 +2059,8 @@ T3q predictors_adaptation_predictor_sizes(Vector values) {
 }
 
 /* Which parts of the adaptation answer. */
-correction_Parts predictors_adaptation_predictor_parts_of(Vector memory) {
-  return (correction_Parts){memory.p[predictors_adaptation_predictor_DISTANCES], memory.p[predictors_adaptation_predictor_PLACES], memory.p[predictors_adaptation_predictor_SEQUENCE]};
+predictors_adaptation_correction_Parts predictors_adaptation_predictor_parts_of(Vector memory) {
+  return (predictors_adaptation_correction_Parts){memory.p[predictors_adaptation_predictor_DISTANCES], memory.p[predictors_adaptation_predictor_PLACES], memory.p[predictors_adaptation_predictor_SEQUENCE]};
 }
 
 /* What the cursor moves in. */
@@ -2070,7 +2070,7 @@ scene_Scene predictors_adaptation_predictor_scene_of(Vector memory) {
 
 /* The movement has ended: learn from it. The next one is in the window that was entered last. */
 void predictors_adaptation_predictor_conclude(Vector memory) {
-  correction_Parts parts;
+  predictors_adaptation_correction_Parts parts;
   scene_Scene scene;
   if (memory.p[predictors_adaptation_predictor_ADAPT] == 1.0) {
     parts = predictors_adaptation_predictor_parts_of(memory);
@@ -2086,16 +2086,16 @@ void predictors_adaptation_predictor_conclude(Vector memory) {
 }
 
 /* The learned predictor's answer, corrected for the person. */
-T10d predictors_adaptation_predictor_adapt(Vector memory, T10d answer, time_left_Pace pace) {
+T10d predictors_adaptation_predictor_adapt(Vector memory, T10d answer, predictors_adaptation_time_left_Pace pace) {
   return predictors_adaptation_correction_adapt(memory, predictors_adaptation_predictor_PERSON, predictors_adaptation_predictor_MOVEMENT, predictors_adaptation_predictor_parts_of(memory), predictors_adaptation_predictor_scene_of(memory), answer, pace);
 }
 
 /* The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`. */
-time_left_Pace predictors_adaptation_predictor_pace_of(Vector own, records_MotionRow m) {
+predictors_adaptation_time_left_Pace predictors_adaptation_predictor_pace_of(Vector own, records_MotionRow m) {
   double peak, of_peak;
   peak = own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_PEAK];
   of_peak = peak > 0.0 ? hypot(m.vx, m.vy) / peak : 0.0;
-  return (time_left_Pace){of_peak, m.t - ((movement_State *)(own.p))->t0 - own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_FAST_T]};
+  return (predictors_adaptation_time_left_Pace){of_peak, m.t - ((predictors_movement_State *)(own.p))->t0 - own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_FAST_T]};
 }
 
 /* The learned predictor's step, then what is known of the person. */
@@ -2113,7 +2113,7 @@ T10d predictors_adaptation_predictor_step(Vector memory, T10d motion, Vector coe
   if (m.start == 1.0) {
     predictors_adaptation_predictor_conclude(memory);
   }
-  start = (T3d){((movement_State *)(own.p))->t0, ((movement_State *)(own.p))->x0, ((movement_State *)(own.p))->y0};
+  start = (T3d){((predictors_movement_State *)(own.p))->t0, ((predictors_movement_State *)(own.p))->x0, ((predictors_movement_State *)(own.p))->y0};
   predictors_adaptation_correction_follow(memory, predictors_adaptation_predictor_MOVEMENT, (T3d){m.t, m.x, m.y}, start);
   return predictors_adaptation_predictor_adapt(memory, answer, predictors_adaptation_predictor_pace_of(own, m));
 }
@@ -2145,7 +2145,7 @@ T2d predictors_adaptation_predictor_last_end(Vector memory, int64_t known, doubl
 
 /* Fill a row for each place of the window that the cursor is in, by their numbers; returns how many. */
 int64_t predictors_adaptation_predictor_list_places(Vector memory, Table out) {
-  correction_Parts parts;
+  predictors_adaptation_correction_Parts parts;
   scene_Scene scene;
   int64_t known, going, count, place;
   bool waits;
@@ -2220,7 +2220,7 @@ T10d joint__differentiators_difference_step__predictors_adaptation_predictor_ste
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2247,14 +2247,14 @@ T10d last__differentiators_difference_step__follow__predictors_adaptation_predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }
@@ -2271,7 +2271,7 @@ T10d joint__differentiators_homogeneous_step__predictors_adaptation_predictor_st
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2292,14 +2292,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_adaptation_predi
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }
@@ -2316,7 +2316,7 @@ T10d joint__differentiators_kalman_step__predictors_adaptation_predictor_step(Ve
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2337,14 +2337,14 @@ T10d last__differentiators_kalman_step__follow__predictors_adaptation_predictor_
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }

@@ -158,7 +158,7 @@ void predictors_kinematic_features_rewind(Vector memory, int64_t at, bool again)
 }
 
 /* Fill the ticks after the last one up to now, on the line from the last event (t, x, y) to this one. */
-history_Point predictors_kinematic_history_extend(Vector memory, int64_t at, T3d last, T3d now) {
+predictors_kinematic_history_Point predictors_kinematic_history_extend(Vector memory, int64_t at, T3d last, T3d now) {
   double last_t, last_x, last_y, t, x, y, old_x, old_y, path, share, new_x, new_y;
   int64_t count, newest, slot;
   last_t = last.f0;
@@ -191,11 +191,11 @@ history_Point predictors_kinematic_history_extend(Vector memory, int64_t at, T3d
   memory.p[at + predictors_kinematic_history_LAST_X] = old_x;
   memory.p[at + predictors_kinematic_history_LAST_Y] = old_y;
   memory.p[at + predictors_kinematic_history_LAST_PATH] = path;
-  return (history_Point){t, x, y, path + hypot(x - old_x, y - old_y)};
+  return (predictors_kinematic_history_Point){t, x, y, path + hypot(x - old_x, y - old_y)};
 }
 
 /* Place and path ``ago`` seconds before now: between two ticks on a line, the start before it. */
-T3d predictors_kinematic_history_past(Vector memory, int64_t at, history_Point now, double ago) {
+T3d predictors_kinematic_history_past(Vector memory, int64_t at, predictors_kinematic_history_Point now, double ago) {
   double then, span, share, after_x, after_y, after_path;
   int64_t count, tick, slot, after;
   then = now.t - ago;
@@ -225,7 +225,7 @@ T3d predictors_kinematic_history_past(Vector memory, int64_t at, history_Point n
 }
 
 /* Divide the movement at the valleys of its speed. */
-void predictors_kinematic_submovements_divide(Vector memory, int64_t at, history_Point point, double speed, double movement_peak) {
+void predictors_kinematic_submovements_divide(Vector memory, int64_t at, predictors_kinematic_history_Point point, double speed, double movement_peak) {
   if (memory.p[at + predictors_kinematic_submovements_FALLING] == 0.0) {
     if (speed > memory.p[at + predictors_kinematic_submovements_PEAK]) {
       memory.p[at + predictors_kinematic_submovements_PEAK] = speed;
@@ -261,7 +261,7 @@ void predictors_kinematic_submovements_divide(Vector memory, int64_t at, history
 }
 
 /* Take one sample in: where the cursor is, the hand's motion, the cursor's speed in px/s. */
-void predictors_kinematic_track_advance(Vector memory, int64_t at, history_Point point, records_MotionRow hand, double cursor_speed) {
+void predictors_kinematic_track_advance(Vector memory, int64_t at, predictors_kinematic_history_Point point, records_MotionRow hand, double cursor_speed) {
   double t, x, y, path, speed, d, push;
   t = point.t;
   x = point.x;
@@ -300,21 +300,21 @@ void predictors_kinematic_track_advance(Vector memory, int64_t at, history_Point
 }
 
 /* Take one motion in: its fault, and where the cursor is. */
-Tq_history_Point_ predictors_kinematic_features_follow(Vector memory, int64_t at, records_MotionRow m) {
+Tq_predictors_kinematic_history_Point_ predictors_kinematic_features_follow(Vector memory, int64_t at, records_MotionRow m) {
   double started, last_t, t0, x0, y0, path_before;
   int64_t fault, here;
   bool new;
   T3d last;
-  history_Point point;
-  started = ((movement_State *)(memory.p + at))->known;
-  last_t = ((movement_State *)(memory.p + at))->t;
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + at), m);
+  predictors_kinematic_history_Point point;
+  started = ((predictors_movement_State *)(memory.p + at))->known;
+  last_t = ((predictors_movement_State *)(memory.p + at))->t;
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + at), m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return (Tq_history_Point_){fault, (history_Point){0.0, 0.0, 0.0, 0.0}};
+    return (Tq_predictors_kinematic_history_Point_){fault, (predictors_kinematic_history_Point){0.0, 0.0, 0.0, 0.0}};
   }
-  if (new || m.t == ((movement_State *)(memory.p + at))->t0) {
+  if (new || m.t == ((predictors_movement_State *)(memory.p + at))->t0) {
     fill((Vector){memory.p + (at + predictors_kinematic_features_TRACK), at + predictors_kinematic_features_HISTORY - (at + predictors_kinematic_features_TRACK)}, 0.0);
     predictors_kinematic_history_begin(memory, at + predictors_kinematic_features_HISTORY);
   } else {
@@ -322,14 +322,14 @@ Tq_history_Point_ predictors_kinematic_features_follow(Vector memory, int64_t at
   }
   here = at + predictors_kinematic_features_TRACK;
   last = (T3d){memory.p[here + predictors_kinematic_track_T], memory.p[here + predictors_kinematic_track_X], memory.p[here + predictors_kinematic_track_Y]};
-  t0 = ((movement_State *)(memory.p + at))->t0;
-  x0 = ((movement_State *)(memory.p + at))->x0;
-  y0 = ((movement_State *)(memory.p + at))->y0;
+  t0 = ((predictors_movement_State *)(memory.p + at))->t0;
+  x0 = ((predictors_movement_State *)(memory.p + at))->x0;
+  y0 = ((predictors_movement_State *)(memory.p + at))->y0;
   point = predictors_kinematic_history_extend(memory, at + predictors_kinematic_features_HISTORY, last, (T3d){m.t - t0, m.x - x0, m.y - y0});
   T3d values_2 = predictors_kinematic_history_past(memory, at + predictors_kinematic_features_HISTORY, point, predictors_kinematic_track_SPAN_S);
   path_before = values_2.f2;
   predictors_kinematic_track_advance(memory, here, point, m, (point.path - path_before) / predictors_kinematic_track_SPAN_S);
-  return (Tq_history_Point_){records_FINE, point};
+  return (Tq_predictors_kinematic_history_Point_){records_FINE, point};
 }
 
 /* From the start to the cursor; at the start the hand's, without one along x. */
@@ -347,20 +347,20 @@ T2d predictors_kinematic_features_direction(double x, double y, double vx, doubl
 }
 
 /* The frame of the movement so far; ``at``: its track. */
-features_Frame predictors_kinematic_features_frame_of(Vector memory, int64_t at, history_Point point, records_MotionRow m) {
+predictors_kinematic_features_Frame predictors_kinematic_features_frame_of(Vector memory, int64_t at, predictors_kinematic_history_Point point, records_MotionRow m) {
   double ux, uy, reach;
   T2d values_1 = predictors_kinematic_features_direction(point.x, point.y, m.vx, m.vy);
   ux = values_1.f0;
   uy = values_1.f1;
   if (!(point.path > 0.0)) {
-    return (features_Frame){0.0, 0.0, ux, uy};
+    return (predictors_kinematic_features_Frame){0.0, 0.0, ux, uy};
   }
   reach = point.path + predictors_kinematic_features_REACH_S * memory.p[at + predictors_kinematic_track_CURSOR_PEAK];
-  return (features_Frame){reach, memory.p[at + predictors_kinematic_track_WAY] + predictors_kinematic_features_REACH_S * memory.p[at + predictors_kinematic_track_PEAK] + 0.0001, ux, uy};
+  return (predictors_kinematic_features_Frame){reach, memory.p[at + predictors_kinematic_track_WAY] + predictors_kinematic_features_REACH_S * memory.p[at + predictors_kinematic_track_PEAK] + 0.0001, ux, uy};
 }
 
 /* Features of the way so far: its length, its peak, its sub-movements. */
-void predictors_kinematic_features_fill_shape(Vector memory, int64_t at, history_Point point, features_Frame frame, Vector out) {
+void predictors_kinematic_features_fill_shape(Vector memory, int64_t at, predictors_kinematic_history_Point point, predictors_kinematic_features_Frame frame, Vector out) {
   double t, x, y, path, reach, hand, d, peak;
   int64_t sub;
   t = point.t;
@@ -410,7 +410,7 @@ double predictors_kinematic_features_ahead(double ratio) {
 }
 
 /* Features of the present motion: against its peaks, across the direction, and what it says is left. */
-void predictors_kinematic_features_fill_pace(Vector memory, int64_t at, history_Point point, records_MotionRow m, features_Frame frame, Vector out) {
+void predictors_kinematic_features_fill_pace(Vector memory, int64_t at, predictors_kinematic_history_Point point, records_MotionRow m, predictors_kinematic_features_Frame frame, Vector out) {
   double reach, hand, ux, uy, sub_x, sub_y, peak, sub_peak, v, v_along, a_along, of_peak, of_sub, braking;
   int64_t sub;
   reach = frame.reach;
@@ -445,7 +445,7 @@ void predictors_kinematic_features_fill_pace(Vector memory, int64_t at, history_
 }
 
 /* Features of the way of the last moments, from the history at ``at``. */
-void predictors_kinematic_features_fill_lags(Vector memory, int64_t at, history_Point point, features_Frame frame, Vector out) {
+void predictors_kinematic_features_fill_lags(Vector memory, int64_t at, predictors_kinematic_history_Point point, predictors_kinematic_features_Frame frame, Vector out) {
   double reach, ux, uy, past_x, past_y, lag_x, lag_y;
   reach = frame.reach;
   ux = frame.ux;
@@ -462,15 +462,15 @@ void predictors_kinematic_features_fill_lags(Vector memory, int64_t at, history_
 }
 
 /* Take one motion in and compute the features: its fault, and their frame. */
-Tq_features_Frame_ predictors_kinematic_features_observe(Vector memory, int64_t at, records_MotionRow m, Vector out) {
+Tq_predictors_kinematic_features_Frame_ predictors_kinematic_features_observe(Vector memory, int64_t at, records_MotionRow m, Vector out) {
   int64_t fault, here;
-  history_Point point;
-  features_Frame frame;
-  Tq_history_Point_ values_1 = predictors_kinematic_features_follow(memory, at, m);
+  predictors_kinematic_history_Point point;
+  predictors_kinematic_features_Frame frame;
+  Tq_predictors_kinematic_history_Point_ values_1 = predictors_kinematic_features_follow(memory, at, m);
   fault = values_1.f0;
   point = values_1.f1;
   if (fault != records_FINE) {
-    return (Tq_features_Frame_){fault, (features_Frame){0.0, 0.0, 0.0, 0.0}};
+    return (Tq_predictors_kinematic_features_Frame_){fault, (predictors_kinematic_features_Frame){0.0, 0.0, 0.0, 0.0}};
   }
   here = at + predictors_kinematic_features_TRACK;
   frame = predictors_kinematic_features_frame_of(memory, here, point, m);
@@ -479,7 +479,7 @@ Tq_features_Frame_ predictors_kinematic_features_observe(Vector memory, int64_t 
     predictors_kinematic_features_fill_pace(memory, here, point, m, frame, out);
     predictors_kinematic_features_fill_lags(memory, at + predictors_kinematic_features_HISTORY, point, frame, out);
   }
-  return (Tq_features_Frame_){records_FINE, frame};
+  return (Tq_predictors_kinematic_features_Frame_){records_FINE, frame};
 }
 
 /* To which side the movement bends: between -1 and 1, near 0 while it is straight. */
@@ -587,19 +587,19 @@ T10d predictors_kinematic_predictor_step(Vector memory, T10d motion, Vector coef
   records_MotionRow m;
   Vector values, out;
   int64_t fault, calibration_at;
-  features_Frame frame;
+  predictors_kinematic_features_Frame frame;
   double phase, reach, ux, uy, along, across, since, left, share, scale, wide, broad, tail, spread;
   double buffer_1[65];
   double buffer_3[12];
   m = records_MotionRow_of_T10d(motion);
   values = (Vector){buffer_1, predictors_kinematic_features_FEATURES};
-  Tq_features_Frame_ values_2 = predictors_kinematic_features_observe(memory, predictors_kinematic_predictor_AT, m, values);
+  Tq_predictors_kinematic_features_Frame_ values_2 = predictors_kinematic_features_observe(memory, predictors_kinematic_predictor_AT, m, values);
   fault = values_2.f0;
   frame = values_2.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_kinematic_predictor_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT), m, fault);
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_kinematic_predictor_AT), m);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT), m);
   reach = frame.reach;
   ux = frame.ux;
   uy = frame.uy;
@@ -614,7 +614,7 @@ T10d predictors_kinematic_predictor_step(Vector memory, T10d motion, Vector coef
     along += out.p[predictors_kinematic_network_BASIS + i] * values.p[((const int64_t *)&predictors_kinematic_network_BASIS_ALONG)[i]];
     across += out.p[predictors_kinematic_network_BASIS + i] * values.p[((const int64_t *)&predictors_kinematic_network_BASIS_ACROSS)[i]];
   }
-  since = m.t - ((movement_State *)(memory.p + predictors_kinematic_predictor_AT))->t0;
+  since = m.t - ((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT))->t0;
   left = (since + predictors_kinematic_network_HEAD_START_S) * predictors_kinematic_predictor_bounded_exp(out.p[predictors_kinematic_network_LEFT], predictors_kinematic_network_LEFT_LOGS);
   share = since / (since + left);
   scale = reach * predictors_kinematic_network_factor(coefficients, calibration_at, share, predictors_kinematic_network_WIDTH_FACTOR);
@@ -627,12 +627,12 @@ T10d predictors_kinematic_predictor_step(Vector memory, T10d motion, Vector coef
 
 /* The features of a whole table of motions, as training needs them; frames: reach and direction. */
 void predictors_kinematic_features_observe_all(Vector memory, FlagVector begin, Table rows, Table out, Table frames) {
-  features_Frame frame;
+  predictors_kinematic_features_Frame frame;
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
       fill((Vector){memory.p, memory.n}, 0.0);
     }
-    Tq_features_Frame_ values_1 = predictors_kinematic_features_observe(memory, 0, records_MotionRow_of_T10d(records_row_at(rows, i)), (Vector){out.p + i * out.m, out.m});
+    Tq_predictors_kinematic_features_Frame_ values_1 = predictors_kinematic_features_observe(memory, 0, records_MotionRow_of_T10d(records_row_at(rows, i)), (Vector){out.p + i * out.m, out.m});
     frame = values_1.f1;
     frames.p[i * frames.m + 0] = frame.reach;
     frames.p[i * frames.m + 1] = frame.ux;
@@ -643,7 +643,7 @@ void predictors_kinematic_features_observe_all(Vector memory, FlagVector begin, 
 /* Take one motion in without an answer: the network remembers nothing. */
 bool predictors_kinematic_predictor_follow(Vector memory, T10d motion, Vector coefficients) {
   int64_t fault;
-  Tq_history_Point_ values_1 = predictors_kinematic_features_follow(memory, predictors_kinematic_predictor_AT, records_MotionRow_of_T10d(motion));
+  Tq_predictors_kinematic_history_Point_ values_1 = predictors_kinematic_features_follow(memory, predictors_kinematic_predictor_AT, records_MotionRow_of_T10d(motion));
   fault = values_1.f0;
   return fault == records_FINE;
 }
@@ -667,7 +667,7 @@ T10d joint__differentiators_difference_step__predictors_kinematic_predictor_step
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -688,14 +688,14 @@ T10d last__differentiators_difference_step__predictors_kinematic_predictor_follo
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }
@@ -712,7 +712,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kinematic_predictor_ste
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -733,14 +733,14 @@ T10d last__differentiators_homogeneous_step__predictors_kinematic_predictor_foll
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }
@@ -757,7 +757,7 @@ T10d joint__differentiators_kalman_step__predictors_kinematic_predictor_step(Vec
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -778,14 +778,14 @@ T10d last__differentiators_kalman_step__predictors_kinematic_predictor_follow__p
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }

@@ -143,7 +143,7 @@ T2d simulation_loop_cursor_in_mind(Vector memory, double u, double v, double spe
 }
 
 /* V' of (2.1): friction -b1 V, and the force of the phase. */
-T2d simulation_loop_acceleration(Vector memory, double t, loop_Place place) {
+T2d simulation_loop_acceleration(Vector memory, double t, simulation_loop_Place place) {
   double x, y, u, v, vx, vy, b1, along_x, along_y, b2;
   x = place.x;
   y = place.y;
@@ -189,7 +189,7 @@ void simulation_loop_advance(Vector memory, double t, double h, double extra_x, 
   x = memory.p[simulation_slots_X];
   y = memory.p[simulation_slots_Y];
   continuous = memory.p[simulation_slots_METRES_PER_COUNT] == 0.0;
-  T2d values_1 = simulation_loop_acceleration(memory, t, (loop_Place){x, y, u, v, vx, vy});
+  T2d values_1 = simulation_loop_acceleration(memory, t, (simulation_loop_Place){x, y, u, v, vx, vy});
   ax = values_1.f0;
   ay = values_1.f1;
   ax = ax + keep * (memory.p[simulation_slots_AX] - ax);
@@ -205,7 +205,7 @@ void simulation_loop_advance(Vector memory, double t, double h, double extra_x, 
   }
   middle_u = u + 0.5 * h * vx;
   middle_v = v + 0.5 * h * vy;
-  T2d values_3 = simulation_loop_acceleration(memory, t + 0.5 * h, (loop_Place){x, y, middle_u, middle_v, middle_x, middle_y});
+  T2d values_3 = simulation_loop_acceleration(memory, t + 0.5 * h, (simulation_loop_Place){x, y, middle_u, middle_v, middle_x, middle_y});
   bx = values_3.f0;
   by = values_3.f1;
   bx = bx + keep * (ax - bx);
@@ -330,7 +330,7 @@ void simulation_loop_decide(Vector memory, double t) {
 T14d simulation_loop_step(Vector memory, T5d chance) {
   double noise_x, noise_y, late_s, hat_x, hat_y, period, now, keep, fresh, speed, size, extra_x, extra_y, before_x, before_y, h, dy, dx, own_px, pull_x, pull_y;
   int64_t substeps, row;
-  loop_Chance values_1 = loop_Chance_of_T5d(chance);
+  simulation_loop_Chance values_1 = simulation_loop_Chance_of_T5d(chance);
   noise_x = values_1.noise_x;
   noise_y = values_1.noise_y;
   late_s = values_1.late_s;

@@ -154,7 +154,7 @@ bool targets_cursor_follow(Vector memory, double t, double x, double y, double p
 }
 
 /* Whether a predicted law can be used: a region of finite size, and a tail that is one, or none. */
-bool targets_posterior_lawful(posterior_Law predicted) {
+bool targets_posterior_lawful(targets_posterior_Law predicted) {
   double sxx, sxy, syy, tail;
   sxx = predicted.sxx;
   sxy = predicted.sxy;
@@ -192,7 +192,7 @@ T3d targets_posterior_unclaimed(Vector memory, double x, double y) {
 }
 
 /* What the features of all targets share. */
-posterior_Situation targets_posterior_situation(Vector memory) {
+targets_posterior_Situation targets_posterior_situation(Vector memory) {
   double x, y, way, sweep, trail_x, trail_y, vx, vy;
   x = memory.p[targets_cursor_X];
   y = memory.p[targets_cursor_Y];
@@ -202,11 +202,11 @@ posterior_Situation targets_posterior_situation(Vector memory) {
   trail_y = y - memory.p[targets_cursor_TRAIL_Y];
   vx = memory.p[targets_cursor_VX];
   vy = memory.p[targets_cursor_VY];
-  return (posterior_Situation){x, y, trail_x, trail_y, vx, vy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
+  return (targets_posterior_Situation){x, y, trail_x, trail_y, vx, vy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
 }
 
 /* ``node_sum`` of a normal law less its value at the centre: a product along x, along y and of both. */
-double targets_rectangle_mass_normal_sum(rectangle_mass_Distance distance) {
+double targets_rectangle_mass_normal_sum(targets_rectangle_mass_Distance distance) {
   double gx, gy, gxy, hx, hy, xo, xi, yo, yi, po, pi_, qo, qi, oo, oi, ii, x1, x2, x4, x5, y1, y2, y4, y5, outer, between, inner, cross;
   gx = distance.gx;
   gy = distance.gy;
@@ -256,7 +256,7 @@ double targets_rectangle_mass_log_density(double far, double tail) {
 }
 
 /* ``node_sum`` of a heavy-tailed law, with fewer nodes where it is flat over the rectangle. */
-double targets_rectangle_mass_student_sum(rectangle_mass_Distance distance, double tail) {
+double targets_rectangle_mass_student_sum(targets_rectangle_mass_Distance distance, double tail) {
   double far, gx, gy, gxy, hx, hy, power, whole, total, u, part, fixed, slope, v;
   int64_t across, along;
   far = distance.far;
@@ -285,7 +285,7 @@ double targets_rectangle_mass_student_sum(rectangle_mass_Distance distance, doub
 }
 
 /* Logarithm of the weighted densities at 5 x 5 nodes: any law, any distance. */
-double targets_rectangle_mass_node_sum(rectangle_mass_Distance distance, double tail) {
+double targets_rectangle_mass_node_sum(targets_rectangle_mass_Distance distance, double tail) {
   double far, gx, gy, gxy, hx, hy, nearest, u, v, here, top, total, less;
   far = distance.far;
   gx = distance.gx;
@@ -321,7 +321,7 @@ double targets_rectangle_mass_node_sum(rectangle_mass_Distance distance, double 
 /* Logarithm of a law's mass in a rectangle: (dx, dy, width, height) px, its centre from the law's. */
 double targets_rectangle_mass_log_mass(T4d rectangle, T4d spread) {
   double dx, dy, width, height, sxx, sxy, syy, tail, det, a, b, ixx, ixy, iyy, far, gx, gy, gxy, hx, hy, total;
-  rectangle_mass_Distance distance;
+  targets_rectangle_mass_Distance distance;
   dx = rectangle.f0;
   dy = rectangle.f1;
   width = rectangle.f2;
@@ -344,7 +344,7 @@ double targets_rectangle_mass_log_mass(T4d rectangle, T4d spread) {
   gxy = a * b * ixy;
   hx = ixx * a * a;
   hy = iyy * b * b;
-  distance = (rectangle_mass_Distance){far, gx, gy, gxy, hx, hy};
+  distance = (targets_rectangle_mass_Distance){far, gx, gy, gxy, hx, hy};
   if (tail != tail && fabs(gx) + fabs(gy) + fabs(gxy) + hx + hy < targets_rectangle_mass_STEEPEST) {
     total = targets_rectangle_mass_normal_sum(distance) - 0.5 * far;
   } else if (tail <= targets_rectangle_mass_HEAVIEST) {
@@ -370,7 +370,7 @@ double targets_posterior_bend(T2d u, T2d g, double far2, double size) {
 }
 
 /* The features of one target, a row of a table; MASS only where it is asked for. */
-T6d targets_posterior_feature(Vector row, posterior_Situation now, posterior_Law predicted, bool mass) {
+T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targets_posterior_Law predicted, bool mass) {
   double x, y, width, height, gx, gy, size, far2, left, log_left, inside;
   T4d spread;
   x = row.p[targets_rectangles_CENTRE_X];
@@ -396,8 +396,8 @@ void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector co
   double x, y, sxx, sxy, syy, tail, fast, usual, f0, f1, f2, f3, f4, f5, score, none;
   bool claimed, mass;
   int64_t first, count, at;
-  posterior_Law predicted;
-  posterior_Situation now;
+  targets_posterior_Law predicted;
+  targets_posterior_Situation now;
   Vector weight;
   double buffer_2[6];
   x = answer.f1;
@@ -412,14 +412,14 @@ void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector co
     y = memory.p[targets_cursor_Y];
   }
   first = 0;
-  predicted = (posterior_Law){x, y, sxx, sxy, syy, tail};
+  predicted = (targets_posterior_Law){x, y, sxx, sxy, syy, tail};
   if (!claimed || !targets_posterior_lawful(predicted)) {
     T3d values_1 = targets_posterior_unclaimed(memory, x, y);
     sxx = values_1.f0;
     sxy = values_1.f1;
     syy = values_1.f2;
     first = targets_posterior_SET;
-    predicted = (posterior_Law){x, y, sxx, sxy, syy, NAN};
+    predicted = (targets_posterior_Law){x, y, sxx, sxy, syy, NAN};
   }
   now = targets_posterior_situation(memory);
   weight = (Vector){buffer_2, targets_posterior_FEATURES};
@@ -875,8 +875,8 @@ void targets_expectation_expect(Table table, Vector own, Table known) {
 }
 
 /* A row of features for each target and a predicted law. */
-void targets_posterior_features(Vector memory, Table table, posterior_Law predicted, Table out) {
-  posterior_Situation now;
+void targets_posterior_features(Vector memory, Table table, targets_posterior_Law predicted, Table out) {
+  targets_posterior_Situation now;
   Vector f;
   now = targets_posterior_situation(memory);
   for (int64_t i = 0; i < table.n; i++) {

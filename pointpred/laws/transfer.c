@@ -177,7 +177,7 @@ T3d transfer_assistance_assisted_step(Vector memory, T5d report) {
   double t, dx, dy, off_x, off_y, dt, scale, x, y, share;
   bool usable;
   int64_t carried;
-  assistance_OffsetReport values_1 = assistance_OffsetReport_of_T5d(report);
+  transfer_assistance_OffsetReport values_1 = transfer_assistance_OffsetReport_of_T5d(report);
   t = values_1.t;
   dx = values_1.dx;
   dy = values_1.dy;
@@ -264,7 +264,7 @@ T5d transfer_assistance_guarded_step(Vector memory, T8d report) {
   double t, dx, dy, off_x, off_y, sxx, sxy, syy, dt, scale, own_x, own_y, x, y, add_x, add_y;
   bool usable;
   int64_t carried;
-  assistance_GuidedReport values_1 = assistance_GuidedReport_of_T8d(report);
+  transfer_assistance_GuidedReport values_1 = transfer_assistance_GuidedReport_of_T8d(report);
   t = values_1.t;
   dx = values_1.dx;
   dy = values_1.dy;
@@ -297,7 +297,7 @@ int64_t transfer_bands_states(int64_t n) {
 }
 
 /* Add output = row . c to a band, a real number; outside the bands nothing happens. */
-void transfer_bands_learn(Vector memory, int64_t at, bands_Model model, double band, int64_t row, double output) {
+void transfer_bands_learn(Vector memory, int64_t at, transfer_bands_Model model, double band, int64_t row, double output) {
   int64_t n, linear, place;
   double forgetting, reference;
   if (!(0.0 <= band && band < transfer_bands_BANDS)) {
@@ -325,14 +325,14 @@ void transfer_functions_evaluate(Vector memory, Vector speeds, bool wanted_gain,
 void transfer_identification_learn(Vector memory, int64_t row, double output, double speed) {
   int64_t n;
   double band;
-  bands_Model model;
+  transfer_bands_Model model;
   n = (int64_t)memory.p[transfer_identification_N];
   for (int64_t j = 0; j < n; j++) {
     memory.p[transfer_identification_SOLVER + regression_least_squares_REGRESSOR + j] = memory.p[row + j];
   }
   regression_least_squares_advance(memory, transfer_identification_SOLVER, n, memory.p[transfer_identification_FORGETTING], output);
   band = (speed - memory.p[transfer_identification_SPEED_LOW]) / memory.p[transfer_identification_BAND_WIDTH];
-  model = (bands_Model){n, 1 - (int64_t)memory.p[transfer_identification_POWER], memory.p[transfer_identification_FORGETTING]};
+  model = (transfer_bands_Model){n, 1 - (int64_t)memory.p[transfer_identification_POWER], memory.p[transfer_identification_FORGETTING]};
   transfer_bands_learn(memory, transfer_identification_BANDS, model, band, row, output);
 }
 
@@ -437,7 +437,7 @@ T6d transfer_identification_event_at(Table rows, int64_t i) {
 T3d transfer_pixels_step(Vector memory, T3d report) {
   double t, dx, dy, dt, scale;
   bool usable;
-  pixels_CountsRow values_1 = pixels_CountsRow_of_T3d(report);
+  transfer_pixels_CountsRow values_1 = transfer_pixels_CountsRow_of_T3d(report);
   t = values_1.t;
   dx = values_1.dx;
   dy = values_1.dy;

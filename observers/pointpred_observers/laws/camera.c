@@ -88,7 +88,7 @@ T9d camera_camera_stage_sample_at(Table rows, int64_t i) {
 }
 
 /* Whether a sample can be used: within the bounds, after the last one and within the longest gap. */
-bool camera_camera_stage_usable(samples_SampleRow sample, double started, double last_t, double gap_s) {
+bool camera_camera_stage_usable(camera_samples_SampleRow sample, double started, double last_t, double gap_s) {
   double t, x, y, wx, wy, wz, ax, ay, az;
   t = sample.t;
   x = sample.x;
@@ -112,7 +112,7 @@ bool camera_camera_stage_usable(samples_SampleRow sample, double started, double
 }
 
 /* (chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it. */
-T2d camera_depth_rate(double chi, double r, depth_Measured m, double dwx, double dwy) {
+T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy) {
   double x, y, wx, wy, wz, az, eta, flow_x, flow_y, driven;
   x = m.x;
   y = m.y;
@@ -128,10 +128,10 @@ T2d camera_depth_rate(double chi, double r, depth_Measured m, double dwx, double
 }
 
 /* Move (chi, r) over ``dt`` s by Runge-Kutta, with measurements linear between two samples. */
-void camera_depth_carry(Vector memory, depth_Measured m, double dt) {
+void camera_depth_carry(Vector memory, camera_depth_Measured m, double dt) {
   double x0, y0, az0, wx0, wy0, wz0, dwx, dwy, h, chi, r, sum_chi, sum_r, k_chi, k_r, inner, s, share;
   int64_t steps;
-  depth_Measured between;
+  camera_depth_Measured between;
   x0 = memory.p[camera_depth_X];
   y0 = memory.p[camera_depth_Y];
   az0 = memory.p[camera_depth_AZ];
@@ -152,7 +152,7 @@ void camera_depth_carry(Vector memory, depth_Measured m, double dt) {
     for (int64_t stage = 0; stage < 4; stage++) {
       inner = stage == 0 ? 0.0 : stage == 3 ? 1.0 : 0.5;
       s = (i + inner) / steps;
-      between = (depth_Measured){x0 + s * (m.x - x0), y0 + s * (m.y - y0), wx0 + s * (m.wx - wx0), wy0 + s * (m.wy - wy0), wz0 + s * (m.wz - wz0), az0 + s * (m.az - az0)};
+      between = (camera_depth_Measured){x0 + s * (m.x - x0), y0 + s * (m.y - y0), wx0 + s * (m.wx - wx0), wy0 + s * (m.wy - wy0), wz0 + s * (m.wz - wz0), az0 + s * (m.az - az0)};
       T2d values_1 = camera_depth_rate(chi + inner * h * k_chi, r + inner * h * k_r, between, dwx, dwy);
       k_chi = values_1.f0;
       k_r = values_1.f1;
@@ -185,10 +185,10 @@ bool camera_depth_inside(Vector memory, double zero, double eta) {
 
 /* One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image. */
 T7d camera_depth_step(Vector memory, T9d sample) {
-  samples_SampleRow row;
+  camera_samples_SampleRow row;
   double t, x, y, wx, wy, wz, az, flat_x, flat_y, eta, zero;
   bool image, decays, proved;
-  row = samples_SampleRow_of_T9d(sample);
+  row = camera_samples_SampleRow_of_T9d(sample);
   if (!camera_camera_stage_usable(row, memory.p[camera_depth_STARTED], memory.p[camera_depth_T], memory.p[camera_depth_GAP_S])) {
     return (T7d){NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
   }
@@ -207,7 +207,7 @@ T7d camera_depth_step(Vector memory, T9d sample) {
     memory.p[camera_depth_R] = memory.p[camera_depth_START_ETA] + wy * flat_x - wx * flat_y;
     memory.p[camera_depth_IMAGED] = 1.0;
   } else if (memory.p[camera_depth_IMAGED] == 1.0 && memory.p[camera_depth_LOST] == 0.0) {
-    camera_depth_carry(memory, (depth_Measured){flat_x, flat_y, wx, wy, wz, az}, t - memory.p[camera_depth_T]);
+    camera_depth_carry(memory, (camera_depth_Measured){flat_x, flat_y, wx, wy, wz, az}, t - memory.p[camera_depth_T]);
   }
   memory.p[camera_depth_STARTED] = 1.0;
   memory.p[camera_depth_T] = t;
@@ -533,7 +533,7 @@ void camera_point_filter_look(Vector memory, double x, double y) {
 /* One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before. */
 void camera_point_filter_step(Vector memory, Vector row, Vector out) {
   double t, x, y, wx, wy, wz, ax, ay, az;
-  samples_SampleRow sample;
+  camera_samples_SampleRow sample;
   t = row.p[0];
   x = row.p[1];
   y = row.p[2];
@@ -543,7 +543,7 @@ void camera_point_filter_step(Vector memory, Vector row, Vector out) {
   ax = row.p[6];
   ay = row.p[7];
   az = row.p[8];
-  sample = (samples_SampleRow){t, x, y, wx, wy, wz, ax, ay, az};
+  sample = (camera_samples_SampleRow){t, x, y, wx, wy, wz, ax, ay, az};
   if (!camera_camera_stage_usable(sample, memory.p[camera_point_filter_STARTED], memory.p[camera_point_filter_T], memory.p[camera_point_filter_GAP_S])) {
     return;
   }
@@ -610,7 +610,7 @@ void camera_unknown_input_filter_predict(Vector memory, double eta, double wx, d
 T4d camera_unknown_input_filter_step(Vector memory, T7d row) {
   double t, x, y, eta, wx, wy, wz, total, near, far, ex, ey;
   bool image;
-  unknown_input_filter_FlowRow values_1 = unknown_input_filter_FlowRow_of_T7d(row);
+  camera_unknown_input_filter_FlowRow values_1 = camera_unknown_input_filter_FlowRow_of_T7d(row);
   t = values_1.t;
   x = values_1.x;
   y = values_1.y;

@@ -78,22 +78,22 @@ static inline double whole_power(double a, int64_t n) {
 }
 
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; } T9d;
-typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } samples_SampleRow;
+typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_SampleRow;
 typedef struct { double f0; double f1; } T2d;
-typedef struct { double x; double y; double wx; double wy; double wz; double az; } depth_Measured;
+typedef struct { double x; double y; double wx; double wy; double wz; double az; } camera_depth_Measured;
 typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
-typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } unknown_input_filter_FlowRow;
+typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_unknown_input_filter_FlowRow;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; } T3q;
-static inline unknown_input_filter_FlowRow unknown_input_filter_FlowRow_of_T7d(T7d value) { return (unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
-static inline samples_SampleRow samples_SampleRow_of_T9d(T9d value) { return (samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
+static inline camera_unknown_input_filter_FlowRow camera_unknown_input_filter_FlowRow_of_T7d(T7d value) { return (camera_unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
+static inline camera_samples_SampleRow camera_samples_SampleRow_of_T9d(T9d value) { return (camera_samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 T9d camera_camera_stage_sample_at(Table rows, int64_t i);
-bool camera_camera_stage_usable(samples_SampleRow sample, double started, double last_t, double gap_s);
-void camera_depth_carry(Vector memory, depth_Measured m, double dt);
+bool camera_camera_stage_usable(camera_samples_SampleRow sample, double started, double last_t, double gap_s);
+void camera_depth_carry(Vector memory, camera_depth_Measured m, double dt);
 bool camera_depth_inside(Vector memory, double zero, double eta);
-T2d camera_depth_rate(double chi, double r, depth_Measured m, double dwx, double dwy);
+T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
 T7d camera_depth_step(Vector memory, T9d sample);
 void camera_kinematics_add_noise(Vector memory, int64_t at, int64_t state, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);

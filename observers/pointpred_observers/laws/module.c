@@ -156,7 +156,7 @@ static PyObject *py_camera_camera_stage_usable(PyObject *self, PyObject *const *
   static const char law[] = "pointpred_observers.camera.camera_stage:usable";
   Held held;
   const Py_buffer *view;
-  samples_SampleRow a0;
+  camera_samples_SampleRow a0;
   double a1;
   double a2;
   double a3;
@@ -187,7 +187,7 @@ static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py
   Held held;
   const Py_buffer *view;
   Vector a0;
-  depth_Measured a1;
+  camera_depth_Measured a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
@@ -233,7 +233,7 @@ static PyObject *py_camera_depth_rate(PyObject *self, PyObject *const *args, Py_
   const Py_buffer *view;
   double a0;
   double a1;
-  depth_Measured a2;
+  camera_depth_Measured a2;
   double a3;
   double a4;
   T2d result;
@@ -1616,6 +1616,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "1d10536ce33800aa8e01f368ccc31cc816b00e018a16bd39d61f57dac8094705", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "c33fe5b10aacf4729e516f0b3fef6bae67412fae48211f841d21cdf758c3f44a", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }
