@@ -9,11 +9,10 @@ import numpy as np
 
 from pointpred.compiled import law, layout
 from pointpred.parameter import parameter
-from pointpred.predictors import movement
 from pointpred.predictors.adaptation import correction, destination, mixed_region, places
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
-from pointpred.predictors.kinematic import features, track
+from pointpred.predictors.kinematic import features, network
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
 from pointpred.predictors.mixture import WIDTH, Mixture, Part
@@ -25,7 +24,7 @@ from pointpred.stage import offsets
 # person, the movement of the learned predictor and that of the adaptation.
 ADAPT, DISTANCES, SHORTEST_PX, PLACES, SEQUENCE, KEY, ORIGIN_X, ORIGIN_Y = range(8)
 _, NEXT, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
-    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, features.STATES, correction.STATES
+    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, features.State.length, correction.STATES
 )
 # A row of known places: position in px, shares now and before the movement, visits, the number of the place,
 # the standard deviation of its visits in px.
@@ -67,24 +66,23 @@ def adapt(memory: FloatArray, answer: TenFloats, pace: Pace) -> TenFloats:
 
 
 @law
-def pace_of(own: FloatArray, m: MotionRow) -> Pace:
+def pace_of(own: features.State, m: MotionRow) -> Pace:
     """The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`."""
-    peak = own[features.TRACK + track.PEAK]
-    of_peak = hypot(m.vx, m.vy) / peak if peak > 0.0 else 0.0
-    return Pace(of_peak, m.t - movement.State(own).t0 - own[features.TRACK + track.FAST_T])
+    of_peak = hypot(m.vx, m.vy) / own.track.peak if own.track.peak > 0.0 else 0.0
+    return Pace(of_peak, m.t - own.movement.t0 - own.track.fast_t)
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> TenFloats:
+def step(memory: FloatArray, motion: TenFloats, coefficients: network.Coefficients) -> TenFloats:
     """The learned predictor's step, then what is known of the person."""
     m = MotionRow(*motion)
-    own = memory[OBSERVATION:MOVEMENT]
+    own = features.State(memory, OBSERVATION)
     answer = kinematic.step(own, motion, coefficients)
     if memory[ADAPT] == 0.0 or answer[0] != answer[0]:
         return answer
     if m.start == 1.0:
         conclude(memory)
-    start = movement.State(own).t0, movement.State(own).x0, movement.State(own).y0
+    start = own.movement.t0, own.movement.x0, own.movement.y0
     correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
     return adapt(memory, answer, pace_of(own, m))
 
