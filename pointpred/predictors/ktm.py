@@ -85,7 +85,7 @@ class State(Layout):
 
 
 class Match(Layout):
-    """Of a template: the running sum, the final part of its score, its score, the last smoothed differences."""
+    """Of a template: running sum, final part of the score, score, the last smoothed differences."""
 
     sum: float
     final: float

@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.predictors import mixture
 from pointpred.predictors.adaptation import destination, levels, places
-from pointpred.predictors.mixture import LEVELS, corrected_probability
+from pointpred.predictors.mixture import LEVELS, PartRow, corrected_probability
 from pointpred.records import FloatArray, SixFloats
 from pointpred.stage import Slot, offsets
 
@@ -31,7 +31,7 @@ SLOTS: tuple[Slot, ...] = (levels.SLOT,)
 
 # The mixture at a moment: how many parts; the parts as ``mixture`` has them, elsewhere first; the offsets of
 # both levels.
-COUNT, PARTS, OFFSETS, MIXTURE = offsets(1, mixture.WIDTH * (MOST_PLACES + 1), len(LEVELS))
+COUNT, PARTS, OFFSETS, MIXTURE = offsets(1, PartRow.length * (MOST_PLACES + 1), len(LEVELS))
 # The movement, relative to its place: whether a law is claimed now, at which share of the time, and
 # elsewhere's law: centre, scale matrix, tail; the mixture that is written when somebody asks for it.
 CLAIMED, TIME, ELSEWHERE, ASKED, STATES = offsets(1, 1, 6, MIXTURE)
@@ -57,14 +57,12 @@ def claim(memory: FloatArray, now: int, share: float, elsewhere: SixFloats) -> N
 
 
 @law
-def write_part(
-    memory: FloatArray, part: int, share: float, centre: tuple[float, float], spread: float
-) -> None:
+def write_part(part: PartRow, share: float, centre: tuple[float, float], spread: float) -> None:
     """Write a place: a normal law of a standard deviation in px."""
-    memory[part + mixture.SHARE] = share
-    memory[part + mixture.X], memory[part + mixture.Y] = centre
-    memory[part + mixture.SXX], memory[part + mixture.SXY] = spread * spread, 0.0
-    memory[part + mixture.SYY], memory[part + mixture.TAIL] = spread * spread, 0.0
+    part.share = share
+    part.x, part.y = centre
+    part.sxx, part.sxy = spread * spread, 0.0
+    part.syy, part.tail = spread * spread, 0.0
 
 
 @law
@@ -90,13 +88,14 @@ def write(
         x, y = memory[place + places.X], memory[place + places.Y]
         spread = max(destination.spread_of(memory, going, start, x, y), LEAST_SPREAD)
         centre = x + origin[0], y + origin[1]
-        write_part(memory, at + PARTS + mixture.WIDTH * count, below, centre, spread)
+        write_part(PartRow(memory, at + PARTS + PartRow.length * count), below, centre, spread)
         rest -= below
         count += 1
         number = likeliest(memory, place_memory, going, below)
-    memory[at + COUNT], memory[at + PARTS + mixture.SHARE] = count, max(rest, 0.0)
+    elsewhere = PartRow(memory, at + PARTS)
+    memory[at + COUNT], elsewhere.share = count, max(rest, 0.0)
     for i in range(ASKED - ELSEWHERE):
-        memory[at + PARTS + mixture.X + i] = memory[now + ELSEWHERE + i]
+        elsewhere.memory[1 + i] = memory[now + ELSEWHERE + i]
     for which in range(len(LEVELS)):
         memory[at + OFFSETS + which] = levels.offset(memory, person, memory[now + TIME], which)
 
@@ -107,12 +106,12 @@ def judge(
 ) -> None:
     """Learn whether the end lay inside the regions that were stated at a share of the time."""
     count = int(memory[at + COUNT])
-    parts = np.empty((MOST_PLACES + 1, mixture.WIDTH))
+    parts = np.empty((MOST_PLACES + 1, PartRow.length))
     for k in range(count):
-        for i in range(mixture.WIDTH):
-            parts[k, i] = memory[at + PARTS + mixture.WIDTH * k + i]
+        for i in range(PartRow.length):
+            parts[k, i] = memory[at + PARTS + PartRow.length * k + i]
     within = mixture.content(parts, count, end[0], end[1], POINTS)
-    tail, near, far = parts[0, mixture.TAIL], memory[at + OFFSETS], memory[at + OFFSETS + 1]
+    tail, near, far = PartRow(parts[0]).tail, memory[at + OFFSETS], memory[at + OFFSETS + 1]
     for which in range(len(LEVELS)):
         inside = within <= corrected_probability(LEVELS[which], tail, near, far)
         levels.learn(memory, person, share, which, inside, step)

@@ -15,7 +15,7 @@ from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import features, network
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.mixture import WIDTH, Mixture, Part
+from pointpred.predictors.mixture import Mixture, Part, PartRow
 from pointpred.records import FloatArray, FloatTable, MotionRow, Place, TenFloats
 from pointpred.scene import SCREEN, Scene
 from pointpred.stage import offsets
@@ -293,7 +293,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         at = write_mixture(memory)
         if at < 0:
             return None
-        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, WIDTH)
+        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, PartRow.length)
         parts = tuple(
             Part(share, x, y, (sxx, sxy, syy), tail or None)
             for share, x, y, sxx, sxy, syy, tail in rows[: int(memory[at + mixed_region.COUNT])].tolist()
