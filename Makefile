@@ -5,9 +5,14 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 BIN = .venv/bin
 RUNS = .venv/.run
 READY = .venv/.ready
+ZIG = .venv/.zig
+WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
+LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
+OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
+COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers page docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers laws wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -52,8 +57,25 @@ faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction
 
-page: $(READY)  ## translate the laws to JavaScript, into server/pointpred_server/web/laws
+laws: $(READY)  ## after a change of a law: write its C and JavaScript, compile what changed (FORCE=--force: all)
 	$(BIN)/python -m translation
+	for folder in . observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' setup.py -q build_ext --inplace $(FORCE)) || exit; done
+	touch $(RUNS) $(READY)
+
+wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist, with zig for Linux, macOS and Windows
+	rm -rf dist
+	for platform in $$($(BIN)/python -c 'import setup; print(*setup.TARGETS)'); do \
+		for folder in $(COMPILED); do \
+			rm -rf "$$folder/build" && $(WHEEL) "--config-settings=--build-option=--plat-name=$$platform" "$$folder" || exit; \
+		done; done
+	$(WHEEL) $(filter-out $(COMPILED),./server ./observers)
+	for folder in . server observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' -W ignore -c \
+		"from setuptools import build_meta; build_meta.build_sdist('$(CURDIR)/dist')" >/dev/null) || exit; done
+	rm -rf build observers/build server/build
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --find-links dist --target dist/tried pointpred
+	PYTHONPATH=dist/tried $(BIN)/python -P -c 'import pointpred._laws; print("tried here:", pointpred._laws.__file__)'
+	rm -r dist/tried
+	@echo 'the wheels of other platforms in dist are untried: install each there and run: pointpred doctor'
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
@@ -89,10 +111,11 @@ fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
 	rm -rf server/build server/*.egg-info observers/build observers/*.egg-info
+	rm -f pointpred/_laws.* observers/pointpred_observers/_laws.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # What running needs, and nothing that only tests, reports, cameras or observers do.
-$(RUNS): pyproject.toml server/pyproject.toml constraints.txt
+$(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 	@'$(PYTHON)' -c '$(NEW_ENOUGH)' 2>/dev/null || { echo "pointpred needs Python 3.11 or later," \
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	@echo 'installing what running needs into .venv, about half a minute' >&2
@@ -102,7 +125,12 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
-$(READY): $(RUNS) observers/pyproject.toml
+# Beside the environment, which stays without a compiler of 100 MB.
+$(ZIG): | $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(ZIG) \
+		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')"
+
+$(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2
 	$(BIN)/python $(INSTALL) '.[dev]' \
 		--editable 'observers[camera]'

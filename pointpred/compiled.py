@@ -1,13 +1,14 @@
 """How a law runs: as the C function of its name in ``_laws``, else as plain Python.
 
-Every law is a function on numbers, tuples and contiguous arrays, in the part of Python that ``translation`` turns
-into C. ``POINTPRED_COMPILED=0`` runs plain Python, the reference that the laws in C are tested against; so does an
-installation for which no C compiler could be had.
+Every law is a function on numbers, tuples, memories and contiguous arrays, in the part of Python that
+``translation`` turns into C. ``POINTPRED_COMPILED=0`` runs plain Python, the reference that the laws in C are
+tested against; so does an installation for which no C compiler could be had.
 """
 
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable
 from functools import wraps
 from inspect import unwrap
@@ -15,14 +16,19 @@ from typing import Any, TypeVar, cast
 
 from pointpred.layout import Layout
 
+NOT_COMPILED = (
+    "the laws of pointpred are not compiled and run as plain Python, about 100 times slower: install a C "
+    "compiler (gcc or clang) or 'python -m pip install ziglang', and install pointpred again; "
+    "POINTPRED_COMPILED=0 says that plain Python is wanted"
+)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 _functions: dict[str, Any] = {}
 if os.environ.get("POINTPRED_COMPILED", "1") != "0":
     try:
         from pointpred import _laws
-    except ImportError:  # nothing was compiled when this was installed
-        pass
+    except ImportError:
+        warnings.warn(NOT_COMPILED, RuntimeWarning, stacklevel=2)
     else:
         _functions = vars(_laws)
 

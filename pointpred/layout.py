@@ -1,7 +1,7 @@
 """Memories with names: the one declaration of what a law remembers, and the view that plain Python runs on.
 
-A memory is a flat float64 array. A ``Layout`` names its numbers in their order; ``translation`` makes C's struct
-and JavaScript's places of it. Laws write ``s.rows[i, j]``, ``s.count = 1.0`` or ``s.places[k].weight``.
+A memory is a flat float64 array. A ``Layout`` names its numbers in their order; ``translation`` makes C's
+struct and JavaScript's places of it. Laws write ``s.rows[i, j]``, ``s.count = 1.0``, ``s.places[k].weight``.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 
 class Known(NamedTuple):
-    """What may be saved of a person: the name of the numbers there, their closed bounds, whether they are whole."""
+    """What may be saved of a person: the name of the numbers, their closed bounds, whether they are whole."""
 
     name: str
     low: float
@@ -44,9 +44,9 @@ class Part(NamedTuple):
 class Layout:
     """Names for the numbers of a memory, one behind the other; a child declares them as annotations.
 
-    ``float``: a number. ``Annotated[FloatArray, n]`` and ``Annotated[FloatTable, n, m]``: so many numbers; n None, in
-    a last part: what is left. Another layout: its numbers. ``Annotated[Sequence[Other], n]``: n of it. ``Known``
-    among the annotations says what of it is saved of a person, and its bounds.
+    ``float``: a number. ``Annotated[FloatArray, n]`` and ``Annotated[FloatTable, n, m]``: so many numbers;
+    n None, in a last part: what is left. Another layout: its numbers. ``Annotated[Sequence[Other], n]``: n of
+    it. ``Known`` among the annotations says what of it is saved of a person, and its bounds.
 
     >>> class Path(Layout):
     ...     count: float

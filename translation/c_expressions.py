@@ -83,9 +83,9 @@ class Value(NamedTuple):
 class Expressions:
     """The expressions of one law.
 
-    ``uses``: the laws and constants that they need; ``structs``: the kinds of tuples; ``casts``: from which to
-    which tuples are turned; ``written``: the arguments whose arrays are changed; ``before``: lines that go before
-    the present statement.
+    ``uses``: the laws and constants that they need; ``structs``, ``layouts``: kinds of tuples and memories;
+    ``casts``: from which to which tuples are turned; ``written``: the arguments whose arrays are changed;
+    ``before``: lines that go before the present statement.
     """
 
     def __init__(self, reader: Module, function: ast.FunctionDef, bound: dict[str, Law], known: Any) -> None:
@@ -211,9 +211,8 @@ class Expressions:
         whole = value.text[1:] + "." if value.text.startswith("&") else value.within(CALL) + "->"
         text = f"{whole}{local(name)}"
         if part.of is not None:
-            kind = Memories(part.of, part.shape[0]) if part.shape else Memory(part.of)
-            self.struct(kind)
-            return Value(text, kind, CALL) if part.shape else Value(f"&{text}", kind, UNARY)
+            inner = self.struct(Memories(part.of, part.shape[0]) if part.shape else Memory(part.of))
+            return Value(text, inner, CALL) if part.shape else Value(f"&{text}", inner, UNARY)
         if not part.shape:
             return Value(text, FLOAT, CALL)
         kind = Array(FLOAT, len(part.shape))
@@ -319,8 +318,8 @@ class Expressions:
             case ast.Constant(value=int() as value):
                 return value
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                value = self.constant(operand)
-                return None if value is None else -value
+                positive = self.constant(operand)
+                return None if positive is None else -positive
             case ast.Attribute(value=whole, attr="length"):
                 layout = layout_at(self.reader, whole)
                 return None if layout is None else layout.length
@@ -329,21 +328,24 @@ class Expressions:
             case ast.Attribute(value=ast.Name(id=owner), attr=name) if self._is_module(owner):
                 found = member(self.reader, owner, name)
             case ast.BinOp(left=left, op=op, right=right):
-                one, other = self.constant(left), self.constant(right)
-                if one is None or other is None or type(op) not in BINARY:
+                first, second = self.constant(left), self.constant(right)
+                if first is None or second is None or type(op) not in BINARY:
                     return None
-                return {"+": one + other, "-": one - other, "*": one * other}[BINARY[type(op)][0]]
+                return {"+": first + second, "-": first - second, "*": first * second}[BINARY[type(op)][0]]
             case ast.Call(func=ast.Name(id="len"), args=[one]):
-                whole = self.value(one)
-                if isinstance(whole.kind, Memories):
-                    return whole.kind.count
-                if whole.place:
-                    return int(whole.text.rpartition("{")[2].rstrip("}").split(", ")[1])
-                return len(whole.kind.kinds) if isinstance(whole.kind, Parts) else None
+                return self._length(self.value(one))
             case _:
                 return None
-        value = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
-        return value if isinstance(value, int) else None
+        known = module(found.module).values.get(found.name) if found.module.startswith("pointpred") else None
+        return known if isinstance(known, int) else None
+
+    def _length(self, value: Value) -> int | None:
+        """How many a tuple or a part of a memory holds."""
+        if isinstance(value.kind, Memories):
+            return value.kind.size
+        if value.place:  # its text is a struct: the first number, then the sizes
+            return int(value.text.rpartition("{")[2].rstrip("}").split(", ")[1])
+        return len(value.kind.kinds) if isinstance(value.kind, Parts) else None
 
     def whole(self, node: ast.expr) -> Value:
         """An index."""
@@ -417,7 +419,7 @@ class Expressions:
         return Value(f"{array}.p[{place}]", kind.of, CALL)
 
     def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
-        """Values one after the other; a star gives the parts of a tuple, or the shared arrays of a closure."""
+        """Values in turn; a star gives the parts of a tuple, or the shared arrays of a closure."""
         values = []
         for node in nodes:
             if not isinstance(node, ast.Starred):
@@ -526,11 +528,9 @@ class Expressions:
     def _copy(self, node: ast.Call, value: Value) -> Value:
         if not isinstance(value.kind, Array) or value.kind.dimensions != 1:
             raise self.error(node, f"a copy of {value.kind.c}")
-        name, of = self._buffer(node), value.kind.of
-        self.before.append(
-            f"RELEASED {of.c} *{name} = copied({value.within(CALL)}.p, sizeof({of.c}) * {value.within(CALL)}.n);"
-        )
-        return Value(f"({value.kind.c}){{{name}, {value.within(CALL)}.n}}", value.kind, CALL)
+        name, of, array = self._buffer(node), value.kind.of.c, value.within(CALL)
+        self.before.append(f"RELEASED {of} *{name} = copied({array}.p, sizeof({of}) * {array}.n);")
+        return Value(f"({value.kind.c}){{{name}, {array}.n}}", value.kind, CALL)
 
     def _buffer(self, node: ast.AST) -> str:
         if self._guarded:

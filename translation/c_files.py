@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib
 import inspect
 import pkgutil
@@ -21,7 +22,7 @@ from translation.c_expressions import literal
 from translation.c_law import Function
 from translation.c_module import module_text
 from translation.c_names import Law, Made, c_name, local
-from translation.kinds import Memory, Parts, kind_of_value
+from translation.kinds import Memory, Number, Parts, kind_of_value
 from translation.source import PLAIN, Name, is_law, module
 
 WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"
@@ -59,12 +60,16 @@ def texts(package: str) -> dict[str, str]:
         rooms.setdefault(room_of(one.law), []).append(one)
     here = Path(__file__).parent
     files = {
+        "abi3.h": (here / "abi3.h").read_text("utf-8"),
         "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values())),
         "module.c": module_text(
             sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")
         ),
     }
-    return files | {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+    files |= {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+    digest = hashlib.sha256("".join(files[name] for name in sorted(files)).encode()).hexdigest()
+    files["module.c"] = files["module.c"].replace("DIGEST", digest)
+    return files
 
 
 def laws_in(package: str) -> list[Law]:
@@ -144,22 +149,22 @@ def header(prelude: str, functions: list[Function]) -> str:
             casts[source.c, target.c] = source, target
     lines = [WRITTEN, "#ifndef POINTPRED_LAWS", "#define POINTPRED_LAWS", prelude.rstrip(), ""]
     for kind in structs.values():
-        fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
+        fields = " ".join(f"{inner.c} {kind.field(i)};" for i, inner in enumerate(kind.kinds))
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
     layouts: list[type[Layout]] = []
     for one in functions:
-        for layout in one.layouts:
+        for layout in sorted(one.layouts, key=lambda one: one.__module__ + one.__name__):
             _lay_out(layout, layouts)
     lines += [struct_text(layout) for layout in layouts]
-    for source, target in sorted(casts.values(), key=lambda pair: _depth(pair[0])):
+    for source, target in sorted(casts.values(), key=lambda pair: (_depth(pair[0]), pair[0].c, pair[1].c)):
         parts = []
-        for i, (one, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
+        for i, (inner, other) in enumerate(zip(source.kinds, target.kinds, strict=True)):
             part = f"value.{source.field(i)}"
-            parts.append(
-                f"{other.c}_of_{one.c}({part})" if isinstance(one, Parts) and one.c != other.c else part
-            )
+            same = inner.c == other.c or isinstance(inner, Number)
+            parts.append(part if same else f"{other.c}_of_{inner.c}({part})")
         lines.append(
-            f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) {{ return ({target.c}){{{', '.join(parts)}}}; }}"
+            f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) "
+            f"{{ return ({target.c}){{{', '.join(parts)}}}; }}"
         )
     lines += [f"{one.head};" for one in sorted(functions, key=lambda one: c_name(one.law))]
     return "\n".join([*lines, "#endif", ""])

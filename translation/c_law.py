@@ -87,9 +87,10 @@ class Function:
     def _shared(self, star: str, bound: dict[str, Law]) -> int:
         """How many arrays stand behind the star: what a bound law takes more than it is handed by name."""
         for call in ast.walk(self.node):
-            if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in bound:
-                if any(isinstance(one, ast.Starred) for one in call.args):
-                    return len(self._known(bound[call.func.id]).kinds) - len(call.args) + 1
+            if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in bound):
+                continue
+            if any(isinstance(one, ast.Starred) for one in call.args):
+                return len(self._known(bound[call.func.id]).kinds) - len(call.args) + 1
         raise self._at.error(self.node, f"*{star} is handed to no law")
 
     def _returns(self, bound: dict[str, Law]) -> Kind:
@@ -310,7 +311,8 @@ class Function:
             if isinstance(value.kind, Array) or kind.of != FLOAT:
                 raise self._at.error(target, f"assignment to {ast.unparse(target)}")
         if isinstance(value.kind, Array):
-            yield f"memmove({place.within(CALL)}.p, {value.within(CALL)}.p, sizeof({kind.of.c}) * {place.within(CALL)}.n);"
+            to, source = place.within(CALL), value.within(CALL)
+            yield f"memmove({to}.p, {source}.p, sizeof({kind.of.c}) * {to}.n);"
         else:
             word = {"d": "fill", "q": "fill_whole"}[kind.of.letter]
             yield f"{word}({place.text}, {value.text});"

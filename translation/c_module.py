@@ -32,7 +32,9 @@ def module_text(functions: list[Function], prelude: str) -> str:
             "  {NULL, NULL, 0, NULL},",
             "};",
             "static PyModuleDef_Slot slots[] = {{0, NULL}};",
-            'static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};',
+            "static PyModuleDef definition = {",
+            '  PyModuleDef_HEAD_INIT, "_laws", "DIGEST", 0, methods, slots, NULL, NULL, NULL,',
+            "};",
             "PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }",
             "",
         ]
@@ -82,12 +84,12 @@ def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Ite
         yield f"take_{kind.c}({source}, &{place})"
     elif isinstance(kind, Memory):
         flag = "true" if written else "false"
-        yield f"take_array(&held, {source}, law, \"{word}\", 'd', 1, {flag}, &view)"
-        yield f'is_long_enough(view, law, "{word}", {kind.of.length})'
+        yield f'take_memory(&held, {source}, law, "{word}", {flag}, {kind.of.length}, &view)'
         yield f"({place} = view->buf, true)"
     elif isinstance(kind, Array):
         flag = "true" if written else "false"
-        yield f"take_array(&held, {source}, law, \"{word}\", '{kind.of.letter}', {kind.dimensions}, {flag}, &view)"
+        what = f"'{kind.of.letter}', {kind.dimensions}, {flag}"
+        yield f'take_array(&held, {source}, law, "{word}", {what}, &view)'
         sizes = "view->shape[0]" + (", view->shape[1]" if kind.dimensions == 2 else "")
         yield f"({place} = ({kind.c}){{view->buf, {sizes}}}, true)"
     else:
@@ -102,7 +104,7 @@ def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Ite
 def _given(text: str, kind: Kind, givers: dict[str, str]) -> str:
     """A value for Python; the functions that make tuples go into ``givers``."""
     if kind == NOTHING:
-        return "Py_NewRef(Py_None)"
+        return "(Py_IncRef(Py_None), Py_None)"
     if isinstance(kind, Number):
         return f"{GIVE[kind]}({text})"
     assert isinstance(kind, Parts)

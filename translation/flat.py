@@ -1,7 +1,7 @@
 """Memories with names as flat ones: what JavaScript makes of a law.
 
-A memory ``s`` becomes the array ``s`` and the place ``s_at`` where it begins in it. ``s_at`` goes behind the other
-arguments and is 0 unless told otherwise, so that a law can be called with a whole memory.
+A memory ``s`` becomes the array ``s`` and the place ``s_at`` where it begins in it. ``s_at`` goes behind the
+other arguments and is 0 unless told otherwise, so that a law can be called with a whole memory.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from translation.source import Module, Name, UntranslatableError, is_law, member
 
 
 class Place(NamedTuple):
-    """A memory with names: the array, where it begins there, its layout; of ``count`` memories where it is one."""
+    """A memory with names, or ``size`` of them: the array, where it begins there, its layout."""
 
     array: ast.expr
     at: ast.expr
     layout: type[Layout]
-    count: int = 0
+    size: int = 0
 
 
 def layouts_of(reader: Module, function: ast.FunctionDef) -> dict[str, type[Layout]]:
@@ -49,10 +49,11 @@ def _sum(*parts: ast.expr) -> ast.expr:
     known, others = 0, []
     for part in parts:
         for one in _summands(part):
-            if isinstance(one, ast.Constant):
-                known += one.value
-            else:
-                others.append(one)
+            match one:
+                case ast.Constant(value=int() as value):
+                    known += value
+                case _:
+                    others.append(one)
     if known or not others:
         others.append(ast.Constant(known))
     total = others[0]
@@ -68,8 +69,9 @@ def _summands(node: ast.expr) -> list[ast.expr]:
 
 
 def _times(node: ast.expr, size: int) -> ast.expr:
-    if isinstance(node, ast.Constant):
-        return ast.Constant(node.value * size)
+    match node:
+        case ast.Constant(value=int() as value):
+            return ast.Constant(value * size)
     return node if size == 1 else ast.BinOp(node, ast.Mult(), ast.Constant(size))
 
 
@@ -90,13 +92,19 @@ class _Flat(ast.NodeTransformer):
     def statement(self, node: ast.stmt) -> list[ast.stmt]:
         """A statement, or those that stand for it."""
         match node:
-            case ast.Assign(targets=[ast.Name(id=name)], value=value) if (place := self.place(value)) is not None:
+            case ast.Assign(targets=[ast.Name(id=name)], value=value) if (
+                place := self.place(value)
+            ) is not None:
                 return [self._named(node, name, place)]
             case ast.Assign(targets=[ast.Tuple(elts=names)], value=ast.Tuple(elts=values)) if any(
                 self.place(one) is not None for one in values
             ):
                 pairs = zip(names, values, strict=True)
-                return [line for one, value in pairs for line in self.statement(ast.copy_location(ast.Assign([one], value), node))]
+                return [
+                    line
+                    for one, value in pairs
+                    for line in self.statement(ast.copy_location(ast.Assign([one], value), node))
+                ]
             case ast.Expr(value=ast.Call(args=[part]) as call) if self._called(call) == CLEAR:
                 place = self.place(part)
                 if place is None:
@@ -137,8 +145,15 @@ class _Flat(ast.NodeTransformer):
             case ast.Attribute(value=value, attr=name) if (outer := self.place(value)) is not None:
                 part = self._part(node, outer, name)
                 if part is not None and part.of is not None:
-                    return Place(outer.array, _sum(outer.at, ast.Constant(part.at)), part.of, part.shape[0] if part.shape else 0)
-            case ast.Subscript(value=value, slice=index) if (outer := self.place(value)) is not None and outer.count:
+                    return Place(
+                        outer.array,
+                        _sum(outer.at, ast.Constant(part.at)),
+                        part.of,
+                        part.shape[0] if part.shape else 0,
+                    )
+            case ast.Subscript(value=value, slice=index) if (
+                outer := self.place(value)
+            ) is not None and outer.size:
                 index = self.visit(index)
                 return Place(outer.array, _sum(outer.at, _times(index, outer.layout.length)), outer.layout)
             case ast.Call(args=[array, *at]) if (layout := self._layout(node)) is not None:
@@ -173,7 +188,7 @@ class _Flat(ast.NodeTransformer):
         first = _sum(place.at, ast.Constant(start))
         return ast.Subscript(place.array, ast.Slice(first, _sum(first, ast.Constant(count))), context)
 
-    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:  # noqa: N802
+    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:
         if node.attr == "length" and (layout := layout_at(self.reader, node.value)) is not None:
             return ast.copy_location(ast.Constant(layout.length), node)
         place = self.place(node.value)
@@ -188,9 +203,11 @@ class _Flat(ast.NodeTransformer):
             if part.shape == (-1,):
                 raise self.error(node, f"the whole of {ast.unparse(node)}")
             return ast.copy_location(self._slice(place, part.at, part.shape[0], node.ctx), node)
-        return ast.copy_location(ast.Subscript(place.array, _sum(place.at, ast.Constant(part.at)), node.ctx), node)
+        return ast.copy_location(
+            ast.Subscript(place.array, _sum(place.at, ast.Constant(part.at)), node.ctx), node
+        )
 
-    def visit_Subscript(self, node: ast.Subscript) -> ast.expr:  # noqa: N802
+    def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
         match node.value:
             case ast.Attribute(value=value, attr=name) if (place := self.place(value)) is not None:
                 return ast.copy_location(self._element(node, place, self._numbers(node.value, place, name)), node)
@@ -214,7 +231,7 @@ class _Flat(ast.NodeTransformer):
             return ast.Subscript(place.array, ast.Slice(at, _sum(at, ast.Constant(wide))), node.ctx)
         return ast.Subscript(place.array, at, node.ctx)
 
-    def visit_Call(self, node: ast.Call) -> ast.expr:  # noqa: N802
+    def visit_Call(self, node: ast.Call) -> ast.expr:
         name = self._called(node)
         if name == Name("", "len") and isinstance(node.args[0], ast.Attribute | ast.Subscript):
             size = self._size(node.args[0])
@@ -239,8 +256,8 @@ class _Flat(ast.NodeTransformer):
     def _size(self, node: ast.expr) -> int | None:
         """How many a part of a memory has."""
         place = self.place(node)
-        if place is not None and place.count:
-            return place.count
+        if place is not None and place.size:
+            return place.size
         if isinstance(node, ast.Attribute) and (outer := self.place(node.value)) is not None:
             part = self._part(node, outer, node.attr)
             return part.shape[0] if part is not None and part.shape and part.shape[0] > 0 else None

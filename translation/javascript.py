@@ -6,8 +6,8 @@ import ast
 import copy
 from collections.abc import Iterable, Iterator
 
-from translation.flat import flattened
 from translation.expressions import BINARY, CALL, COMPARE, Expressions, Text, number
+from translation.flat import flattened
 from translation.names import renamed
 from translation.source import Module
 

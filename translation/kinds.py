@@ -71,12 +71,12 @@ class Memories(NamedTuple):
     """So many memories with the same names, within another one."""
 
     of: type[Layout]
-    count: int
+    size: int
 
     @property
     def c(self) -> str:
         """What an error calls it."""
-        return f"{Memory(self.of).struct}[{self.count}]"
+        return f"{Memory(self.of).struct}[{self.size}]"
 
 
 Kind: TypeAlias = Number | Array | Parts | Memory | Memories
@@ -154,7 +154,7 @@ def joined(one: Kind | None, other: Kind) -> Kind:
         return Parts(kinds)
     numbers = (FLAG, WHOLE, FLOAT)
     if one in numbers and other in numbers:
-        return numbers[max(numbers.index(one), numbers.index(other))]  # type: ignore[arg-type]
+        return numbers[max(numbers.index(one), numbers.index(other))]
     raise UntranslatableError(f"{one} and {other} under one name")
 
 

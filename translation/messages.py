@@ -25,7 +25,7 @@ def messages_text() -> str:
         messages[message["properties"]["type"]["enum"][0]] = message
     messages["events"]["properties"]["events"]["items"] = {}
     lines = [
-        "// Written by `make page` from the messages in pointpred/protocol: change these and run it again."
+        "// Written by `make laws` from the messages in pointpred/protocol: change these and run it again."
     ]
     lines += [
         f"export const {name} = {json.dumps(value)};"

@@ -1,6 +1,5 @@
 /* How Python's values become those of a law, and back. */
-#define Py_LIMITED_API 0x030B0000
-#include <Python.h>
+#include "abi3.h"
 #include <stdbool.h>
 #include <string.h>
 
@@ -39,13 +38,25 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   PyErr_Clear();
   const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
   PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
-               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)given->ob_type);
   return false;
 }
 
-static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
-  if (view->shape[0] >= least) return true;
-  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+/* The numbers of a memory: an array, or a view with names of one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
+                        const Py_buffer **taken) {
+  bool good;
+  if (PyObject_CheckBuffer(given)) {
+    good = take_array(held, given, law, argument, 'd', 1, written, taken);
+  } else {
+    PyObject *memory = PyObject_GetAttrString(given, "memory");
+    if (memory == NULL) return false;
+    good = take_array(held, memory, law, argument, 'd', 1, written, taken);
+    Py_DecRef(memory);
+  }
+  if (!good || (*taken)->shape[0] >= least) return good;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least,
+               (*taken)->shape[0]);
   return false;
 }
 

@@ -91,7 +91,7 @@ def text_of(name: str, wanted: Iterable[Name], classes: list[type[CompiledStage]
     uses |= {used.module for stage in classes for used in stages.laws_of(stage).values()}
     uses -= {name}
     arithmetic = sorted({word for one in laws for word in law(one).arithmetic})
-    lines = [f"// Written by `make page` from {home.path.name}: change that and run it again."]
+    lines = [f"// Written by `make laws` from {home.path.name}: change that and run it again."]
     if arithmetic:
         lines.append(f'import {{ {", ".join(arithmetic)} }} from "{relative(name, "arithmetic.js")}";')
     lines += [f'import * as {alias(used)} from "{relative(name, path_of(used))}";' for used in sorted(uses)]

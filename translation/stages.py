@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from pointpred.compiled import key_of
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.parameter import REQUIRED, Parameter
 from pointpred.person import layout_name
@@ -33,8 +34,10 @@ def laws_of(stage: type[CompiledStage]) -> dict[str, Name]:
     named = {}
     for word in LAWS:
         function = getattr(stage, word, None)
-        plain = getattr(function, "py_func", function)
-        if plain is not None and is_law(name := Name(plain.__module__, plain.__name__)):
+        if function is None:
+            continue
+        home, _, own = key_of(function).partition(":")
+        if is_law(name := Name(home, own)):
             named[word] = name
     return named
 
@@ -61,7 +64,7 @@ def text_of(stage: type[CompiledStage]) -> str:
 def registry_text(version: str) -> str:
     """The module that names every predictor and loads what it needs."""
     lines = [
-        "// Written by `make page` from the registry: change that and run it again.",
+        "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
         f"export const GAINS = {_object(GAINS)};",
@@ -93,7 +96,7 @@ def descriptions_text() -> str:
     }
     differentiators = {name: {"meanings": _meanings(stage)} for name, stage in DIFFERENTIATORS.items()}
     return (
-        "// Written by `make page` from the registry: change that and run it again.\n"
+        "// Written by `make laws` from the registry: change that and run it again.\n"
         f"export const PREDICTORS = {json.dumps(predictors, indent=2)};\n"
         f"export const DIFFERENTIATORS = {json.dumps(differentiators, indent=2)};\n"
     )

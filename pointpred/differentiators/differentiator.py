@@ -35,7 +35,7 @@ class Differentiator(CompiledStage):
     """
 
     width = len(MotionRow._fields)
-    fill = staticmethod(sampling.fill)
+    fill: ClassVar[Callable[..., None]] = staticmethod(sampling.fill)
     step: ClassVar[Callable[..., TenFloats]]
 
     def __init_subclass__(cls) -> None:

@@ -304,7 +304,7 @@ class HomogeneousDifferentiator(Differentiator):
         super().lay_out(settings, states)
         if self.alpha < 0.0:
             _check_rest(self._memory, self.alpha, self.step_s)
-        settle(self._memory)
+        settle(Memory(self._memory))
 
 
 def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:
@@ -313,7 +313,7 @@ def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:
     How far depends on the step; it is measured by running the law, from each of the two displacements.
     """
     steps = min(max(round(2.0 / step_s), 2_000), 20_000)
-    speeds = [chatter(memory.copy(), place, step_s, steps) for place in STEPS_M]
+    speeds = [chatter(Memory(memory.copy()), place, step_s, steps) for place in STEPS_M]
     if not all(speed <= CHATTER_MOST_M_S for speed in speeds):
         raise ParameterError(
             f"with step_s = {step_s:g} s, alpha = {alpha:g} and these gains the velocity of a device at rest "

@@ -235,12 +235,12 @@ typedef struct {
   double path;
 } movement_State;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
-static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
-static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { return (records_PredictionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
-static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
-static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 static inline pixels_CountsRow pixels_CountsRow_of_T3d(T3d value) { return (pixels_CountsRow){value.f0, value.f1, value.f2}; }
+static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
+static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
+static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
+static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt);
 T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event);
 double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps);

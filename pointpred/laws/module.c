@@ -1,7 +1,6 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 /* How Python's values become those of a law, and back. */
-#define Py_LIMITED_API 0x030B0000
-#include <Python.h>
+#include "abi3.h"
 #include <stdbool.h>
 #include <string.h>
 
@@ -40,13 +39,25 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   PyErr_Clear();
   const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
   PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
-               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)given->ob_type);
   return false;
 }
 
-static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
-  if (view->shape[0] >= least) return true;
-  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+/* The numbers of a memory: an array, or a view with names of one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
+                        const Py_buffer **taken) {
+  bool good;
+  if (PyObject_CheckBuffer(given)) {
+    good = take_array(held, given, law, argument, 'd', 1, written, taken);
+  } else {
+    PyObject *memory = PyObject_GetAttrString(given, "memory");
+    if (memory == NULL) return false;
+    good = take_array(held, memory, law, argument, 'd', 1, written, taken);
+    Py_DecRef(memory);
+  }
+  if (!good || (*taken)->shape[0] >= least) return good;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least,
+               (*taken)->shape[0]);
   return false;
 }
 
@@ -389,8 +400,7 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "last", 'd', 1, true, &view)
-        && is_long_enough(view, law, "last", 8)
+        && take_memory(&held, args[0], law, "last", true, 8, &view)
         && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
@@ -398,7 +408,7 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
     return let_go(&held);
   differentiators_difference_advance(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.difference:step";
@@ -410,8 +420,7 @@ static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 25)
+        && take_memory(&held, args[0], law, "memory", true, 25, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -439,11 +448,9 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[0], law, "settings", false, 17, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "axis", 'd', 1, true, &view)
-        && is_long_enough(view, law, "axis", 8)
+        && take_memory(&held, args[1], law, "axis", true, 8, &view)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -466,8 +473,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -488,13 +494,12 @@ static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *c
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[1], law, "settings", true, 17, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_fill(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.homogeneous:place_poles";
@@ -506,15 +511,14 @@ static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyOb
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 17)
+        && take_memory(&held, args[0], law, "settings", true, 17, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
   differentiators_homogeneous_place_poles(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.homogeneous:settle";
@@ -524,13 +528,12 @@ static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)))
     return let_go(&held);
   differentiators_homogeneous_settle(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.homogeneous:settling";
@@ -544,8 +547,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -565,8 +567,7 @@ static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *c
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 47)
+        && take_memory(&held, args[0], law, "memory", true, 47, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -593,15 +594,14 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "axis", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[1], law, "p", false, 6, &view)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
     return let_go(&held);
   differentiators_kalman_correct(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:fill";
@@ -614,13 +614,12 @@ static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const 
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
-        && is_long_enough(view, law, "settings", 6)
+        && take_memory(&held, args[1], law, "settings", true, 6, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   differentiators_kalman_fill(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:follow";
@@ -634,8 +633,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
-        && is_long_enough(view, law, "plane", 12)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
@@ -646,7 +644,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
     return let_go(&held);
   differentiators_kalman_follow(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:narrow";
@@ -657,14 +655,13 @@ static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[0], law, "p", true, 6, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   differentiators_kalman_narrow(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:predict";
@@ -681,7 +678,7 @@ static PyObject *py_differentiators_kalman_predict(PyObject *self, PyObject *con
     return let_go(&held);
   differentiators_kalman_predict(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:restart";
@@ -692,14 +689,13 @@ static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *con
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
-        && is_long_enough(view, law, "plane", 12)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   differentiators_kalman_restart(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:settle_s";
@@ -711,11 +707,9 @@ static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 6)
+        && take_memory(&held, args[0], law, "settings", false, 6, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "samples", 'd', 1, false, &view)
-        && is_long_enough(view, law, "samples", 12)
+        && take_memory(&held, args[1], law, "samples", false, 12, &view)
         && (a1 = view->buf, true)))
     return let_go(&held);
   result = differentiators_kalman_settle_s(a0, a1);
@@ -732,15 +726,14 @@ static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
-        && is_long_enough(view, law, "p", 6)
+        && take_memory(&held, args[0], law, "p", true, 6, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
   differentiators_kalman_spread(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.kalman:step";
@@ -752,8 +745,7 @@ static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && is_long_enough(view, law, "memory", 30)
+        && take_memory(&held, args[0], law, "memory", true, 30, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -778,11 +770,9 @@ static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
-        && is_long_enough(view, law, "settings", 4)
+        && take_memory(&held, args[0], law, "settings", false, 4, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "s", 'd', 1, true, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[1], law, "s", true, 12, &view)
         && (a1 = view->buf, true)
         && take_tuple(args[2], law, "event", 6)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
@@ -812,7 +802,7 @@ static PyObject *py_differentiators_sampling_fill(PyObject *self, PyObject *cons
     return let_go(&held);
   differentiators_sampling_fill(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.differentiators.sampling:motion";
@@ -827,8 +817,7 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[0], law, "s", false, 12, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -862,8 +851,7 @@ static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *c
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 12)
+        && take_memory(&held, args[0], law, "s", false, 12, &view)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
@@ -2835,7 +2823,7 @@ static PyObject *py_loop__predictors_adaptation_predictor_conclude__records_row_
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.predictors.ktm:conclude) (pointpred.records:row_at) (pointpred.predictors.ktm:step)";
@@ -2861,7 +2849,7 @@ static PyObject *py_loop__predictors_ktm_conclude__records_row_at__predictors_kt
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_difference_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.difference:step)";
@@ -2887,7 +2875,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_difference_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.homogeneous:step)";
@@ -2913,7 +2901,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:event_at) (pointpred.differentiators.kalman:step)";
@@ -2939,7 +2927,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.delphian:step)";
@@ -2965,7 +2953,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_delphi
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_delphian_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_hold_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.hold:step)";
@@ -2991,7 +2979,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_hold_s
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_hold_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kalman:step)";
@@ -3017,7 +3005,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kalman
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kalman_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kep_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kep:step)";
@@ -3043,7 +3031,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kep_st
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kep_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kinematic_predictor_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.kinematic.predictor:step)";
@@ -3072,7 +3060,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kinema
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_kinematic_predictor_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.linear:step)";
@@ -3098,7 +3086,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_linear
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_linear_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.minimum_jerk:step)";
@@ -3124,7 +3112,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_minimu
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switched_direction_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched_direction:step)";
@@ -3150,7 +3138,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switch
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_switched_direction_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switched_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.records:row_at) (pointpred.predictors.switched:step)";
@@ -3176,7 +3164,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switch
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__records_row_at__predictors_switched_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__transfer_assistance_guided_report_at__transfer_assistance_guarded_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred.transfer.assistance:guided_report_at) (pointpred.transfer.assistance:guarded_step)";
@@ -3202,7 +3190,7 @@ static PyObject *py_loop__stage_learn_nothing__transfer_assistance_guided_report
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__transfer_assistance_guided_report_at__transfer_assistance_guarded_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_arrival_intervals_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:judge";
@@ -3229,7 +3217,7 @@ static PyObject *py_predictors_adaptation_arrival_intervals_judge(PyObject *self
     return let_go(&held);
   predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_arrival_intervals_next_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:next_step";
@@ -3515,7 +3503,7 @@ static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, Py
     return let_go(&held);
   predictors_adaptation_correction_conclude(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_fading(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:fading";
@@ -3575,7 +3563,7 @@ static PyObject *py_predictors_adaptation_correction_follow(PyObject *self, PyOb
     return let_go(&held);
   predictors_adaptation_correction_follow(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:heading_of";
@@ -3628,7 +3616,7 @@ static PyObject *py_predictors_adaptation_correction_learn(PyObject *self, PyObj
     return let_go(&held);
   predictors_adaptation_correction_learn(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:learn_place";
@@ -3657,7 +3645,7 @@ static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self,
     return let_go(&held);
   predictors_adaptation_correction_learn_place(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:prepare";
@@ -3690,7 +3678,7 @@ static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_correction_prepare(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:record";
@@ -3723,7 +3711,7 @@ static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyOb
     return let_go(&held);
   predictors_adaptation_correction_record(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_state(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:state";
@@ -3765,7 +3753,7 @@ static PyObject *py_predictors_adaptation_correction_state(PyObject *self, PyObj
     return let_go(&held);
   predictors_adaptation_correction_state(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:with_centre_ahead";
@@ -3822,7 +3810,7 @@ static PyObject *py_predictors_adaptation_correction_write_mixture(PyObject *sel
     return let_go(&held);
   predictors_adaptation_correction_write_mixture(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.destination:candidates";
@@ -3916,7 +3904,7 @@ static PyObject *py_predictors_adaptation_destination_favour_near(PyObject *self
     return let_go(&held);
   predictors_adaptation_destination_favour_near(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_destination_geometric_median(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.destination:geometric_median";
@@ -3994,7 +3982,7 @@ static PyObject *py_predictors_adaptation_destination_prepare(PyObject *self, Py
     return let_go(&held);
   predictors_adaptation_destination_prepare(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_destination_scaled(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.destination:scaled";
@@ -4110,7 +4098,7 @@ static PyObject *py_predictors_adaptation_destination_weigh(PyObject *self, PyOb
     return let_go(&held);
   predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_distances_age_weight(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.distances:age_weight";
@@ -4190,7 +4178,7 @@ static PyObject *py_predictors_adaptation_distances_judge(PyObject *self, PyObje
     return let_go(&held);
   predictors_adaptation_distances_judge(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_distances_likelihood(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.distances:likelihood";
@@ -4229,7 +4217,7 @@ static PyObject *py_predictors_adaptation_distances_remember(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_distances_remember(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_durations_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.durations:fault";
@@ -4262,7 +4250,7 @@ static PyObject *py_predictors_adaptation_durations_forget(PyObject *self, PyObj
     return let_go(&held);
   predictors_adaptation_durations_forget(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_durations_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.durations:judge";
@@ -4287,7 +4275,7 @@ static PyObject *py_predictors_adaptation_durations_judge(PyObject *self, PyObje
     return let_go(&held);
   predictors_adaptation_durations_judge(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_durations_median(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.durations:median";
@@ -4372,7 +4360,7 @@ static PyObject *py_predictors_adaptation_durations_remember(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_durations_remember(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_durations_value_of_rank(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.durations:value_of_rank";
@@ -4417,7 +4405,7 @@ static PyObject *py_predictors_adaptation_habits_blend(PyObject *self, PyObject 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_blend(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_habits_count_following(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.habits:count_following";
@@ -4439,7 +4427,7 @@ static PyObject *py_predictors_adaptation_habits_count_following(PyObject *self,
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_habits_count_last(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.habits:count_last";
@@ -4461,7 +4449,7 @@ static PyObject *py_predictors_adaptation_habits_count_last(PyObject *self, PyOb
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_habits_count_often(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.habits:count_often";
@@ -4535,7 +4523,7 @@ static PyObject *py_predictors_adaptation_habits_learn(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_habits_learn(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_habits_returns(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.habits:returns";
@@ -4599,7 +4587,7 @@ static PyObject *py_predictors_adaptation_habits_share_visit(PyObject *self, PyO
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_habits_shares(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.habits:shares";
@@ -4686,7 +4674,7 @@ static PyObject *py_predictors_adaptation_levels_add(PyObject *self, PyObject *c
     return let_go(&held);
   predictors_adaptation_levels_add(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_levels_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.levels:learn";
@@ -4711,7 +4699,7 @@ static PyObject *py_predictors_adaptation_levels_learn(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_levels_learn(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_levels_offset(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.levels:offset";
@@ -4775,7 +4763,7 @@ static PyObject *py_predictors_adaptation_mixed_region_claim(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_mixed_region_claim(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_mixed_region_judge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:judge";
@@ -4802,7 +4790,7 @@ static PyObject *py_predictors_adaptation_mixed_region_judge(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_mixed_region_likeliest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:likeliest";
@@ -4856,7 +4844,7 @@ static PyObject *py_predictors_adaptation_mixed_region_write(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write_part";
@@ -4881,7 +4869,7 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
     return let_go(&held);
   predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_moments_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.moments:moment_at";
@@ -5021,7 +5009,7 @@ static PyObject *py_predictors_adaptation_places_visit(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_places_visit(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_places_visited(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.places:visited";
@@ -5088,7 +5076,7 @@ static PyObject *py_predictors_adaptation_predictor_conclude(PyObject *self, PyO
     return let_go(&held);
   predictors_adaptation_predictor_conclude(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_predictor_enter_scene(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:enter_scene";
@@ -5108,7 +5096,7 @@ static PyObject *py_predictors_adaptation_predictor_enter_scene(PyObject *self, 
     return let_go(&held);
   predictors_adaptation_predictor_enter_scene(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_predictor_last_end(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:last_end";
@@ -5297,7 +5285,7 @@ static PyObject *py_predictors_adaptation_region_widening_learn(PyObject *self, 
     return let_go(&held);
   predictors_adaptation_region_widening_learn(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_region_widening_probability_within(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.region_widening:probability_within";
@@ -5525,7 +5513,7 @@ static PyObject *py_predictors_adaptation_stages_learn(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_stages_learn(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:moment_at";
@@ -5574,7 +5562,7 @@ static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject
     return let_go(&held);
   predictors_adaptation_stages_record(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_scale(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:scale";
@@ -5597,7 +5585,7 @@ static PyObject *py_predictors_adaptation_stages_scale(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_stages_scale(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:solve";
@@ -5614,7 +5602,7 @@ static PyObject *py_predictors_adaptation_stages_solve(PyObject *self, PyObject 
     return let_go(&held);
   predictors_adaptation_stages_solve(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_tempo(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:tempo";
@@ -5739,7 +5727,7 @@ static PyObject *py_predictors_adaptation_time_left_learn(PyObject *self, PyObje
     return let_go(&held);
   predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_time_left_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.time_left:solve";
@@ -5762,7 +5750,7 @@ static PyObject *py_predictors_adaptation_time_left_solve(PyObject *self, PyObje
     return let_go(&held);
   predictors_adaptation_time_left_solve(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_time_left_stated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.time_left:stated";
@@ -5930,7 +5918,7 @@ static PyObject *py_predictors_kalman_expect(PyObject *self, PyObject *const *ar
     return let_go(&held);
   predictors_kalman_expect(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kalman_expect_rest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kalman:expect_rest";
@@ -5949,7 +5937,7 @@ static PyObject *py_predictors_kalman_expect_rest(PyObject *self, PyObject *cons
     return let_go(&held);
   predictors_kalman_expect_rest(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kalman_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kalman:step";
@@ -5996,7 +5984,7 @@ static PyObject *py_predictors_kep_add(PyObject *self, PyObject *const *args, Py
     return let_go(&held);
   predictors_kep_add(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kep_bends(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kep:bends";
@@ -6081,7 +6069,7 @@ static PyObject *py_predictors_kep_judge(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   predictors_kep_judge(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kep_remaining(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kep:remaining";
@@ -6241,7 +6229,7 @@ static PyObject *py_predictors_kinematic_features_fill_lags(PyObject *self, PyOb
     return let_go(&held);
   predictors_kinematic_features_fill_lags(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:fill_pace";
@@ -6285,7 +6273,7 @@ static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyOb
     return let_go(&held);
   predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:fill_shape";
@@ -6317,7 +6305,7 @@ static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyO
     return let_go(&held);
   predictors_kinematic_features_fill_shape(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:follow";
@@ -6443,7 +6431,7 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_kinematic_features_observe_all(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_features_rewind(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.features:rewind";
@@ -6462,7 +6450,7 @@ static PyObject *py_predictors_kinematic_features_rewind(PyObject *self, PyObjec
     return let_go(&held);
   predictors_kinematic_features_rewind(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_history_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.history:begin";
@@ -6479,7 +6467,7 @@ static PyObject *py_predictors_kinematic_history_begin(PyObject *self, PyObject 
     return let_go(&held);
   predictors_kinematic_history_begin(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.history:extend";
@@ -6548,7 +6536,7 @@ static PyObject *py_predictors_kinematic_network_activate(PyObject *self, PyObje
     return let_go(&held);
   predictors_kinematic_network_activate(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_network_evaluate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.network:evaluate";
@@ -6740,7 +6728,7 @@ static PyObject *py_predictors_kinematic_submovements_divide(PyObject *self, PyO
     return let_go(&held);
   predictors_kinematic_submovements_divide(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.kinematic.track:advance";
@@ -6777,7 +6765,7 @@ static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject 
     return let_go(&held);
   predictors_kinematic_track_advance(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:conclude";
@@ -6792,7 +6780,7 @@ static PyObject *py_predictors_ktm_conclude(PyObject *self, PyObject *const *arg
     return let_go(&held);
   predictors_ktm_conclude(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_counts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:counts";
@@ -6844,7 +6832,7 @@ static PyObject *py_predictors_ktm_fill(PyObject *self, PyObject *const *args, P
     return let_go(&held);
   predictors_ktm_fill(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_keep(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:keep";
@@ -6863,7 +6851,7 @@ static PyObject *py_predictors_ktm_keep(PyObject *self, PyObject *const *args, P
     return let_go(&held);
   predictors_ktm_keep(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_resample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:resample";
@@ -6886,7 +6874,7 @@ static PyObject *py_predictors_ktm_resample(PyObject *self, PyObject *const *arg
     return let_go(&held);
   predictors_ktm_resample(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_sample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:sample";
@@ -6905,7 +6893,7 @@ static PyObject *py_predictors_ktm_sample(PyObject *self, PyObject *const *args,
     return let_go(&held);
   predictors_ktm_sample(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_samples_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:samples_of";
@@ -6945,7 +6933,7 @@ static PyObject *py_predictors_ktm_score(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   predictors_ktm_score(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_ktm_sizes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:sizes";
@@ -7082,7 +7070,7 @@ static PyObject *py_predictors_linear_remember(PyObject *self, PyObject *const *
     return let_go(&held);
   predictors_linear_remember(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_linear_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.linear:step";
@@ -7269,7 +7257,7 @@ static PyObject *py_predictors_mixture_densities(PyObject *self, PyObject *const
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_mixture_densities(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_mixture_density(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.mixture:density";
@@ -7339,7 +7327,7 @@ static PyObject *py_predictors_mixture_follow_cells(PyObject *self, PyObject *co
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_mixture_follow_cells(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_mixture_heaviness(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.mixture:heaviness";
@@ -7586,8 +7574,7 @@ static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7615,8 +7602,7 @@ static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", true, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7644,8 +7630,7 @@ static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *a
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7674,8 +7659,7 @@ static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
-        && is_long_enough(view, law, "s", 9)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
@@ -7763,7 +7747,7 @@ static PyObject *py_predictors_switched_direction_begin_submovement(PyObject *se
     return let_go(&held);
   predictors_switched_direction_begin_submovement(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_switched_direction_follow_submovement(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.switched_direction:follow_submovement";
@@ -7788,7 +7772,7 @@ static PyObject *py_predictors_switched_direction_follow_submovement(PyObject *s
     return let_go(&held);
   predictors_switched_direction_follow_submovement(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_switched_direction_gain(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.switched_direction:gain";
@@ -8344,7 +8328,7 @@ static PyObject *py_regression_gradient_descend_along(PyObject *self, PyObject *
     return let_go(&held);
   regression_gradient_descend_along(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regression_least_squares_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.least_squares:advance";
@@ -8367,7 +8351,7 @@ static PyObject *py_regression_least_squares_advance(PyObject *self, PyObject *c
     return let_go(&held);
   regression_least_squares_advance(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regression_least_squares_excitation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.least_squares:excitation";
@@ -8478,7 +8462,7 @@ static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *con
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_hits(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_endpoint_measure(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.endpoint:measure";
@@ -8511,7 +8495,7 @@ static PyObject *py_scoring_measures_endpoint_measure(PyObject *self, PyObject *
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_measure(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_endpoint_measure_trial(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.endpoint:measure_trial";
@@ -8565,7 +8549,7 @@ static PyObject *py_scoring_measures_endpoint_moments(PyObject *self, PyObject *
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_endpoint_moments(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_regions_axis_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.regions:axis_score";
@@ -8630,7 +8614,7 @@ static PyObject *py_scoring_measures_regions_calibrate(PyObject *self, PyObject 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_regions_calibrate(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_regions_distribution(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.regions:distribution";
@@ -8696,7 +8680,7 @@ static PyObject *py_scoring_measures_regions_inside_by_time(PyObject *self, PyOb
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_regions_inside_by_time(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_regions_log_beta(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.regions:log_beta";
@@ -8802,7 +8786,7 @@ static PyObject *py_scoring_measures_time_left_inside_by_time(PyObject *self, Py
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_time_left_inside_by_time(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_time_left_time_left(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.time_left:time_left";
@@ -8831,7 +8815,7 @@ static PyObject *py_scoring_measures_time_left_time_left(PyObject *self, PyObjec
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_time_left_time_left(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_measures_time_left_within(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.time_left:within";
@@ -8876,7 +8860,7 @@ static PyObject *py_scoring_summary_sums_add_trials(PyObject *self, PyObject *co
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_summary_sums_add_trials(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_target_choice_account(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.target_choice:account";
@@ -8911,7 +8895,7 @@ static PyObject *py_scoring_target_choice_account(PyObject *self, PyObject *cons
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_target_choice_account(a0, a1, a2, a3, a4, a5, a6, a7, a8); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_target_choice_nearest(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.target_choice:nearest";
@@ -8962,7 +8946,7 @@ static PyObject *py_scoring_target_choice_read(PyObject *self, PyObject *const *
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_target_choice_read(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.target_choice:weigh";
@@ -8991,7 +8975,7 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_target_choice_weigh(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_trials_cut(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.trials:cut";
@@ -9012,7 +8996,7 @@ static PyObject *py_scoring_trials_cut(PyObject *self, PyObject *const *args, Py
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_trials_cut(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_trials_departure(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.trials:departure";
@@ -9053,7 +9037,7 @@ static PyObject *py_scoring_trials_divide(PyObject *self, PyObject *const *args,
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_trials_divide(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_trials_divided(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.trials:divided";
@@ -9114,7 +9098,7 @@ static PyObject *py_scoring_trials_judge(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_trials_judge(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_scoring_trials_selection(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.trials:selection";
@@ -9223,7 +9207,7 @@ static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *arg
     return let_go(&held);
   simulation_loop_advance(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:assist";
@@ -9280,7 +9264,7 @@ static PyObject *py_simulation_loop_correct(PyObject *self, PyObject *const *arg
     return let_go(&held);
   simulation_loop_correct(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_simulation_loop_count(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:count";
@@ -9378,7 +9362,7 @@ static PyObject *py_simulation_loop_decide(PyObject *self, PyObject *const *args
     return let_go(&held);
   simulation_loop_decide(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_simulation_loop_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:enter";
@@ -9397,7 +9381,7 @@ static PyObject *py_simulation_loop_enter(PyObject *self, PyObject *const *args,
     return let_go(&held);
   simulation_loop_enter(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_simulation_loop_hand_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:hand_distance";
@@ -9436,7 +9420,7 @@ static PyObject *py_simulation_loop_launch(PyObject *self, PyObject *const *args
     return let_go(&held);
   simulation_loop_launch(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:play";
@@ -9536,7 +9520,7 @@ static PyObject *py_stage_copy_values(PyObject *self, PyObject *const *args, Py_
     return let_go(&held);
   stage_copy_values(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_stage_first_refused(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:first_refused";
@@ -9567,7 +9551,7 @@ static PyObject *py_stage_learn_nothing(PyObject *self, PyObject *const *args, P
     return let_go(&held);
   stage_learn_nothing(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_choice_law_changes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.choice_law:changes";
@@ -10001,7 +9985,7 @@ static PyObject *py_targets_decision_rank(PyObject *self, PyObject *const *args,
     return let_go(&held);
   targets_decision_rank(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.expectation:expect";
@@ -10022,7 +10006,7 @@ static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_expectation_expect(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_expectation_target_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.expectation:target_of";
@@ -10059,7 +10043,7 @@ static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_ledger_begin(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:close";
@@ -10104,7 +10088,7 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_ledger_enter(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:propose";
@@ -10126,7 +10110,7 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_ledger_propose(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:withdraw";
@@ -10147,7 +10131,7 @@ static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *arg
     return let_go(&held);
   targets_ledger_withdraw(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_posterior_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:bend";
@@ -10237,7 +10221,7 @@ static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_posterior_features(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_posterior_lawful(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:lawful";
@@ -10273,7 +10257,7 @@ static PyObject *py_targets_posterior_normalise(PyObject *self, PyObject *const 
     return let_go(&held);
   targets_posterior_normalise(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:scores";
@@ -10311,7 +10295,7 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_posterior_scores(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:situation";
@@ -10368,7 +10352,7 @@ static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_prefetch_begin(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_prefetch_contact(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.prefetch:contact";
@@ -10506,7 +10490,7 @@ static PyObject *py_targets_prefetch_visit(PyObject *self, PyObject *const *args
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_prefetch_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_rectangle_mass_enough(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.rectangle_mass:enough";
@@ -10647,7 +10631,7 @@ static PyObject *py_targets_rectangles_complete(PyObject *self, PyObject *const 
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_rectangles_complete(a0); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_training_calibration_fill_reaches(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.training.calibration:fill_reaches";
@@ -10667,7 +10651,7 @@ static PyObject *py_training_calibration_fill_reaches(PyObject *self, PyObject *
     return let_go(&held);
   training_calibration_fill_reaches(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_assistance_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.assistance:add";
@@ -10892,7 +10876,7 @@ static PyObject *py_transfer_bands_learn(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   transfer_bands_learn(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_bands_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.bands:states";
@@ -10950,7 +10934,7 @@ static PyObject *py_transfer_functions_evaluate(PyObject *self, PyObject *const 
     return let_go(&held);
   transfer_functions_evaluate(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_functions_gain(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.functions:gain";
@@ -11009,7 +10993,7 @@ static PyObject *py_transfer_identification_gather(PyObject *self, PyObject *con
     return let_go(&held);
   transfer_identification_gather(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_identification_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.identification:learn";
@@ -11030,7 +11014,7 @@ static PyObject *py_transfer_identification_learn(PyObject *self, PyObject *cons
     return let_go(&held);
   transfer_identification_learn(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_identification_learn_speeds(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.identification:learn_speeds";
@@ -11049,7 +11033,7 @@ static PyObject *py_transfer_identification_learn_speeds(PyObject *self, PyObjec
     return let_go(&held);
   transfer_identification_learn_speeds(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_identification_open_window(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.identification:open_window";
@@ -11064,7 +11048,7 @@ static PyObject *py_transfer_identification_open_window(PyObject *self, PyObject
     return let_go(&held);
   transfer_identification_open_window(a0);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_identification_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.identification:step";
@@ -11159,7 +11143,7 @@ static PyObject *py_transfer_pixels_lay_out(PyObject *self, PyObject *const *arg
     return let_go(&held);
   transfer_pixels_lay_out(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_transfer_pixels_report_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.transfer.pixels:report_at";
@@ -11688,5 +11672,7 @@ static PyMethodDef methods[] = {
   {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};
+static PyModuleDef definition = {
+  PyModuleDef_HEAD_INIT, "_laws", "affdc4b2e63a1d96cc1b14e53f1279937420f015e440fe4db67ffb5d21bcdc07", 0, methods, slots, NULL, NULL, NULL,
+};
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -288,7 +288,7 @@ void scoring_measures_regions_calibrate(Table rows, Table answers, WholeVector o
   }
 }
 
-/* For each trial, in a row: for each share of the time and level 1 where the region holds the endpoint, else 0. */
+/* A row a trial: for each share of the time and level 1 where the region holds the endpoint, else 0. */
 void scoring_measures_regions_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out) {
   WholeVector at;
   int64_t first, last, i;
@@ -377,7 +377,7 @@ void scoring_measures_time_left_time_left(Table rows, Table answers, WholeVector
   }
 }
 
-/* For each trial, in a row: for each share of the time and level 1 where the arrival is in the interval, else 0. */
+/* A row a trial: for each share of the time and level 1 where the arrival is in the interval, else 0. */
 void scoring_measures_time_left_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out) {
   WholeVector at;
   int64_t first, arrival;

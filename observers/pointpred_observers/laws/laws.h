@@ -87,8 +87,8 @@ typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
 typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } unknown_input_filter_FlowRow;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; } T3q;
-static inline samples_SampleRow samples_SampleRow_of_T9d(T9d value) { return (samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 static inline unknown_input_filter_FlowRow unknown_input_filter_FlowRow_of_T7d(T7d value) { return (unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
+static inline samples_SampleRow samples_SampleRow_of_T9d(T9d value) { return (samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 T9d camera_camera_stage_sample_at(Table rows, int64_t i);
 bool camera_camera_stage_usable(samples_SampleRow sample, double started, double last_t, double gap_s);
 void camera_depth_carry(Vector memory, depth_Measured m, double dt);

@@ -1,7 +1,6 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 /* How Python's values become those of a law, and back. */
-#define Py_LIMITED_API 0x030B0000
-#include <Python.h>
+#include "abi3.h"
 #include <stdbool.h>
 #include <string.h>
 
@@ -40,13 +39,25 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   PyErr_Clear();
   const char *kind = letter == 'd' ? "float64" : letter == 'q' ? "int64" : "bool";
   PyErr_Format(PyExc_TypeError, "%s: %s must be a %scontiguous array of %s with %d dimension%s, received %R", law, argument,
-               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)Py_TYPE(given));
+               written ? "writable, " : "", kind, dimensions, dimensions == 1 ? "" : "s", (PyObject *)given->ob_type);
   return false;
 }
 
-static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
-  if (view->shape[0] >= least) return true;
-  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
+/* The numbers of a memory: an array, or a view with names of one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
+                        const Py_buffer **taken) {
+  bool good;
+  if (PyObject_CheckBuffer(given)) {
+    good = take_array(held, given, law, argument, 'd', 1, written, taken);
+  } else {
+    PyObject *memory = PyObject_GetAttrString(given, "memory");
+    if (memory == NULL) return false;
+    good = take_array(held, memory, law, argument, 'd', 1, written, taken);
+    Py_DecRef(memory);
+  }
+  if (!good || (*taken)->shape[0] >= least) return good;
+  PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least,
+               (*taken)->shape[0]);
   return false;
 }
 
@@ -194,7 +205,7 @@ static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py
     return let_go(&held);
   camera_depth_carry(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_depth_inside(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.depth:inside";
@@ -293,7 +304,7 @@ static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const 
     return let_go(&held);
   camera_kinematics_add_noise(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_back(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:back";
@@ -342,7 +353,7 @@ static PyObject *py_camera_kinematics_carry(PyObject *self, PyObject *const *arg
     return let_go(&held);
   camera_kinematics_carry(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:push";
@@ -376,7 +387,7 @@ static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args
     return let_go(&held);
   camera_kinematics_push(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_turn_covariance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:turn_covariance";
@@ -400,7 +411,7 @@ static PyObject *py_camera_kinematics_turn_covariance(PyObject *self, PyObject *
     return let_go(&held);
   camera_kinematics_turn_covariance(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_point_filter_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.point_filter:correct";
@@ -425,7 +436,7 @@ static PyObject *py_camera_point_filter_correct(PyObject *self, PyObject *const 
     return let_go(&held);
   camera_point_filter_correct(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_point_filter_look(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.point_filter:look";
@@ -444,7 +455,7 @@ static PyObject *py_camera_point_filter_look(PyObject *self, PyObject *const *ar
     return let_go(&held);
   camera_point_filter_look(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_point_filter_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.point_filter:predict";
@@ -471,7 +482,7 @@ static PyObject *py_camera_point_filter_predict(PyObject *self, PyObject *const 
     return let_go(&held);
   camera_point_filter_predict(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.point_filter:step";
@@ -492,7 +503,7 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
     return let_go(&held);
   camera_point_filter_step(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.starting:begin";
@@ -509,7 +520,7 @@ static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args,
     return let_go(&held);
   camera_starting_begin(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_starting_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.starting:factor";
@@ -546,7 +557,7 @@ static PyObject *py_camera_starting_solve(PyObject *self, PyObject *const *args,
     return let_go(&held);
   camera_starting_solve(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_starting_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.starting:start";
@@ -595,7 +606,7 @@ static PyObject *py_camera_starting_take(PyObject *self, PyObject *const *args, 
     return let_go(&held);
   camera_starting_take(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.unknown_input_filter:flow";
@@ -645,7 +656,7 @@ static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject
     return let_go(&held);
   camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.unknown_input_filter:row_at";
@@ -733,7 +744,7 @@ static PyObject *py_interconnected_persidskii_law_bridge(PyObject *self, PyObjec
     return let_go(&held);
   interconnected_persidskii_law_bridge(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_floats(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:floats";
@@ -776,7 +787,7 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
     return let_go(&held);
   interconnected_persidskii_law_flow(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_injected_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:injected_at";
@@ -821,7 +832,7 @@ static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject 
     return let_go(&held);
   interconnected_persidskii_law_move(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_onward(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:onward";
@@ -863,7 +874,7 @@ static PyObject *py_interconnected_persidskii_law_read(PyObject *self, PyObject 
     return let_go(&held);
   interconnected_persidskii_law_read(a0, a1);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:replace";
@@ -886,7 +897,7 @@ static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObje
     return let_go(&held);
   interconnected_persidskii_law_replace(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_replaced_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:replaced_at";
@@ -949,7 +960,7 @@ static PyObject *py_interconnected_persidskii_law_slope(PyObject *self, PyObject
     return let_go(&held);
   interconnected_persidskii_law_slope(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_start_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:start_at";
@@ -1039,7 +1050,7 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__camera_point_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__interconnected_persidskii_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.interconnected.persidskii_law:step)";
@@ -1065,7 +1076,7 @@ static PyObject *py_loop__interconnected_persidskii_law_step(PyObject *self, PyO
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__interconnected_persidskii_law_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)";
@@ -1091,7 +1102,7 @@ static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__ca
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.nonlinearity:value";
@@ -1147,7 +1158,7 @@ static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *ar
     return let_go(&held);
   regressors_gradient_flow(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:jump";
@@ -1170,7 +1181,7 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
     return let_go(&held);
   regressors_gradient_jump(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_gradient_state_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:state_at";
@@ -1288,7 +1299,7 @@ static PyObject *py_regressors_nonlinear_regression_flow(PyObject *self, PyObjec
     return let_go(&held);
   regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_nonlinear_regression_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:pace";
@@ -1331,7 +1342,7 @@ static PyObject *py_regressors_nonlinear_regression_slope(PyObject *self, PyObje
     return let_go(&held);
   regressors_nonlinear_regression_slope(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_nonlinear_regression_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:states";
@@ -1440,7 +1451,7 @@ static PyObject *py_triangular_interlaced_observer_follow(PyObject *self, PyObje
     return let_go(&held);
   triangular_interlaced_observer_follow(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_triangular_interlaced_observer_settings(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.triangular.interlaced_observer:settings";
@@ -1534,7 +1545,7 @@ static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *
     return let_go(&held);
   triangular_program_execute(a0, a1, a2);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyMethodDef methods[] = {
   {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
@@ -1604,5 +1615,7 @@ static PyMethodDef methods[] = {
   {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_laws", NULL, 0, methods, slots, NULL, NULL, NULL};
+static PyModuleDef definition = {
+  PyModuleDef_HEAD_INIT, "_laws", "1d10536ce33800aa8e01f368ccc31cc816b00e018a16bd39d61f57dac8094705", 0, methods, slots, NULL, NULL, NULL,
+};
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -183,7 +183,7 @@ def inside_by_time(
     shares: FloatArray,
     out: FloatTable,
 ) -> None:
-    """For each trial, in a row: for each share of the time and level 1 where the region holds the endpoint, else 0.
+    """A row a trial: for each share of the time and level 1 where the region holds the endpoint, else 0.
 
     NaN where no region is claimed at that moment.
     """

@@ -89,7 +89,7 @@ def inside_by_time(
     shares: FloatArray,
     out: FloatTable,
 ) -> None:
-    """For each trial, in a row: for each share of the time and level 1 where the arrival is in the interval, else 0.
+    """A row a trial: for each share of the time and level 1 where the arrival is in the interval, else 0.
 
     NaN where no interval is claimed at that moment.
     """

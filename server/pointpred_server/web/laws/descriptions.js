@@ -1,4 +1,4 @@
-// Written by `make page` from the registry: change that and run it again.
+// Written by `make laws` from the registry: change that and run it again.
 export const PREDICTORS = {
   "hold": {
     "title": "no prediction: the cursor's own position",

@@ -1,4 +1,4 @@
-// Written by `make page` from records.py: change that and run it again.
+// Written by `make laws` from records.py: change that and run it again.
 export const LATEST_S = 100000000000;
 export const LARGEST = 1000000000;
 export const MOTION_MOST = 1e+300;

@@ -1,4 +1,4 @@
-// Written by `make page` from regions.py: change that and run it again.
+// Written by `make laws` from regions.py: change that and run it again.
 import { hypot, smaller } from "./arithmetic.js";
 export const NEARLY_NORMAL = 1e+16;
 export const LARGEST_LOG = 700;

@@ -1,4 +1,4 @@
-// Written by `make page` from difference.py: change that and run it again.
+// Written by `make laws` from difference.py: change that and run it again.
 import * as $sampling from "./sampling.js";
 import * as $records from "../records.js";
 export function advance(last, axis, u, dt, last_at = 0) {

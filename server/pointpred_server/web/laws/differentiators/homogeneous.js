@@ -1,4 +1,4 @@
-// Written by `make page` from homogeneous.py: change that and run it again.
+// Written by `make laws` from homogeneous.py: change that and run it again.
 import { smaller, view } from "../arithmetic.js";
 import * as $sampling from "./sampling.js";
 import * as $records from "../records.js";

@@ -1,4 +1,4 @@
-// Written by `make page` from sampling.py: change that and run it again.
+// Written by `make laws` from sampling.py: change that and run it again.
 import * as $records from "../records.js";
 export const MERGED = 0;
 export const RESTARTED = 1;

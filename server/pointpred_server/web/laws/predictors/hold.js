@@ -1,4 +1,4 @@
-// Written by `make page` from hold.py: change that and run it again.
+// Written by `make laws` from hold.py: change that and run it again.
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
 import * as $stage from "../stage.js";

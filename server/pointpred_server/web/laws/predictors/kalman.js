@@ -1,4 +1,4 @@
-// Written by `make page` from kalman.py: change that and run it again.
+// Written by `make laws` from kalman.py: change that and run it again.
 import { square, view } from "../arithmetic.js";
 import * as $differentiators_kalman from "../differentiators/kalman.js";
 import * as $predictors_movement from "./movement.js";

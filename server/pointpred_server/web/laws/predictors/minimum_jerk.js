@@ -1,4 +1,4 @@
-// Written by `make page` from minimum_jerk.py: change that and run it again.
+// Written by `make laws` from minimum_jerk.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";

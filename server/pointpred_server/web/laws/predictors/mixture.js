@@ -1,4 +1,4 @@
-// Written by `make page` from mixture.py: change that and run it again.
+// Written by `make laws` from mixture.py: change that and run it again.
 import { larger, matrix, smaller } from "../arithmetic.js";
 export const SHARE = 0;
 export const X = 1;

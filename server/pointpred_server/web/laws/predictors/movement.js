@@ -1,4 +1,4 @@
-// Written by `make page` from movement.py: change that and run it again.
+// Written by `make laws` from movement.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
 import * as $records from "../records.js";
 export const STILL_M_S = 0.002;

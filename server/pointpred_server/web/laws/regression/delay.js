@@ -1,4 +1,4 @@
-// Written by `make page` from delay.py: change that and run it again.
+// Written by `make laws` from delay.py: change that and run it again.
 import { smaller } from "../arithmetic.js";
 export const PER_DELAY = 64;
 export const COUNT = 0;

@@ -1,4 +1,4 @@
-// Written by `make page` from drem.py: change that and run it again.
+// Written by `make laws` from drem.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 import * as $delay from "./delay.js";
 import * as $gradient from "./gradient.js";

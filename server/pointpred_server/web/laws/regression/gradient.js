@@ -1,4 +1,4 @@
-// Written by `make page` from gradient.py: change that and run it again.
+// Written by `make laws` from gradient.py: change that and run it again.
 export function descend(theta, mixed, phi, gamma, h) {
   const exponent = gamma * phi * phi * h;
   if (exponent <= 0) {

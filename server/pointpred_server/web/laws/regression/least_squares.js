@@ -1,4 +1,4 @@
-// Written by `make page` from least_squares.py: change that and run it again.
+// Written by `make laws` from least_squares.py: change that and run it again.
 import { hypot } from "../arithmetic.js";
 export const SAMPLES = 0;
 export const EFFECTIVE = 1;

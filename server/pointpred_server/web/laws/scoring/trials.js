@@ -1,4 +1,4 @@
-// Written by `make page` from trials.py: change that and run it again.
+// Written by `make laws` from trials.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
 import * as $records from "../records.js";
 export const ONSET_PX = 3;

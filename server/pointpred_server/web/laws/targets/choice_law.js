@@ -1,4 +1,4 @@
-// Written by `make page` from choice_law.py: change that and run it again.
+// Written by `make laws` from choice_law.py: change that and run it again.
 import * as $cursor from "./cursor.js";
 import * as $decision from "./decision.js";
 import * as $posterior from "./posterior.js";

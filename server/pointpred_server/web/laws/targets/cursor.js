@@ -1,4 +1,4 @@
-// Written by `make page` from cursor.py: change that and run it again.
+// Written by `make laws` from cursor.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
 import * as $records from "../records.js";
 export const PAUSE_S = 0.3;

@@ -1,4 +1,4 @@
-// Written by `make page` from decision.py: change that and run it again.
+// Written by `make laws` from decision.py: change that and run it again.
 import { hypot, larger } from "../arithmetic.js";
 import * as $cursor from "./cursor.js";
 import * as $rectangles from "./rectangles.js";

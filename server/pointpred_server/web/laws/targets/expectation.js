@@ -1,4 +1,4 @@
-// Written by `make page` from expectation.py: change that and run it again.
+// Written by `make laws` from expectation.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 import * as $rectangles from "./rectangles.js";
 export const X = 0;

@@ -1,4 +1,4 @@
-// Written by `make page` from ledger.py: change that and run it again.
+// Written by `make laws` from ledger.py: change that and run it again.
 import * as $decision from "./decision.js";
 export const LATEST = 1000;
 export const STANDING = 0;

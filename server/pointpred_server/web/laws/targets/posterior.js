@@ -1,4 +1,4 @@
-// Written by `make page` from posterior.py: change that and run it again.
+// Written by `make laws` from posterior.py: change that and run it again.
 import { hypot, larger, smaller, square } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $cursor from "./cursor.js";

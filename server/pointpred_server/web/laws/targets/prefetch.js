@@ -1,4 +1,4 @@
-// Written by `make page` from prefetch.py: change that and run it again.
+// Written by `make laws` from prefetch.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
 import * as $cursor from "./cursor.js";
 import * as $decision from "./decision.js";

@@ -1,4 +1,4 @@
-// Written by `make page` from rectangle_mass.py: change that and run it again.
+// Written by `make laws` from rectangle_mass.py: change that and run it again.
 import { smaller, square } from "../arithmetic.js";
 export const EFFECTIVE = 4.133;
 export const NODES = [-0.906179845938664, -0.5384693101056831, 0, 0.5384693101056831, 0.906179845938664];

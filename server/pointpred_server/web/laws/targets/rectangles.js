@@ -1,4 +1,4 @@
-// Written by `make page` from rectangles.py: change that and run it again.
+// Written by `make laws` from rectangles.py: change that and run it again.
 import { larger } from "../arithmetic.js";
 export const MOST_TARGETS = 1000;
 export const CENTRE_X = 0;

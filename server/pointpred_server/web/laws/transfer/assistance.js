@@ -1,4 +1,4 @@
-// Written by `make page` from assistance.py: change that and run it again.
+// Written by `make laws` from assistance.py: change that and run it again.
 import { hypot, larger, smaller } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $pixels from "./pixels.js";

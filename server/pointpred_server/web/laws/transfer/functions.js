@@ -1,4 +1,4 @@
-// Written by `make page` from functions.py: change that and run it again.
+// Written by `make laws` from functions.py: change that and run it again.
 import { copysign, larger, smaller } from "../arithmetic.js";
 export const CONSTANT = 1;
 export const SIGMOID = 2;

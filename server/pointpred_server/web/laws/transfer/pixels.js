@@ -1,4 +1,4 @@
-// Written by `make page` from pixels.py: change that and run it again.
+// Written by `make laws` from pixels.py: change that and run it again.
 import { hypot, smaller } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $functions from "./functions.js";

@@ -1,4 +1,4 @@
-// Written by `make page` from arrival_intervals.py: change that and run it again.
+// Written by `make laws` from arrival_intervals.py: change that and run it again.
 import { larger, smaller } from "../../arithmetic.js";
 import * as $stages from "./stages.js";
 export const LEVELS = [0.5, 0.8];

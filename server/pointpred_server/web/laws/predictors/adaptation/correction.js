@@ -1,4 +1,4 @@
-// Written by `make page` from correction.py: change that and run it again.
+// Written by `make laws` from correction.py: change that and run it again.
 import { hypot, larger, remainder, smaller, view } from "../../arithmetic.js";
 import * as $destination from "./destination.js";
 import * as $distances from "./distances.js";

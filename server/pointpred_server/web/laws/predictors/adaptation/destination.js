@@ -1,4 +1,4 @@
-// Written by `make page` from destination.py: change that and run it again.
+// Written by `make laws` from destination.py: change that and run it again.
 import { hypot, larger, matrix } from "../../arithmetic.js";
 import * as $distances from "./distances.js";
 import * as $habits from "./habits.js";

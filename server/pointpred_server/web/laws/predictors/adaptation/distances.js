@@ -1,4 +1,4 @@
-// Written by `make page` from distances.py: change that and run it again.
+// Written by `make laws` from distances.py: change that and run it again.
 import { larger, remainder, smaller, square } from "../../arithmetic.js";
 export const CAPACITY = 12;
 export const LEAST = 2;

@@ -1,4 +1,4 @@
-// Written by `make page` from durations.py: change that and run it again.
+// Written by `make laws` from durations.py: change that and run it again.
 import { larger, remainder, smaller } from "../../arithmetic.js";
 export const CAPACITY = 12;
 export const SHARES = [0, 0.25, 0.5, 0.75, 1];

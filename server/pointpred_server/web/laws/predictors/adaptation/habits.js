@@ -1,4 +1,4 @@
-// Written by `make page` from habits.py: change that and run it again.
+// Written by `make laws` from habits.py: change that and run it again.
 import { hypot, larger, matrix, square } from "../../arithmetic.js";
 import * as $distances from "./distances.js";
 import * as $places from "./places.js";

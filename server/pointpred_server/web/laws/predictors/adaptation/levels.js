@@ -1,4 +1,4 @@
-// Written by `make page` from levels.py: change that and run it again.
+// Written by `make laws` from levels.py: change that and run it again.
 import { larger, smaller } from "../../arithmetic.js";
 import * as $stages from "./stages.js";
 import * as $mixture from "../mixture.js";

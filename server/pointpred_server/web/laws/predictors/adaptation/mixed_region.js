@@ -1,4 +1,4 @@
-// Written by `make page` from mixed_region.py: change that and run it again.
+// Written by `make laws` from mixed_region.py: change that and run it again.
 import { larger, matrix } from "../../arithmetic.js";
 import * as $destination from "./destination.js";
 import * as $levels from "./levels.js";

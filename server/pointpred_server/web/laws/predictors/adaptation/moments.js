@@ -1,4 +1,4 @@
-// Written by `make page` from moments.py: change that and run it again.
+// Written by `make laws` from moments.py: change that and run it again.
 import * as $records from "../../records.js";
 export const COUNT = 0;
 export const APART = 1;

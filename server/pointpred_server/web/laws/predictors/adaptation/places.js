@@ -1,4 +1,4 @@
-// Written by `make page` from places.py: change that and run it again.
+// Written by `make laws` from places.py: change that and run it again.
 import { hypot, larger, remainder, smaller } from "../../arithmetic.js";
 export const CAPACITY = 64;
 export const MOVEMENTS = 128;

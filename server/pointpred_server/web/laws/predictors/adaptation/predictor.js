@@ -1,4 +1,4 @@
-// Written by `make page` from predictor.py: change that and run it again.
+// Written by `make laws` from predictor.py: change that and run it again.
 import { hypot, larger, view } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
 import * as $destination from "./destination.js";

@@ -1,4 +1,4 @@
-// Written by `make page` from region_widening.py: change that and run it again.
+// Written by `make laws` from region_widening.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
 import * as $levels from "./levels.js";
 import * as $mixed_region from "./mixed_region.js";

@@ -1,4 +1,4 @@
-// Written by `make page` from stages.py: change that and run it again.
+// Written by `make laws` from stages.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
 export const STAGES = 5;
 export const KEEP = 0.97;

@@ -1,4 +1,4 @@
-// Written by `make page` from time_left.py: change that and run it again.
+// Written by `make laws` from time_left.py: change that and run it again.
 import { larger, smaller, view } from "../../arithmetic.js";
 import * as $arrival_intervals from "./arrival_intervals.js";
 import * as $moments from "./moments.js";

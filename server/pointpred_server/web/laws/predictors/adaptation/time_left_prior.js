@@ -1,2 +1,2 @@
-// Written by `make page` from time_left_prior.py: change that and run it again.
+// Written by `make laws` from time_left_prior.py: change that and run it again.
 export const PRIOR = /* @__PURE__ */ new Float64Array([0.463, 0.05, 0.135, 0.352, -0.144, -0.102, 0.026, 5.386, 4.699, 7.62, 7.876, 8.315, 18.215, 3.974, 3.859, 5.877, 4.439, 3.135, 4.623, 4.769, 3.006, 4.42, 0.488, 0.501, 1.748, 0.157, 0.026, 0.716, 0.764, 0.903, 3.059, 0.155, 0.112, 0.72, 1.826]);

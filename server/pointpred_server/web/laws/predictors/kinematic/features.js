@@ -1,4 +1,4 @@
-// Written by `make page` from features.py: change that and run it again.
+// Written by `make laws` from features.py: change that and run it again.
 import { hypot, larger, smaller } from "../../arithmetic.js";
 import * as $history from "./history.js";
 import * as $submovements from "./submovements.js";

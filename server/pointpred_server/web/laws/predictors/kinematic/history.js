@@ -1,4 +1,4 @@
-// Written by `make page` from history.py: change that and run it again.
+// Written by `make laws` from history.py: change that and run it again.
 import { hypot, larger, remainder, smaller } from "../../arithmetic.js";
 export const TICK_S = 0.008;
 export const TICKS = 66;

@@ -1,4 +1,4 @@
-// Written by `make page` from network.py: change that and run it again.
+// Written by `make laws` from network.py: change that and run it again.
 import { larger, remainder, smaller } from "../../arithmetic.js";
 import * as $features from "./features.js";
 export const BASES = 5;

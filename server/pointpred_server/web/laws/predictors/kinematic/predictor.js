@@ -1,4 +1,4 @@
-// Written by `make page` from predictor.py: change that and run it again.
+// Written by `make laws` from predictor.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
 import * as $features from "./features.js";
 import * as $network from "./network.js";

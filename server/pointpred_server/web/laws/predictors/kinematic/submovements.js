@@ -1,4 +1,4 @@
-// Written by `make page` from submovements.py: change that and run it again.
+// Written by `make laws` from submovements.py: change that and run it again.
 export const FALLEN = 0.7;
 export const RISEN = 1.4;
 export const RISE_SHARE = 0.02;

@@ -1,4 +1,4 @@
-// Written by `make page` from track.py: change that and run it again.
+// Written by `make laws` from track.py: change that and run it again.
 import { hypot, larger, smaller } from "../../arithmetic.js";
 import * as $submovements from "./submovements.js";
 export const SLOW = 0.2;

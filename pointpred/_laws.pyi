@@ -1,0 +1,1 @@
+"""The laws in C, by their keys; see ``pointpred.compiled``."""
