@@ -210,7 +210,9 @@ class _Flat(ast.NodeTransformer):
     def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
         match node.value:
             case ast.Attribute(value=value, attr=name) if (place := self.place(value)) is not None:
-                return ast.copy_location(self._element(node, place, self._numbers(node.value, place, name)), node)
+                return ast.copy_location(
+                    self._element(node, place, self._numbers(node.value, place, name)), node
+                )
         return self.generic_visit(node)  # type: ignore[return-value]
 
     def _element(self, node: ast.Subscript, place: Place, part: Part) -> ast.expr:
