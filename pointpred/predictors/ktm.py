@@ -365,9 +365,7 @@ class TemplatePredictor(Predictor):
         twin = copy.copy(self)
         twin.reset()
         memory = Memory(twin._memory)
-        learned = Learned(memory.rest, place_of_learned(memory.settings.memory))
-        wide = Template.length + int(memory.settings.longest)
-        count = int(memory.settings.library) + int(learned.count)
+        wide, count = Template.length + int(memory.settings.longest), template_count(memory)
         return memory.rest[: count * wide].reshape(count, wide).copy()
 
 

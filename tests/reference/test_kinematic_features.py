@@ -28,7 +28,7 @@ def seen(events: EventColumns) -> tuple[FloatArray, FloatArray, FloatArray]:
     found, frames = np.zeros((len(motions), features.Values.length)), np.zeros((len(motions), 3))
     begin = np.zeros(len(motions), np.bool_)
     begin[0] = True
-    features.observe_all(np.zeros(features.State.length), begin, motions, found, frames)
+    features.observe_all(features.State(np.zeros(features.State.length)), begin, motions, found, frames)
     return motions, found, frames
 
 
@@ -119,7 +119,7 @@ def test_a_sub_movement_begins_in_the_valley_between_two_peaks() -> None:
 
 @pytest.mark.parametrize(("gap", "x"), [(0.09, 50.0), (0.11, 0.0), (0.3, 0.0)])
 def test_between_events_far_apart_the_cursor_stood_and_then_jumped(gap: float, x: float) -> None:
-    memory = np.zeros(history.State.length)
+    memory = history.State(np.zeros(history.State.length))
     history.begin(memory)
     now = history.extend(memory, (0.0, 0.0, 0.0), (gap, 100.0, 0.0))
     assert now[1:] == (100.0, 0.0, 100.0)
@@ -139,6 +139,8 @@ def test_an_event_that_comes_again_at_its_time_is_one_event(gap: float) -> None:
     for table in (motions, twice):
         out = np.zeros((len(table), features.Values.length))
         begin = np.arange(len(table)) == 0
-        features.observe_all(np.zeros(features.State.length), begin, table, out, np.zeros((len(table), 3)))
+        features.observe_all(
+            features.State(np.zeros(features.State.length)), begin, table, out, np.zeros((len(table), 3))
+        )
         found.append(out[-20:])
     assert found[0].tobytes() == found[1].tobytes()

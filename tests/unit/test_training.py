@@ -109,7 +109,7 @@ def test_the_law_computes_what_training_computes(material: data.TrainingData, tm
     np.testing.assert_allclose(stored.outputs(rows), fitted.outputs(rows), atol=0.05)
     for seen, wanted in zip(rows, stored.outputs(rows), strict=True):
         said = np.empty(net.Outputs.length)
-        at = net.evaluate(flat, seen.astype(np.float64), said)
+        at = net.evaluate(net.Coefficients(flat), seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
         assert len(flat) - net.Coefficients.length - at == net.KNOTS * net.FACTORS
 

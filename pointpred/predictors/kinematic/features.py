@@ -269,11 +269,8 @@ def observe(s: State, m: MotionRow, out: Values) -> tuple[int, Frame]:
 
 
 @law
-def observe_all(
-    memory: FloatArray, begin: BoolArray, rows: FloatTable, out: FloatTable, frames: FloatTable
-) -> None:
+def observe_all(s: State, begin: BoolArray, rows: FloatTable, out: FloatTable, frames: FloatTable) -> None:
     """The features of a whole table of motions, as training needs them; frames: reach and direction."""
-    s = State(memory)
     for i in range(len(rows)):
         if begin[i]:
             clear(s)
