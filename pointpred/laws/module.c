@@ -4850,24 +4850,22 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write_part";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  mixture_PartRow * a0;
+  double a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "centre", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "part", true, 7, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "centre", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3, a4);
+  predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5141,14 +5139,14 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.predictor:pace_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  features_State * a0;
   records_MotionRow a1;
   time_left_Pace result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "own", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "own", false, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -5219,7 +5217,7 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
   const Py_buffer *view;
   Vector a0;
   T10d a1;
-  Vector a2;
+  network_Coefficients * a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
@@ -5237,8 +5235,8 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_predictor_step(a0, a1, a2);
   let_go(&held);
@@ -6203,31 +6201,29 @@ static PyObject *py_predictors_kinematic_features_fill_lags(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.kinematic.features:fill_lags";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  features_Frame a3;
-  Vector a4;
+  history_State * a0;
+  history_Point a1;
+  features_Frame a2;
+  features_Values * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
-        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.reach)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.hand)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_memory(&held, args[3], law, "out", true, 65, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_lags(a0, a1, a2, a3, a4);
+  predictors_kinematic_features_fill_lags(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6235,43 +6231,41 @@ static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.kinematic.features:fill_pace";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  records_MotionRow a3;
-  features_Frame a4;
-  Vector a5;
+  track_State * a0;
+  history_Point a1;
+  records_MotionRow a2;
+  features_Frame a3;
+  features_Values * a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "m", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
-        && take_tuple(args[4], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.reach)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.hand)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_tuple(args[3], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_memory(&held, args[4], law, "out", true, 65, &view)
+        && (a4 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4, a5);
+  predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6279,31 +6273,29 @@ static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.kinematic.features:fill_shape";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  features_Frame a3;
-  Vector a4;
+  track_State * a0;
+  history_Point a1;
+  features_Frame a2;
+  features_Values * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
-        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.reach)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.hand)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_memory(&held, args[3], law, "out", true, 65, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_shape(a0, a1, a2, a3, a4);
+  predictors_kinematic_features_fill_shape(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6311,16 +6303,48 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.kinematic.features:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
+  features_State * a0;
+  records_MotionRow a1;
   Tq_history_Point_ result;
   (void)self, (void)view;
   held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
+    return let_go(&held);
+  result = predictors_kinematic_features_follow(a0, a1);
+  let_go(&held);
+  return give_Tq_history_Point_(result);
+}
+static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
+  Held held;
+  const Py_buffer *view;
+  track_State * a0;
+  history_Point a1;
+  records_MotionRow a2;
+  features_Frame result;
+  (void)self, (void)view;
+  held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
         && take_tuple(args[2], law, "m", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
@@ -6333,43 +6357,7 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
         && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
     return let_go(&held);
-  result = predictors_kinematic_features_follow(a0, a1, a2);
-  let_go(&held);
-  return give_Tq_history_Point_(result);
-}
-static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  records_MotionRow a3;
-  features_Frame result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)))
-    return let_go(&held);
-  result = predictors_kinematic_features_frame_of(a0, a1, a2, a3);
+  result = predictors_kinematic_features_frame_of(a0, a1, a2);
   let_go(&held);
   return give_features_Frame(result);
 }
@@ -6377,32 +6365,30 @@ static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.features:observe";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
-  Vector a3;
+  features_State * a0;
+  records_MotionRow a1;
+  features_Values * a2;
   Tq_features_Frame_ result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
-        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)
+        && take_memory(&held, args[2], law, "out", true, 65, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  result = predictors_kinematic_features_observe(a0, a1, a2, a3);
+  result = predictors_kinematic_features_observe(a0, a1, a2);
   let_go(&held);
   return give_Tq_features_Frame_(result);
 }
@@ -6410,7 +6396,7 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
   static const char law[] = "pointpred.predictors.kinematic.features:observe_all";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  features_State * a0;
   FlagVector a1;
   Table a2;
   Table a3;
@@ -6418,8 +6404,8 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "begin", 'b', 1, false, &view)
         && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
@@ -6437,18 +6423,16 @@ static PyObject *py_predictors_kinematic_features_rewind(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.kinematic.features:rewind";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  bool a2;
+  features_State * a0;
+  bool a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_bool(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_bool(args[1], &a1)))
     return let_go(&held);
-  predictors_kinematic_features_rewind(a0, a1, a2);
+  predictors_kinematic_features_rewind(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6456,16 +6440,14 @@ static PyObject *py_predictors_kinematic_history_begin(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.history:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  history_State * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 202, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_history_begin(a0, a1);
+  predictors_kinematic_history_begin(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6473,27 +6455,25 @@ static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.history:extend";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  history_State * a0;
+  T3d a1;
   T3d a2;
-  T3d a3;
   history_Point result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "last", 3)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "last", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "now", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_tuple(args[3], law, "now", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  result = predictors_kinematic_history_extend(a0, a1, a2, a3);
+  result = predictors_kinematic_history_extend(a0, a1, a2);
   let_go(&held);
   return give_history_Point(result);
 }
@@ -6501,25 +6481,23 @@ static PyObject *py_predictors_kinematic_history_past(PyObject *self, PyObject *
   static const char law[] = "pointpred.predictors.kinematic.history:past";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  double a3;
+  history_State * a0;
+  history_Point a1;
+  double a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "now", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "now", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_kinematic_history_past(a0, a1, a2, a3);
+  result = predictors_kinematic_history_past(a0, a1, a2);
   let_go(&held);
   return give_T3d(result);
 }
@@ -6542,15 +6520,15 @@ static PyObject *py_predictors_kinematic_network_evaluate(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.network:evaluate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  network_Coefficients * a0;
   Vector a1;
   Vector a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "coefficients", false, 132, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "values", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -6564,21 +6542,19 @@ static PyObject *py_predictors_kinematic_network_factor(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.network:factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
+  network_Calibration * a0;
+  double a1;
+  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "calibration", false, 30, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
     return let_go(&held);
-  result = predictors_kinematic_network_factor(a0, a1, a2, a3);
+  result = predictors_kinematic_network_factor(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -6586,7 +6562,7 @@ static PyObject *py_predictors_kinematic_network_layer(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.network:layer";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  network_Coefficients * a0;
   int64_t a1;
   Vector a2;
   Vector a3;
@@ -6594,8 +6570,8 @@ static PyObject *py_predictors_kinematic_network_layer(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "coefficients", false, 132, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_array(&held, args[2], law, "inputs", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
@@ -6645,15 +6621,15 @@ static PyObject *py_predictors_kinematic_predictor_follow(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.predictor:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  features_State * a0;
   T10d a1;
-  Vector a2;
+  network_Coefficients * a2;
   bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6665,8 +6641,8 @@ static PyObject *py_predictors_kinematic_predictor_follow(PyObject *self, PyObje
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_kinematic_predictor_follow(a0, a1, a2);
   let_go(&held);
@@ -6676,15 +6652,15 @@ static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.predictor:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  features_State * a0;
   T10d a1;
-  Vector a2;
+  network_Coefficients * a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6696,8 +6672,8 @@ static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_kinematic_predictor_step(a0, a1, a2);
   let_go(&held);
@@ -6707,26 +6683,24 @@ static PyObject *py_predictors_kinematic_submovements_divide(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.kinematic.submovements:divide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
+  submovements_State * a0;
+  history_Point a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kinematic_submovements_divide(a0, a1, a2, a3, a4);
+  predictors_kinematic_submovements_divide(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6734,36 +6708,34 @@ static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.track:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  history_Point a2;
-  records_MotionRow a3;
-  double a4;
+  track_State * a0;
+  history_Point a1;
+  records_MotionRow a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "hand", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "hand", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
-        && take_double(args[4], &a4)))
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kinematic_track_advance(a0, a1, a2, a3, a4);
+  predictors_kinematic_track_advance(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6771,48 +6743,30 @@ static PyObject *py_predictors_ktm_conclude(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.predictors.ktm:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ktm_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_conclude(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_predictors_ktm_counts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.ktm:counts";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_ktm_counts(a0);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_predictors_ktm_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  movement_State * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_ktm_distance(a0, a1);
+  result = predictors_ktm_distance(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -6821,16 +6775,34 @@ static PyObject *py_predictors_ktm_fill(PyObject *self, PyObject *const *args, P
   Held held;
   const Py_buffer *view;
   Vector a0;
-  Vector a1;
+  ktm_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[1], law, "settings", true, 26, &view)
+        && (a1 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_fill(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_predictors_ktm_forget(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:forget";
+  Held held;
+  const Py_buffer *view;
+  ktm_Settings * a0;
+  ktm_State * a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)))
+    return let_go(&held);
+  predictors_ktm_forget(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6838,36 +6810,72 @@ static PyObject *py_predictors_ktm_keep(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.predictors.ktm:keep";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  ktm_Memory * a0;
+  ktm_State * a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", false, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   predictors_ktm_keep(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_predictors_ktm_place_of_learned(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:place_of_learned";
+  Held held;
+  const Py_buffer *view;
+  ktm_Settings * a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = predictors_ktm_place_of_learned(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_place_of_template(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:place_of_template";
+  Held held;
+  const Py_buffer *view;
+  ktm_Settings * a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_ktm_place_of_template(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
 static PyObject *py_predictors_ktm_resample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:resample";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  ktm_Memory * a0;
+  ktm_State * a1;
   double a2;
   double a3;
   double a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)))
@@ -6880,15 +6888,16 @@ static PyObject *py_predictors_ktm_sample(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.predictors.ktm:sample";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  ktm_Memory * a0;
+  ktm_State * a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   predictors_ktm_sample(a0, a1, a2);
@@ -6914,22 +6923,24 @@ static PyObject *py_predictors_ktm_score(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.ktm:score";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ktm_Settings * a0;
   int64_t a1;
   double a2;
   double a3;
-  int64_t a4;
-  int64_t a5;
+  ktm_Template * a4;
+  ktm_Match * a5;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_int64_t(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+        && take_memory(&held, args[4], law, "template", false, 2, &view)
+        && (a4 = view->buf, true)
+        && take_memory(&held, args[5], law, "match", true, 25, &view)
+        && (a5 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_score(a0, a1, a2, a3, a4, a5);
   let_go(&held);
@@ -6955,14 +6966,14 @@ static PyObject *py_predictors_ktm_step(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.predictors.ktm:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ktm_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6979,35 +6990,17 @@ static PyObject *py_predictors_ktm_step(PyObject *self, PyObject *const *args, P
   let_go(&held);
   return give_T10d(result);
 }
-static PyObject *py_predictors_ktm_template(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.ktm:template";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = predictors_ktm_template(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_predictors_ktm_template_count(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:template_count";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ktm_Memory * a0;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_ktm_template_count(a0);
   let_go(&held);
@@ -7017,16 +7010,17 @@ static PyObject *py_predictors_ktm_winner(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.predictors.ktm:winner";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  ktm_Memory * a0;
+  ktm_State * a1;
   double a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   result = predictors_ktm_winner(a0, a1, a2);
@@ -7423,21 +7417,19 @@ static PyObject *py_predictors_mixture_part_density(PyObject *self, PyObject *co
   static const char law[] = "pointpred.predictors.mixture:part_density";
   Held held;
   const Py_buffer *view;
-  Table a0;
-  int64_t a1;
+  mixture_PartRow * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "part", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_part_density(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  result = predictors_mixture_part_density(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -7465,21 +7457,19 @@ static PyObject *py_predictors_mixture_reach(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.mixture:reach";
   Held held;
   const Py_buffer *view;
-  Table a0;
+  mixture_PartRow * a0;
   int64_t a1;
-  int64_t a2;
-  double a3;
+  double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "part", false, 7, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_reach(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  result = predictors_mixture_reach(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -11471,17 +11461,18 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.kinematic.submovements:divide", (PyCFunction)(void (*)(void))py_predictors_kinematic_submovements_divide, METH_FASTCALL, NULL},
   {"pointpred.predictors.kinematic.track:advance", (PyCFunction)(void (*)(void))py_predictors_kinematic_track_advance, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:conclude", (PyCFunction)(void (*)(void))py_predictors_ktm_conclude, METH_FASTCALL, NULL},
-  {"pointpred.predictors.ktm:counts", (PyCFunction)(void (*)(void))py_predictors_ktm_counts, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:distance", (PyCFunction)(void (*)(void))py_predictors_ktm_distance, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:fill", (PyCFunction)(void (*)(void))py_predictors_ktm_fill, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:forget", (PyCFunction)(void (*)(void))py_predictors_ktm_forget, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:keep", (PyCFunction)(void (*)(void))py_predictors_ktm_keep, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:place_of_learned", (PyCFunction)(void (*)(void))py_predictors_ktm_place_of_learned, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:place_of_template", (PyCFunction)(void (*)(void))py_predictors_ktm_place_of_template, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:resample", (PyCFunction)(void (*)(void))py_predictors_ktm_resample, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:sample", (PyCFunction)(void (*)(void))py_predictors_ktm_sample, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:samples_of", (PyCFunction)(void (*)(void))py_predictors_ktm_samples_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:score", (PyCFunction)(void (*)(void))py_predictors_ktm_score, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:sizes", (PyCFunction)(void (*)(void))py_predictors_ktm_sizes, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:step", (PyCFunction)(void (*)(void))py_predictors_ktm_step, METH_FASTCALL, NULL},
-  {"pointpred.predictors.ktm:template", (PyCFunction)(void (*)(void))py_predictors_ktm_template, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:template_count", (PyCFunction)(void (*)(void))py_predictors_ktm_template_count, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:winner", (PyCFunction)(void (*)(void))py_predictors_ktm_winner, METH_FASTCALL, NULL},
   {"pointpred.predictors.linear:before", (PyCFunction)(void (*)(void))py_predictors_linear_before, METH_FASTCALL, NULL},
@@ -11673,6 +11664,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "affdc4b2e63a1d96cc1b14e53f1279937420f015e440fe4db67ffb5d21bcdc07", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "174ebce68f763f626cd8e34b35e82ed4a8e5661996a000f0fafee80f53fc37b8", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

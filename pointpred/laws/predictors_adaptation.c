@@ -261,18 +261,7 @@ static const int64_t predictors_adaptation_time_left_SUMS = 28;
 static const int64_t predictors_adaptation_time_left_TERMS = 7;
 static const int64_t predictors_adaptation_time_left_WEIGHTS = 1;
 static const double predictors_adaptation_time_left_prior_PRIOR[] = {0.463, 0.05, 0.135, 0.352, -0.144, -0.102, 0.026, 5.386, 4.699, 7.62, 7.876, 8.315, 18.215, 3.974, 3.859, 5.877, 4.439, 3.135, 4.623, 4.769, 3.006, 4.42, 0.488, 0.501, 1.748, 0.157, 0.026, 0.716, 0.764, 0.903, 3.059, 0.155, 0.112, 0.72, 1.826};
-static const int64_t predictors_kinematic_features_TRACK = 9;
-static const int64_t predictors_kinematic_track_FAST_T = 26;
-static const int64_t predictors_kinematic_track_PEAK = 6;
 static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
-static const int64_t predictors_mixture_SHARE = 0;
-static const int64_t predictors_mixture_SXX = 3;
-static const int64_t predictors_mixture_SXY = 4;
-static const int64_t predictors_mixture_SYY = 5;
-static const int64_t predictors_mixture_TAIL = 6;
-static const int64_t predictors_mixture_WIDTH = 7;
-static const int64_t predictors_mixture_X = 1;
-static const int64_t predictors_mixture_Y = 2;
 static const int64_t records_EVENT_FIELD = 2;
 static const double records_ROUNDING_S = 1e-06;
 
@@ -1111,14 +1100,14 @@ void predictors_adaptation_mixed_region_judge(Vector memory, int64_t person, int
   bool inside;
   double buffer_1[35];
   count = (int64_t)memory.p[at + predictors_adaptation_mixed_region_COUNT];
-  parts = (Table){buffer_1, predictors_adaptation_mixed_region_MOST_PLACES + 1, predictors_mixture_WIDTH};
+  parts = (Table){buffer_1, predictors_adaptation_mixed_region_MOST_PLACES + 1, 7};
   for (int64_t k = 0; k < count; k++) {
-    for (int64_t i = 0; i < predictors_mixture_WIDTH; i++) {
-      parts.p[k * parts.m + i] = memory.p[at + predictors_adaptation_mixed_region_PARTS + predictors_mixture_WIDTH * k + i];
+    for (int64_t i = 0; i < 7; i++) {
+      parts.p[k * parts.m + i] = memory.p[at + predictors_adaptation_mixed_region_PARTS + 7 * k + i];
     }
   }
   within = predictors_mixture_content(parts, count, end.f0, end.f1, predictors_adaptation_mixed_region_POINTS);
-  tail = parts.p[0 * parts.m + predictors_mixture_TAIL];
+  tail = ((mixture_PartRow *)((Vector){parts.p + 0 * parts.m, parts.m}.p))->tail;
   near = memory.p[at + predictors_adaptation_mixed_region_OFFSETS];
   far = memory.p[at + predictors_adaptation_mixed_region_OFFSETS + 1];
   for (int64_t which = 0; which < 2; which++) {
@@ -1697,14 +1686,14 @@ int64_t predictors_adaptation_mixed_region_likeliest(Vector memory, int64_t plac
 }
 
 /* Write a place: a normal law of a standard deviation in px. */
-void predictors_adaptation_mixed_region_write_part(Vector memory, int64_t part, double share, T2d centre, double spread) {
-  memory.p[part + predictors_mixture_SHARE] = share;
-  memory.p[part + predictors_mixture_X] = centre.f0;
-  memory.p[part + predictors_mixture_Y] = centre.f1;
-  memory.p[part + predictors_mixture_SXX] = spread * spread;
-  memory.p[part + predictors_mixture_SXY] = 0.0;
-  memory.p[part + predictors_mixture_SYY] = spread * spread;
-  memory.p[part + predictors_mixture_TAIL] = 0.0;
+void predictors_adaptation_mixed_region_write_part(mixture_PartRow * part, double share, T2d centre, double spread) {
+  part->share = share;
+  part->x = centre.f0;
+  part->y = centre.f1;
+  part->sxx = spread * spread;
+  part->sxy = 0.0;
+  part->syy = spread * spread;
+  part->tail = 0.0;
 }
 
 /* The offset of a level at a share of the time: on lines between the stages. */
@@ -1723,6 +1712,7 @@ void predictors_adaptation_mixed_region_write(Vector memory, T3q known, int64_t 
   int64_t person, place_memory, going, count, number, place;
   double rest, below, x, y, spread;
   T2d centre;
+  mixture_PartRow * elsewhere;
   person = known.f0;
   place_memory = known.f1;
   going = known.f2;
@@ -1737,15 +1727,16 @@ void predictors_adaptation_mixed_region_write(Vector memory, T3q known, int64_t 
     y = memory.p[place + predictors_adaptation_places_Y];
     spread = max_float(predictors_adaptation_destination_spread_of(memory, going, start, x, y), predictors_adaptation_mixed_region_LEAST_SPREAD);
     centre = (T2d){x + origin.f0, y + origin.f1};
-    predictors_adaptation_mixed_region_write_part(memory, at + predictors_adaptation_mixed_region_PARTS + predictors_mixture_WIDTH * count, below, centre, spread);
+    predictors_adaptation_mixed_region_write_part((mixture_PartRow *)(memory.p + at + predictors_adaptation_mixed_region_PARTS + 7 * count), below, centre, spread);
     rest -= below;
     count += 1;
     number = predictors_adaptation_mixed_region_likeliest(memory, place_memory, going, below);
   }
+  elsewhere = (mixture_PartRow *)(memory.p + at + predictors_adaptation_mixed_region_PARTS);
   memory.p[at + predictors_adaptation_mixed_region_COUNT] = count;
-  memory.p[at + predictors_adaptation_mixed_region_PARTS + predictors_mixture_SHARE] = max_float(rest, 0.0);
+  elsewhere->share = max_float(rest, 0.0);
   for (int64_t i = 0; i < (predictors_adaptation_mixed_region_ASKED - predictors_adaptation_mixed_region_ELSEWHERE); i++) {
-    memory.p[at + predictors_adaptation_mixed_region_PARTS + predictors_mixture_X + i] = memory.p[now + predictors_adaptation_mixed_region_ELSEWHERE + i];
+    (Vector){(double *)elsewhere, 7}.p[1 + i] = memory.p[now + predictors_adaptation_mixed_region_ELSEWHERE + i];
   }
   for (int64_t which = 0; which < 2; which++) {
     memory.p[at + predictors_adaptation_mixed_region_OFFSETS + which] = predictors_adaptation_levels_offset(memory, person, memory.p[now + predictors_adaptation_mixed_region_TIME], which);
@@ -2091,21 +2082,20 @@ T10d predictors_adaptation_predictor_adapt(Vector memory, T10d answer, time_left
 }
 
 /* The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`. */
-time_left_Pace predictors_adaptation_predictor_pace_of(Vector own, records_MotionRow m) {
-  double peak, of_peak;
-  peak = own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_PEAK];
-  of_peak = peak > 0.0 ? hypot(m.vx, m.vy) / peak : 0.0;
-  return (time_left_Pace){of_peak, m.t - ((movement_State *)(own.p))->t0 - own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_FAST_T]};
+time_left_Pace predictors_adaptation_predictor_pace_of(features_State * own, records_MotionRow m) {
+  double of_peak;
+  of_peak = own->track.peak > 0.0 ? hypot(m.vx, m.vy) / own->track.peak : 0.0;
+  return (time_left_Pace){of_peak, m.t - own->movement.t0 - own->track.fast_t};
 }
 
 /* The learned predictor's step, then what is known of the person. */
-T10d predictors_adaptation_predictor_step(Vector memory, T10d motion, Vector coefficients) {
+T10d predictors_adaptation_predictor_step(Vector memory, T10d motion, network_Coefficients * coefficients) {
   records_MotionRow m;
-  Vector own;
+  features_State * own;
   T10d answer;
   T3d start;
   m = records_MotionRow_of_T10d(motion);
-  own = (Vector){memory.p + predictors_adaptation_predictor_OBSERVATION, predictors_adaptation_predictor_MOVEMENT - predictors_adaptation_predictor_OBSERVATION};
+  own = (features_State *)(memory.p + predictors_adaptation_predictor_OBSERVATION);
   answer = predictors_kinematic_predictor_step(own, motion, coefficients);
   if (memory.p[predictors_adaptation_predictor_ADAPT] == 0.0 || answer.f0 != answer.f0) {
     return answer;
@@ -2113,7 +2103,7 @@ T10d predictors_adaptation_predictor_step(Vector memory, T10d motion, Vector coe
   if (m.start == 1.0) {
     predictors_adaptation_predictor_conclude(memory);
   }
-  start = (T3d){((movement_State *)(own.p))->t0, ((movement_State *)(own.p))->x0, ((movement_State *)(own.p))->y0};
+  start = (T3d){own->movement.t0, own->movement.x0, own->movement.y0};
   predictors_adaptation_correction_follow(memory, predictors_adaptation_predictor_MOVEMENT, (T3d){m.t, m.x, m.y}, start);
   return predictors_adaptation_predictor_adapt(memory, answer, predictors_adaptation_predictor_pace_of(own, m));
 }
@@ -2208,7 +2198,7 @@ void loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_
       predictors_adaptation_predictor_conclude(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_adaptation_predictor_step(memory, records_row_at(rows, i), shared_0);
+    answer = predictors_adaptation_predictor_step(memory, records_row_at(rows, i), (network_Coefficients *)shared_0.p);
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -2222,7 +2212,7 @@ T10d joint__differentiators_difference_step__predictors_adaptation_predictor_ste
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_adaptation_predictor_step(other, answer, shared_0);
+    answer = predictors_adaptation_predictor_step(other, answer, (network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2232,7 +2222,7 @@ T10d joint__differentiators_difference_step__predictors_adaptation_predictor_ste
 
 bool follow__predictors_adaptation_predictor_step(Vector memory, T10d row, Vector shared_0) {
   double t;
-  t = predictors_adaptation_predictor_step(memory, row, shared_0).f0;
+  t = predictors_adaptation_predictor_step(memory, row, (network_Coefficients *)shared_0.p).f0;
   return t == t;
 }
 
@@ -2256,7 +2246,7 @@ T10d last__differentiators_difference_step__follow__predictors_adaptation_predic
   if (count == rows.n - 1) {
     between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_adaptation_predictor_step(other, between, shared_0);
+      answer = predictors_adaptation_predictor_step(other, between, (network_Coefficients *)shared_0.p);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2273,7 +2263,7 @@ T10d joint__differentiators_homogeneous_step__predictors_adaptation_predictor_st
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_adaptation_predictor_step(other, answer, shared_0);
+    answer = predictors_adaptation_predictor_step(other, answer, (network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2301,7 +2291,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_adaptation_predi
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_adaptation_predictor_step(other, between, shared_0);
+      answer = predictors_adaptation_predictor_step(other, between, (network_Coefficients *)shared_0.p);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2318,7 +2308,7 @@ T10d joint__differentiators_kalman_step__predictors_adaptation_predictor_step(Ve
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_adaptation_predictor_step(other, answer, shared_0);
+    answer = predictors_adaptation_predictor_step(other, answer, (network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2346,7 +2336,7 @@ T10d last__differentiators_kalman_step__follow__predictors_adaptation_predictor_
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_adaptation_predictor_step(other, between, shared_0);
+      answer = predictors_adaptation_predictor_step(other, between, (network_Coefficients *)shared_0.p);
     }
   }
   if (answer.f0 != answer.f0) {

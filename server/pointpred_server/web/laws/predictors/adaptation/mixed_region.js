@@ -34,14 +34,14 @@ export function claim(memory, now, share, elsewhere) {
     memory[now + ELSEWHERE + i] = elsewhere[i];
   }
 }
-export function write_part(memory, part, share, centre, spread) {
-  memory[part + $mixture.SHARE] = share;
-  memory[part + $mixture.X] = centre[0];
-  memory[part + $mixture.Y] = centre[1];
-  memory[part + $mixture.SXX] = spread * spread;
-  memory[part + $mixture.SXY] = 0;
-  memory[part + $mixture.SYY] = spread * spread;
-  memory[part + $mixture.TAIL] = 0;
+export function write_part(part, share, centre, spread, part_at = 0) {
+  part[part_at] = share;
+  part[part_at + 1] = centre[0];
+  part[part_at + 2] = centre[1];
+  part[part_at + 3] = spread * spread;
+  part[part_at + 4] = 0;
+  part[part_at + 5] = spread * spread;
+  part[part_at + 6] = 0;
 }
 export function write(memory, known, now, at, origin, start) {
   const person = known[0];
@@ -58,15 +58,16 @@ export function write(memory, known, now, at, origin, start) {
     const y = memory[place + $places.Y];
     const spread = larger($destination.spread_of(memory, going, start, x, y), LEAST_SPREAD);
     const centre = [x + origin[0], y + origin[1]];
-    write_part(memory, at + PARTS + $mixture.WIDTH * count, below, centre, spread);
+    write_part(memory, below, centre, spread, at + PARTS + 7 * count);
     rest -= below;
     count += 1;
     number = likeliest(memory, place_memory, going, below);
   }
+  const elsewhere_at = at + PARTS;
   memory[at + COUNT] = count;
-  memory[at + PARTS + $mixture.SHARE] = larger(rest, 0);
+  memory[elsewhere_at] = larger(rest, 0);
   for (let i = 0, end_1 = ASKED - ELSEWHERE; i < end_1; i++) {
-    memory[at + PARTS + $mixture.X + i] = memory[now + ELSEWHERE + i];
+    memory[elsewhere_at + i + 1] = memory[now + ELSEWHERE + i];
   }
   for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
     memory[at + OFFSETS + which] = $levels.offset(memory, person, memory[now + TIME], which);
@@ -74,14 +75,14 @@ export function write(memory, known, now, at, origin, start) {
 }
 export function judge(memory, person, at, end, share, step) {
   const count = Math.trunc(memory[at + COUNT]);
-  const parts = matrix(MOST_PLACES + 1, $mixture.WIDTH);
+  const parts = matrix(MOST_PLACES + 1, 7);
   for (let k = 0; k < count; k++) {
-    for (let i = 0; i < $mixture.WIDTH; i++) {
-      parts[k][i] = memory[at + PARTS + $mixture.WIDTH * k + i];
+    for (let i = 0; i < 7; i++) {
+      parts[k][i] = memory[at + PARTS + 7 * k + i];
     }
   }
   const within = $mixture.content(parts, count, end[0], end[1], POINTS);
-  const tail = parts[0][$mixture.TAIL];
+  const tail = parts[0][6];
   const near = memory[at + OFFSETS];
   const far = memory[at + OFFSETS + 1];
   for (let which = 0, end_1 = $mixture.LEVELS.length; which < end_1; which++) {

@@ -1,11 +1,9 @@
 // Written by `make laws` from predictor.py: change that and run it again.
-import { hypot, larger, view } from "../../arithmetic.js";
+import { hypot, larger } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
 import * as $destination from "./destination.js";
 import * as $places from "./places.js";
-import * as $features from "../kinematic/features.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
-import * as $track from "../kinematic/track.js";
 import * as $stage from "../../stage.js";
 export const ADAPT = 0;
 export const DISTANCES = 1;
@@ -53,24 +51,23 @@ export function conclude(memory) {
 export function adapt(memory, answer, pace) {
   return $correction.adapt(memory, PERSON, MOVEMENT, parts_of(memory), scene_of(memory), answer, pace);
 }
-export function pace_of(own, m) {
-  const peak = own[$features.TRACK + $track.PEAK];
-  const of_peak = peak > 0 ? hypot(m[3], m[4]) / peak : 0;
-  return [of_peak, m[0] - own[4] - own[$features.TRACK + $track.FAST_T]];
+export function pace_of(own, m, own_at = 0) {
+  const of_peak = own[own_at + 15] > 0 ? hypot(m[3], m[4]) / own[own_at + 15] : 0;
+  return [of_peak, m[0] - own[own_at + 4] - own[own_at + 35]];
 }
-export function step(memory, motion, coefficients) {
+export function step(memory, motion, coefficients, coefficients_at = 0) {
   const m = motion;
-  const own = view(memory, OBSERVATION, MOVEMENT);
-  const answer = $kinematic_predictor.step(own, motion, coefficients);
+  const own_at = OBSERVATION;
+  const answer = $kinematic_predictor.step(memory, motion, coefficients, own_at, coefficients_at);
   if (memory[ADAPT] === 0 || answer[0] !== answer[0]) {
     return answer;
   }
   if (m[8] === 1) {
     conclude(memory);
   }
-  const start = [own[4], own[5], own[6]];
+  const start = [memory[own_at + 4], memory[own_at + 5], memory[own_at + 6]];
   $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
-  return adapt(memory, answer, pace_of(own, m));
+  return adapt(memory, answer, pace_of(memory, m, own_at));
 }
 export function enter_scene(memory, scene) {
   memory[NEXT] = scene[0];
