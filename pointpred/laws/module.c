@@ -157,27 +157,18 @@ static PyObject *give_T3d(T3d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   return tuple;
 }
+static PyObject *give_Tqb(Tqb value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyBool_FromLong(value.f1));
+  return tuple;
+}
 static PyObject *give_time_left_Pace(time_left_Pace value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.of_peak));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.slow_s));
-  return tuple;
-}
-static PyObject *give_correction_Parts(correction_Parts value) {
-  PyObject *tuple = PyTuple_New(3);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.distances));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.places));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.sequence));
-  return tuple;
-}
-static PyObject *give_scene_Scene(scene_Scene value) {
-  PyObject *tuple = PyTuple_New(3);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.key));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
   return tuple;
 }
 static PyObject *give_T3q(T3q value) {
@@ -195,23 +186,6 @@ static PyObject *give_T4d(T4d value) {
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  return tuple;
-}
-static PyObject *give_stages_Moment(stages_Moment value) {
-  PyObject *tuple = PyTuple_New(12);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.ux));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.uy));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.along));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.across));
-  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.wide));
-  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.broad));
-  PyTuple_SetItem(tuple, 9, PyFloat_FromDouble(value.tail));
-  PyTuple_SetItem(tuple, 10, PyFloat_FromDouble(value.left));
-  PyTuple_SetItem(tuple, 11, PyFloat_FromDouble(value.reached));
   return tuple;
 }
 static PyObject *give_T7d(T7d value) {
@@ -3208,26 +3182,25 @@ static PyObject *py_predictors_adaptation_arrival_intervals_judge(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  arrival_intervals_Intervals * a0;
+  double a1;
   double a2;
-  double a3;
-  T2d a4;
-  double a5;
+  T2d a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 4)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "claim", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(args[5], &a5)))
+        && take_tuple(args[3], law, "claim", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3235,17 +3208,16 @@ static PyObject *py_predictors_adaptation_arrival_intervals_next_step(PyObject *
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:next_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  arrival_intervals_Intervals * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 4)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_arrival_intervals_next_step(a0, a1);
+  result = predictors_adaptation_arrival_intervals_next_step(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -3253,19 +3225,18 @@ static PyObject *py_predictors_adaptation_arrival_intervals_spread(PyObject *sel
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:spread";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  arrival_intervals_Intervals * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 4)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_arrival_intervals_spread(a0, a1, a2);
+  result = predictors_adaptation_arrival_intervals_spread(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -3273,45 +3244,40 @@ static PyObject *py_predictors_adaptation_correction_adapt(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:adapt";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  correction_Parts a3;
-  scene_Scene a4;
-  T10d a5;
-  time_left_Pace a6;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
+  T10d a3;
+  time_left_Pace a4;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)
-        && take_double(PyTuple_GetItem(args[5], 6), &a5.f6)
-        && take_double(PyTuple_GetItem(args[5], 7), &a5.f7)
-        && take_double(PyTuple_GetItem(args[5], 8), &a5.f8)
-        && take_double(PyTuple_GetItem(args[5], 9), &a5.f9)
-        && take_tuple(args[6], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.of_peak)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.slow_s)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.f6)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.f7)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.f8)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.f9)
+        && take_tuple(args[4], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.of_peak)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.slow_s)))
     return let_go(&held);
-  result = predictors_adaptation_correction_adapt(a0, a1, a2, a3, a4, a5, a6);
+  result = predictors_adaptation_correction_adapt(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T10d(result);
 }
@@ -3319,107 +3285,24 @@ static PyObject *py_predictors_adaptation_correction_adapted_end(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.correction:adapted_end";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  correction_Parts a3;
-  scene_Scene a4;
-  destination_Heading a5;
-  double a6;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
+  destination_Heading a3;
+  double a4;
   T2_destination_Heading_ result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "own", 7)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.x)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.y)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.ux)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.uy)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.wide)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.broad)
-        && take_double(PyTuple_GetItem(args[5], 6), &a5.tail)
-        && take_double(args[6], &a6)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4, a5, a6);
-  let_go(&held);
-  return give_T2_destination_Heading_(result);
-}
-static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  destination_Heading a2;
-  T2d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "heading", 7)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_ahead_of(a0, a1, a2);
-  let_go(&held);
-  return give_T2d(result);
-}
-static PyObject *py_predictors_adaptation_correction_arrival(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:arrival";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_arrival(a0, a1, a2);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:by_distances";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  destination_Heading a3;
-  double a4;
-  T_destination_Heading_d result;
-  (void)self, (void)view;
-  held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)
         && take_tuple(args[3], law, "own", 7)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
@@ -3430,7 +3313,84 @@ static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self
         && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
         && take_double(args[4], &a4)))
     return let_go(&held);
-  result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T2_destination_Heading_(result);
+}
+static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
+  Held held;
+  const Py_buffer *view;
+  correction_Movement * a0;
+  destination_Heading a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.ux)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.uy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.wide)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.broad)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.tail)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_ahead_of(a0, a1);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_correction_arrival(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:arrival";
+  Held held;
+  const Py_buffer *view;
+  correction_Movement * a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_arrival(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:by_distances";
+  Held held;
+  const Py_buffer *view;
+  correction_Person * a0;
+  correction_Movement * a1;
+  destination_Heading a2;
+  double a3;
+  T_destination_Heading_d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "own", 7)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3);
   let_go(&held);
   return give_T_destination_Heading_d(result);
 }
@@ -3438,51 +3398,46 @@ static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, P
   static const char law[] = "pointpred.predictors.adaptation.correction:by_places";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  correction_Parts a3;
-  scene_Scene a4;
-  T2_destination_Heading_ a5;
-  T2d a6;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
+  T2_destination_Heading_ a3;
+  T2d a4;
   destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "laws", 2)
-        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 7)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.x)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.y)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.ux)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.uy)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.wide)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.broad)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 6), &a5.f0.tail)
-        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 7)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.x)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.y)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.ux)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.uy)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.wide)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.broad)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 6), &a5.f1.tail)
-        && take_tuple(args[6], law, "weights", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.f0)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.f1)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[3], 0), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 0), &a3.f0.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 1), &a3.f0.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 2), &a3.f0.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 3), &a3.f0.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 4), &a3.f0.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 5), &a3.f0.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 6), &a3.f0.tail)
+        && take_tuple(PyTuple_GetItem(args[3], 1), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 0), &a3.f1.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 1), &a3.f1.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 2), &a3.f1.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 3), &a3.f1.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 4), &a3.f1.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 5), &a3.f1.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 6), &a3.f1.tail)
+        && take_tuple(args[4], law, "weights", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
     return let_go(&held);
-  result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4, a5, a6);
+  result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_destination_Heading(result);
 }
@@ -3490,30 +3445,23 @@ static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.correction:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  correction_Parts a4;
-  scene_Scene a5;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.distances)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.places)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.sequence)
-        && take_tuple(args[5], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.key)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.x)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.y)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, true, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_conclude(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_correction_conclude(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3538,13 +3486,14 @@ static PyObject *py_predictors_adaptation_correction_fault(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  correction_Person * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "learned", 628)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_correction_fault(a0);
   let_go(&held);
@@ -3554,26 +3503,25 @@ static PyObject *py_predictors_adaptation_correction_follow(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.correction:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  correction_Movement * a0;
+  T3d a1;
   T3d a2;
-  T3d a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "now", 3)
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "now", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "start", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_tuple(args[3], law, "start", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  predictors_adaptation_correction_follow(a0, a1, a2, a3);
+  predictors_adaptation_correction_follow(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3581,29 +3529,28 @@ static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.correction:heading_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  T10d a2;
+  correction_Movement * a0;
+  T10d a1;
   destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
     return let_go(&held);
-  result = predictors_adaptation_correction_heading_of(a0, a1, a2);
+  result = predictors_adaptation_correction_heading_of(a0, a1);
   let_go(&held);
   return give_destination_Heading(result);
 }
@@ -3611,22 +3558,23 @@ static PyObject *py_predictors_adaptation_correction_learn(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  correction_Person * a0;
+  correction_Movement * a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "person", 'd', 1, true, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_correction_learn(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_learn(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3634,28 +3582,23 @@ static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.correction:learn_place";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  correction_Parts a3;
-  scene_Scene a4;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, true, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_learn_place(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_learn_place(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3663,107 +3606,88 @@ static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.correction:prepare";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  correction_Parts a3;
-  scene_Scene a4;
-  T2d a5;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
-    return let_go(&held);
-  predictors_adaptation_correction_prepare(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return Py_NewRef(Py_None);
-}
-static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:record";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  stages_Moment a3;
+  correction_Settings * a0;
+  correction_Person * a1;
+  destination_Movement * a2;
+  T2d a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "moment", 12)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.uy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.along)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.across)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.wide)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.broad)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.tail)
-        && take_double(PyTuple_GetItem(args[3], 10), &a3.left)
-        && take_double(PyTuple_GetItem(args[3], 11), &a3.reached)))
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "going", 'd', 1, true, &view)
+        && is_long_enough(view, law, "going", 133)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)))
     return let_go(&held);
-  predictors_adaptation_correction_record(a0, a1, a2, a3);
+  predictors_adaptation_correction_prepare(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_stage_begun(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:stage_begun";
+  Held held;
+  const Py_buffer *view;
+  correction_Movement * a0;
+  double a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_stage_begun(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_predictors_adaptation_correction_state(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:state";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  scene_Scene a3;
-  double a4;
-  T2_T6d_ a5;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
+  double a3;
+  T2_T6d_ a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "laws", 2)
-        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 6)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.f1)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.f2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.f3)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.f4)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.f5)
-        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 6)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.f1)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.f2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.f3)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.f4)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.f5)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[4], 0), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 0), &a4.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 1), &a4.f0.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 2), &a4.f0.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 3), &a4.f0.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 4), &a4.f0.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 5), &a4.f0.f5)
+        && take_tuple(PyTuple_GetItem(args[4], 1), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 0), &a4.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 1), &a4.f1.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 2), &a4.f1.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 3), &a4.f1.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 4), &a4.f1.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 5), &a4.f1.f5)))
     return let_go(&held);
-  predictors_adaptation_correction_state(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_correction_state(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3771,30 +3695,29 @@ static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject 
   static const char law[] = "pointpred.predictors.adaptation.correction:with_centre_ahead";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  destination_Heading a2;
+  correction_Movement * a0;
+  destination_Heading a1;
+  double a2;
   double a3;
-  double a4;
   destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "heading", 7)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.ux)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.uy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.wide)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.broad)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.tail)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3);
   let_go(&held);
   return give_destination_Heading(result);
 }
@@ -3802,25 +3725,27 @@ static PyObject *py_predictors_adaptation_correction_write_mixture(PyObject *sel
   static const char law[] = "pointpred.predictors.adaptation.correction:write_mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  scene_Scene a3;
-  int64_t a4;
+  correction_Settings * a0;
+  correction_Person * a1;
+  correction_Movement * a2;
+  mixed_region_Mixture * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_int64_t(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 7)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "person", 'd', 1, false, &view)
+        && is_long_enough(view, law, "person", 628)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 3037)
+        && (a2 = view->buf, true)
+        && take_array(&held, args[3], law, "to", 'd', 1, true, &view)
+        && is_long_enough(view, law, "to", 38)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_write_mixture(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_write_mixture(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3828,35 +3753,36 @@ static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.destination:candidates";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  destination_Heading a4;
-  Table a5;
+  destination_Movement * a0;
+  places_Places * a1;
+  T2d a2;
+  destination_Heading a3;
+  Table a4;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "elsewhere", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
-        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
-        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -3864,32 +3790,33 @@ static PyObject *py_predictors_adaptation_destination_combine(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.destination:combine";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  destination_Heading a4;
+  destination_Movement * a0;
+  places_Places * a1;
+  T2d a2;
+  destination_Heading a3;
   destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "elsewhere", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)))
     return let_go(&held);
-  result = predictors_adaptation_destination_combine(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_destination_combine(a0, a1, a2, a3);
   let_go(&held);
   return give_destination_Heading(result);
 }
@@ -3897,24 +3824,25 @@ static PyObject *py_predictors_adaptation_destination_favour_near(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.destination:favour_near";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  double a4;
+  destination_Movement * a0;
+  places_Places * a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_destination_favour_near(a0, a1, a2, a3, a4);
+  predictors_adaptation_destination_favour_near(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -3970,20 +3898,23 @@ static PyObject *py_predictors_adaptation_destination_prepare(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.destination:prepare";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T2q a1;
-  int64_t a2;
+  destination_Movement * a0;
+  places_Places * a1;
+  habits_Habits * a2;
   T3d a3;
   T2d a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "known", 2)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "known", 'd', 1, false, &view)
+        && is_long_enough(view, law, "known", 25)
+        && (a2 = view->buf, true)
         && take_tuple(args[3], law, "scene", 3)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
@@ -4054,25 +3985,24 @@ static PyObject *py_predictors_adaptation_destination_spread_of(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.destination:spread_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  T2d a2;
+  destination_Movement * a0;
+  T2d a1;
+  double a2;
   double a3;
-  double a4;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_destination_spread_of(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_destination_spread_of(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4080,35 +4010,36 @@ static PyObject *py_predictors_adaptation_destination_weigh(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.destination:weigh";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  destination_Heading a4;
-  T2d a5;
+  destination_Movement * a0;
+  places_Places * a1;
+  T2d a2;
+  destination_Heading a3;
+  T2d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "law_of_end", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
-        && take_tuple(args[5], law, "elsewhere", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 133)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "law_of_end", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
+        && take_tuple(args[4], law, "elsewhere", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
     return let_go(&held);
-  predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4135,25 +4066,24 @@ static PyObject *py_predictors_adaptation_distances_combine(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.distances:combine";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  distances_Ahead a3;
+  distances_Distances * a0;
+  double a1;
+  distances_Ahead a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "predicted", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.ahead)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.wide)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.broad)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.tail)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 56)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "predicted", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.ahead)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.tail)))
     return let_go(&held);
-  result = predictors_adaptation_distances_combine(a0, a1, a2, a3);
+  result = predictors_adaptation_distances_combine(a0, a1, a2);
   let_go(&held);
   return give_T3d(result);
 }
@@ -4161,13 +4091,14 @@ static PyObject *py_predictors_adaptation_distances_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.distances:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  distances_Distances * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "learned", 56)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_distances_fault(a0);
   let_go(&held);
@@ -4177,18 +4108,17 @@ static PyObject *py_predictors_adaptation_distances_judge(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.distances:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  distances_Distances * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 56)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_distances_judge(a0, a1, a2);
+  predictors_adaptation_distances_judge(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4196,19 +4126,18 @@ static PyObject *py_predictors_adaptation_distances_likelihood(PyObject *self, P
   static const char law[] = "pointpred.predictors.adaptation.distances:likelihood";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  distances_Distances * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 56)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_distances_likelihood(a0, a1, a2);
+  result = predictors_adaptation_distances_likelihood(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4216,18 +4145,17 @@ static PyObject *py_predictors_adaptation_distances_remember(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.distances:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  distances_Distances * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 56)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_distances_remember(a0, a1, a2);
+  predictors_adaptation_distances_remember(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4235,13 +4163,14 @@ static PyObject *py_predictors_adaptation_durations_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.durations:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  durations_Durations * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "learned", 21)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_durations_fault(a0);
   let_go(&held);
@@ -4251,16 +4180,15 @@ static PyObject *py_predictors_adaptation_durations_forget(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.durations:forget";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  durations_Durations * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_durations_forget(a0, a1);
+  predictors_adaptation_durations_forget(a0);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4268,24 +4196,23 @@ static PyObject *py_predictors_adaptation_durations_judge(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.durations:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  durations_Durations * a0;
+  double a1;
   double a2;
   double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_durations_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_durations_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4293,19 +4220,16 @@ static PyObject *py_predictors_adaptation_durations_median(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.durations:median";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  durations_Durations * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_durations_median(a0, a1, a2);
+  result = predictors_adaptation_durations_median(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4313,21 +4237,20 @@ static PyObject *py_predictors_adaptation_durations_mix(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.durations:mix";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  durations_Durations * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_durations_mix(a0, a1, a2, a3);
+  result = predictors_adaptation_durations_mix(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4335,23 +4258,22 @@ static PyObject *py_predictors_adaptation_durations_mixture(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.durations:mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  durations_Durations * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_durations_mixture(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_durations_mixture(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4359,18 +4281,17 @@ static PyObject *py_predictors_adaptation_durations_remember(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.durations:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  durations_Durations * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_durations_remember(a0, a1, a2);
+  predictors_adaptation_durations_remember(a0, a1);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4378,21 +4299,18 @@ static PyObject *py_predictors_adaptation_durations_value_of_rank(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.durations:value_of_rank";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  durations_Durations * a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_durations_value_of_rank(a0, a1, a2, a3);
+  result = predictors_adaptation_durations_value_of_rank(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4423,21 +4341,20 @@ static PyObject *py_predictors_adaptation_habits_count_following(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.habits:count_following";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  places_Places * a0;
   int64_t a1;
-  int64_t a2;
-  Table a3;
+  Table a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4445,21 +4362,22 @@ static PyObject *py_predictors_adaptation_habits_count_last(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.habits:count_last";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  Table a3;
+  habits_Habits * a0;
+  places_Places * a1;
+  Table a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4467,22 +4385,21 @@ static PyObject *py_predictors_adaptation_habits_count_often(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:count_often";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  Table a3;
+  places_Places * a0;
+  double a1;
+  Table a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_count_often(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_count_often(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4509,31 +4426,32 @@ static PyObject *py_predictors_adaptation_habits_learn(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.habits:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T3d a3;
-  T4d a4;
-  double a5;
+  habits_Habits * a0;
+  places_Places * a1;
+  T3d a2;
+  T4d a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "movement", 4)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
         && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_tuple(args[4], law, "movement", 4)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
-        && take_double(args[5], &a5)))
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_habits_learn(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_habits_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4541,17 +4459,16 @@ static PyObject *py_predictors_adaptation_habits_returns(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.habits:returns";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  habits_Habits * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_habits_returns(a0, a1);
+  result = predictors_adaptation_habits_returns(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4559,21 +4476,20 @@ static PyObject *py_predictors_adaptation_habits_rule_weight(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:rule_weight";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  habits_Habits * a0;
   int64_t a1;
-  int64_t a2;
-  double a3;
+  double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_habits_rule_weight(a0, a1, a2, a3);
+  result = predictors_adaptation_habits_rule_weight(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4581,23 +4497,22 @@ static PyObject *py_predictors_adaptation_habits_share_visit(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:share_visit";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  Table a2;
+  habits_Habits * a0;
+  Table a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "likely", 'd', 2, true, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "likely", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4605,29 +4520,30 @@ static PyObject *py_predictors_adaptation_habits_shares(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.habits:shares";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  T3d a4;
-  Table a5;
+  habits_Habits * a0;
+  places_Places * a1;
+  double a2;
+  T3d a3;
+  Table a4;
   bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "start", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
-        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "start", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_shares(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -4635,17 +4551,16 @@ static PyObject *py_predictors_adaptation_habits_usual_width(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:usual_width";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  habits_Habits * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_habits_usual_width(a0, a1);
+  result = predictors_adaptation_habits_usual_width(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4653,63 +4568,42 @@ static PyObject *py_predictors_adaptation_habits_width_weight(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.habits:width_weight";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  habits_Habits * a0;
   int64_t a1;
-  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 25)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_habits_width_weight(a0, a1, a2);
+  result = predictors_adaptation_habits_width_weight(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
-}
-static PyObject *py_predictors_adaptation_levels_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.levels:add";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  predictors_adaptation_levels_add(a0, a1, a2);
-  let_go(&held);
-  return Py_NewRef(Py_None);
 }
 static PyObject *py_predictors_adaptation_levels_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.levels:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
-  bool a4;
-  double a5;
+  levels_Offsets * a0;
+  double a1;
+  int64_t a2;
+  bool a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_bool(args[4], &a4)
-        && take_double(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 10)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_bool(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_levels_learn(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_levels_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4717,21 +4611,20 @@ static PyObject *py_predictors_adaptation_levels_offset(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.levels:offset";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
+  levels_Offsets * a0;
+  double a1;
+  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 10)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_levels_offset(a0, a1, a2, a3);
+  result = predictors_adaptation_levels_offset(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4754,26 +4647,25 @@ static PyObject *py_predictors_adaptation_mixed_region_claim(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:claim";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T6d a3;
+  mixed_region_Movement * a0;
+  double a1;
+  T6d a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "elsewhere", 6)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 46)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "elsewhere", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_claim(a0, a1, a2, a3);
+  predictors_adaptation_mixed_region_claim(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4781,26 +4673,27 @@ static PyObject *py_predictors_adaptation_mixed_region_judge(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
+  levels_Offsets * a0;
+  mixed_region_Mixture * a1;
+  T2d a2;
+  double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "end", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "offsets", 'd', 1, true, &view)
+        && is_long_enough(view, law, "offsets", 10)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "stated", 'd', 1, false, &view)
+        && is_long_enough(view, law, "stated", 38)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4808,21 +4701,22 @@ static PyObject *py_predictors_adaptation_mixed_region_likeliest(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:likeliest";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
+  places_Places * a0;
+  destination_Movement * a1;
+  double a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "going", 'd', 1, false, &view)
+        && is_long_enough(view, law, "going", 133)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_mixed_region_likeliest(a0, a1, a2, a3);
+  result = predictors_adaptation_mixed_region_likeliest(a0, a1, a2);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -4830,31 +4724,39 @@ static PyObject *py_predictors_adaptation_mixed_region_write(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  int64_t a2;
-  int64_t a3;
-  T2d a4;
+  levels_Offsets * a0;
+  places_Places * a1;
+  destination_Movement * a2;
+  mixed_region_Movement * a3;
+  mixed_region_Mixture * a4;
   T2d a5;
+  T2d a6;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "known", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_tuple(args[4], law, "origin", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_tuple(args[5], law, "start", 2)
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "offsets", 'd', 1, false, &view)
+        && is_long_enough(view, law, "offsets", 10)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "going", 'd', 1, false, &view)
+        && is_long_enough(view, law, "going", 133)
+        && (a2 = view->buf, true)
+        && take_array(&held, args[3], law, "now", 'd', 1, false, &view)
+        && is_long_enough(view, law, "now", 46)
+        && (a3 = view->buf, true)
+        && take_array(&held, args[4], law, "to", 'd', 1, true, &view)
+        && is_long_enough(view, law, "to", 38)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "origin", 2)
         && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_tuple(args[6], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.f0)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.f1)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -4862,7 +4764,7 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write_part";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  mixed_region_Mixture * a0;
   int64_t a1;
   double a2;
   T2d a3;
@@ -4870,8 +4772,9 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "to", 'd', 1, true, &view)
+        && is_long_enough(view, law, "to", 38)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
         && take_tuple(args[3], law, "centre", 2)
@@ -4883,72 +4786,69 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
   let_go(&held);
   return Py_NewRef(Py_None);
 }
-static PyObject *py_predictors_adaptation_moments_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.moments:moment_at";
+static PyObject *py_predictors_adaptation_moments_has_come(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:has_come";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  double a4;
-  int64_t a5;
-  int64_t result;
+  moments_Series * a0;
+  double a1;
+  T2d a2;
+  double a3;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "span", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 4)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_moments_moment_at(a0, a1, a2, a3, a4, a5);
+  result = predictors_adaptation_moments_has_come(a0, a1, a2, a3);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return PyBool_FromLong(result);
 }
-static PyObject *py_predictors_adaptation_moments_new_moment(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.moments:new_moment";
+static PyObject *py_predictors_adaptation_moments_next_moment(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:next_moment";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  moments_Series * a0;
+  double a1;
   T3d a2;
   int64_t a3;
-  int64_t a4;
-  int64_t result;
+  Tqb result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 4)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_tuple(args[2], law, "cursor", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
+        && take_int64_t(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_moments_new_moment(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_moments_next_moment(a0, a1, a2, a3);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return give_Tqb(result);
 }
 static PyObject *py_predictors_adaptation_places_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.places:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  places_Places * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "learned", 386)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_places_fault(a0);
   let_go(&held);
@@ -4958,25 +4858,24 @@ static PyObject *py_predictors_adaptation_places_nearest(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.places:nearest";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  places_Places * a0;
+  double a1;
+  T2d a2;
+  double a3;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "point", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 386)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "point", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_places_nearest(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_places_nearest(a0, a1, a2, a3);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -4984,17 +4883,16 @@ static PyObject *py_predictors_adaptation_places_new_place(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.places:new_place";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  places_Places * a0;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 386)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_places_new_place(a0, a1);
+  result = predictors_adaptation_places_new_place(a0);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -5002,24 +4900,23 @@ static PyObject *py_predictors_adaptation_places_visit(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.places:visit";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  places_Places * a0;
+  double a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "end", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 386)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_places_visit(a0, a1, a2, a3, a4);
+  predictors_adaptation_places_visit(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -5027,64 +4924,32 @@ static PyObject *py_predictors_adaptation_places_visited(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.places:visited";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  places_Places * a0;
   int64_t a1;
-  int64_t a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 386)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_places_visited(a0, a1, a2);
+  result = predictors_adaptation_places_visited(a0, a1);
   let_go(&held);
   return PyLong_FromLongLong(result);
-}
-static PyObject *py_predictors_adaptation_predictor_adapt(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:adapt";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  T10d a1;
-  time_left_Pace a2;
-  T10d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
-        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
-        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
-        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_tuple(args[2], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.of_peak)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.slow_s)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_adapt(a0, a1, a2);
-  let_go(&held);
-  return give_T10d(result);
 }
 static PyObject *py_predictors_adaptation_predictor_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictor_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "memory", 3949)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   predictors_adaptation_predictor_conclude(a0);
   let_go(&held);
@@ -5094,13 +4959,14 @@ static PyObject *py_predictors_adaptation_predictor_enter_scene(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.predictor:enter_scene";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictor_Memory * a0;
   scene_Scene a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 3949)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "scene", 3)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.key)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -5114,19 +4980,18 @@ static PyObject *py_predictors_adaptation_predictor_last_end(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.predictor:last_end";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  places_Places * a0;
+  double a1;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "held", 'd', 1, false, &view)
+        && is_long_enough(view, law, "held", 386)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_predictor_last_end(a0, a1, a2);
+  result = predictors_adaptation_predictor_last_end(a0, a1);
   let_go(&held);
   return give_T2d(result);
 }
@@ -5134,14 +4999,15 @@ static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.predictor:list_places";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictor_Memory * a0;
   Table a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 3949)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -5177,38 +5043,6 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
   let_go(&held);
   return give_time_left_Pace(result);
 }
-static PyObject *py_predictors_adaptation_predictor_parts_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:parts_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  correction_Parts result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_parts_of(a0);
-  let_go(&held);
-  return give_correction_Parts(result);
-}
-static PyObject *py_predictors_adaptation_predictor_scene_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:scene_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  scene_Scene result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_scene_of(a0);
-  let_go(&held);
-  return give_scene_Scene(result);
-}
 static PyObject *py_predictors_adaptation_predictor_sizes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:sizes";
   Held held;
@@ -5229,7 +5063,7 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.predictor:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictor_Memory * a0;
   T10d a1;
   Vector a2;
   T10d result;
@@ -5237,7 +5071,8 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 3949)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -5260,42 +5095,44 @@ static PyObject *py_predictors_adaptation_predictor_write_mixture(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.predictor:write_mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t result;
+  predictor_Memory * a0;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "memory", 3949)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_predictor_write_mixture(a0);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return PyBool_FromLong(result);
 }
 static PyObject *py_predictors_adaptation_region_widening_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.region_widening:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  region_widening_Radii * a0;
+  region_widening_Movement * a1;
+  T2d a2;
   T2d a3;
-  T2d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "place_of_end", 2)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "stated", 'd', 1, false, &view)
+        && is_long_enough(view, law, "stated", 2164)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "place_of_end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "span", 2)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "span", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)))
     return let_go(&held);
-  predictors_adaptation_region_widening_learn(a0, a1, a2, a3, a4);
+  predictors_adaptation_region_widening_learn(a0, a1, a2, a3);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -5303,21 +5140,20 @@ static PyObject *py_predictors_adaptation_region_widening_probability_within(PyO
   static const char law[] = "pointpred.predictors.adaptation.region_widening:probability_within";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  region_widening_Moment * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "m", 'd', 1, false, &view)
+        && is_long_enough(view, law, "m", 45)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_probability_within(a0, a1, a2, a3);
+  result = predictors_adaptation_region_widening_probability_within(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5325,31 +5161,29 @@ static PyObject *py_predictors_adaptation_region_widening_record(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.region_widening:record";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  double a3;
-  double a4;
-  T6d a5;
+  region_widening_Movement * a0;
+  T3d a1;
+  T6d a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "stated", 6)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "stated", 'd', 1, true, &view)
+        && is_long_enough(view, law, "stated", 2164)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "region", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_record(a0, a1, a2, a3, a4, a5);
+  result = predictors_adaptation_region_widening_record(a0, a1, a2);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -5357,21 +5191,20 @@ static PyObject *py_predictors_adaptation_region_widening_widen(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.region_widening:widen";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  region_widening_Radii * a0;
+  double a1;
   double a2;
-  double a3;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 21)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_widen(a0, a1, a2, a3);
+  result = predictors_adaptation_region_widening_widen(a0, a1, a2);
   let_go(&held);
   return give_T2d(result);
 }
@@ -5379,19 +5212,16 @@ static PyObject *py_predictors_adaptation_stages_belief(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.stages:belief";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  double a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_stages_belief(a0, a1, a2);
+  result = predictors_adaptation_stages_belief(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5399,21 +5229,20 @@ static PyObject *py_predictors_adaptation_stages_bias(PyObject *self, PyObject *
   static const char law[] = "pointpred.predictors.adaptation.stages:bias";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  stages_Stage * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_stages_bias(a0, a1, a2, a3);
+  result = predictors_adaptation_stages_bias(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5438,25 +5267,40 @@ static PyObject *py_predictors_adaptation_stages_correct(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.stages:correct";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  stages_Stages * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   T4d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "known", 'd', 1, false, &view)
+        && is_long_enough(view, law, "known", 80)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_stages_correct(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_stages_correct(a0, a1, a2, a3);
   let_go(&held);
   return give_T4d(result);
+}
+static PyObject *py_predictors_adaptation_stages_forget(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:forget";
+  Held held;
+  const Py_buffer *view;
+  stages_Stage * a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  predictors_adaptation_stages_forget(a0);
+  let_go(&held);
+  return Py_NewRef(Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_interpolation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:interpolation";
@@ -5494,85 +5338,25 @@ static PyObject *py_predictors_adaptation_stages_learn(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  stages_Moment a2;
+  stages_Stage * a0;
+  stages_Moment * a1;
+  double a2;
   double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 12)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
-        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
-        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "m", 'd', 1, false, &view)
+        && is_long_enough(view, law, "m", 13)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_stages_learn(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return Py_NewRef(Py_None);
-}
-static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.stages:moment_at";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  stages_Moment result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = predictors_adaptation_stages_moment_at(a0, a1);
-  let_go(&held);
-  return give_stages_Moment(result);
-}
-static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.stages:record";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  stages_Moment a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "moment", 12)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
-        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
-        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)))
-    return let_go(&held);
-  predictors_adaptation_stages_record(a0, a1, a2);
+  predictors_adaptation_stages_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -5580,39 +5364,38 @@ static PyObject *py_predictors_adaptation_stages_scale(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:scale";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  stages_Stage * a0;
+  double a1;
+  double a2;
   double a3;
-  double a4;
+  double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_stages_scale(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_stages_scale(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return PyFloat_FromDouble(result);
 }
 static PyObject *py_predictors_adaptation_stages_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:solve";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  stages_Stage * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_stages_solve(a0, a1);
+  predictors_adaptation_stages_solve(a0);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -5620,17 +5403,16 @@ static PyObject *py_predictors_adaptation_stages_tempo(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:tempo";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  stages_Stage * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_stages_tempo(a0, a1);
+  result = predictors_adaptation_stages_tempo(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5638,17 +5420,16 @@ static PyObject *py_predictors_adaptation_stages_tempo_factor(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.stages:tempo_factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  stages_Stage * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_stages_tempo_factor(a0, a1);
+  result = predictors_adaptation_stages_tempo_factor(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5656,19 +5437,18 @@ static PyObject *py_predictors_adaptation_stages_width_log(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.stages:width_log";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  stages_Stage * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 16)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_stages_width_log(a0, a1, a2);
+  result = predictors_adaptation_stages_width_log(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5676,23 +5456,22 @@ static PyObject *py_predictors_adaptation_time_left_factor(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.time_left:factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  time_left_Sums * a0;
+  Vector a1;
   Vector a2;
-  Vector a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 35)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "prior", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = predictors_adaptation_time_left_factor(a0, a1, a2, a3);
+  result = predictors_adaptation_time_left_factor(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5700,13 +5479,14 @@ static PyObject *py_predictors_adaptation_time_left_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.time_left:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  time_left_Sums * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "learned", 35)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_time_left_fault(a0);
   let_go(&held);
@@ -5716,51 +5496,79 @@ static PyObject *py_predictors_adaptation_time_left_learn(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.time_left:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  T2d a2;
-  double a3;
-  Vector a4;
+  time_left_Sums * a0;
+  arrival_intervals_Intervals * a1;
+  time_left_Movement * a2;
+  T2d a3;
+  double a4;
+  Vector a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "place", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+  if (!(counted(law, count, 6)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 35)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "intervals", 'd', 1, true, &view)
+        && is_long_enough(view, law, "intervals", 4)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 332)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "prior", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return Py_NewRef(Py_None);
+}
+static PyObject *py_predictors_adaptation_time_left_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:moment_at";
+  Held held;
+  const Py_buffer *view;
+  time_left_Movement * a0;
+  int64_t a1;
+  T2d a2;
+  double a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
+        && is_long_enough(view, law, "movement", 332)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
         && take_tuple(args[2], law, "span", 2)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(args[3], &a3)
-        && take_array(&held, args[4], law, "prior", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_time_left_moment_at(a0, a1, a2, a3);
   let_go(&held);
-  return Py_NewRef(Py_None);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_predictors_adaptation_time_left_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.time_left:solve";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  time_left_Sums * a0;
+  Vector a1;
   Vector a2;
-  Vector a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 35)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "prior", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  predictors_adaptation_time_left_solve(a0, a1, a2, a3);
+  predictors_adaptation_time_left_solve(a0, a1, a2);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -5768,41 +5576,45 @@ static PyObject *py_predictors_adaptation_time_left_stated(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.time_left:stated";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  T3d a2;
-  double a3;
+  time_left_Sums * a0;
+  arrival_intervals_Intervals * a1;
+  time_left_Movement * a2;
+  T3d a3;
   double a4;
-  time_left_Estimates a5;
-  time_left_Way a6;
-  time_left_Pace a7;
+  double a5;
+  time_left_Estimates a6;
+  time_left_Way a7;
+  time_left_Pace a8;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 8)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "place", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_tuple(args[2], law, "cursor", 3)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_double(args[3], &a3)
+  if (!(counted(law, count, 9)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 35)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "intervals", 'd', 1, false, &view)
+        && is_long_enough(view, law, "intervals", 4)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "movement", 'd', 1, true, &view)
+        && is_long_enough(view, law, "movement", 332)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
         && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "estimates", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.mixed)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.predicted)
-        && take_tuple(args[6], law, "way", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.done)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.left)
-        && take_tuple(args[7], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[7], 0), &a7.of_peak)
-        && take_double(PyTuple_GetItem(args[7], 1), &a7.slow_s)))
+        && take_double(args[5], &a5)
+        && take_tuple(args[6], law, "estimates", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.mixed)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.predicted)
+        && take_tuple(args[7], law, "way", 2)
+        && take_double(PyTuple_GetItem(args[7], 0), &a7.done)
+        && take_double(PyTuple_GetItem(args[7], 1), &a7.left)
+        && take_tuple(args[8], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[8], 0), &a8.of_peak)
+        && take_double(PyTuple_GetItem(args[8], 1), &a8.slow_s)))
     return let_go(&held);
-  result = predictors_adaptation_time_left_stated(a0, a1, a2, a3, a4, a5, a6, a7);
+  result = predictors_adaptation_time_left_stated(a0, a1, a2, a3, a4, a5, a6, a7, a8);
   let_go(&held);
   return give_T2d(result);
 }
@@ -11357,7 +11169,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.correction:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:learn_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn_place, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:prepare", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_prepare, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.correction:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_record, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:stage_begun", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_stage_begun, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:state", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_state, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:with_centre_ahead", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_with_centre_ahead, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_write_mixture, METH_FASTCALL, NULL},
@@ -11397,7 +11209,6 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.habits:shares", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_shares, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.habits:usual_width", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_usual_width, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.habits:width_weight", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_width_weight, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.levels:add", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_add, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_learn, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:offset", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_offset, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:step_after", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_step_after, METH_FASTCALL, NULL},
@@ -11406,21 +11217,18 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.mixed_region:likeliest", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_likeliest, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.mixed_region:write", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.mixed_region:write_part", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write_part, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.moments:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_moment_at, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.moments:new_moment", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_new_moment, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:has_come", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_has_come, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:next_moment", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_next_moment, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_fault, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:nearest", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_nearest, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:new_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_new_place, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:visit", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visit, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:visited", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visited, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:adapt", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_adapt, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:conclude", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_conclude, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:enter_scene", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_enter_scene, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:last_end", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_last_end, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:list_places", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_list_places, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:pace_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_pace_of, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:parts_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_parts_of, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:scene_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_scene_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:sizes", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_sizes, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:step", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_write_mixture, METH_FASTCALL, NULL},
@@ -11432,11 +11240,10 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.stages:bias", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bias, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:bounded", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bounded, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:correct", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_correct, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:forget", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_forget, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:interpolation", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:interpolation_among", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation_among, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_learn, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.stages:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_moment_at, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.stages:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_record, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:scale", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_scale, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_solve, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:tempo", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_tempo, METH_FASTCALL, NULL},
@@ -11445,6 +11252,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.time_left:factor", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_factor, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_fault, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_moment_at, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_solve, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:stated", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_stated, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:terms", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_terms, METH_FASTCALL, NULL},
