@@ -7,9 +7,11 @@ struct and JavaScript's places of it. Laws write ``s.rows[i, j]``, ``s.count = 1
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from math import prod
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_origin, get_type_hints
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,6 +23,17 @@ class Known(NamedTuple):
     low: float
     high: float
     whole: bool = False
+
+
+class Slot(msgspec.Struct, frozen=True):
+    """A run of numbers that a stage knows of its person: their name, how many, the closed bounds of each."""
+
+    name: str
+    count: int
+    low: float
+    high: float
+    whole: bool = False
+    """Whether each is a whole number, such as how many of something are held."""
 
 
 class Part(NamedTuple):
@@ -84,6 +97,18 @@ class Layout:
 def clear(part: Layout) -> None:
     """Forget: every number becomes 0."""
     part.memory[:] = 0.0
+
+
+def slots_of(layout: type[Layout]) -> tuple[Slot, ...]:
+    """What of a layout is saved of a person, in its order; neighbours that say the same are one slot."""
+    slots: tuple[Slot, ...] = ()
+    for known, parts in groupby(layout.parts, lambda part: part.known):
+        if known is not None:
+            slots += (Slot(known.name, sum(part.length for part in parts), *known[1:]),)
+        else:
+            for part in parts:
+                slots += slots_of(part.of) * prod(part.shape) if part.of is not None else ()
+    return slots
 
 
 def places(layout: type[Layout], prefix: str = "", at: int = 0) -> Iterator[tuple[str, int]]:

@@ -15,8 +15,9 @@ from functools import cache
 import numpy as np
 
 from pointpred.errors import ParameterError
+from pointpred.layout import Slot
 from pointpred.records import FloatArray
-from pointpred.stage import CompiledStage, Slot
+from pointpred.stage import CompiledStage
 
 LARGEST = 16384
 """Characters of a person, at most."""

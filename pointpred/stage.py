@@ -12,10 +12,10 @@ import inspect
 from collections.abc import Callable
 from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, runtime_checkable
 
-import msgspec
 import numpy as np
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Slot
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 from pointpred.records import BoolArray, FloatArray, FloatTable, refusal
 
@@ -38,17 +38,6 @@ class Stage(Protocol[In, Out]):
     def fresh(self) -> Self:
         """Return a stage with the same parameters and no memory."""
         ...
-
-
-class Slot(msgspec.Struct, frozen=True):
-    """A run of numbers that a stage knows of its person: their name, how many, the closed bounds of each."""
-
-    name: str
-    count: int
-    low: float
-    high: float
-    whole: bool = False
-    """Whether each is a whole number, such as how many of something are held."""
 
 
 def offsets(*sizes: int) -> tuple[int, ...]:

@@ -157,7 +157,12 @@ class _Flat(ast.NodeTransformer):
                 index = self.visit(index)
                 return Place(outer.array, _sum(outer.at, _times(index, outer.layout.length)), outer.layout)
             case ast.Call(args=[array, *at]) if (layout := self._layout(node)) is not None:
-                return Place(self.visit(array), self.visit(at[0]) if at else ast.Constant(0), layout)
+                start = self.visit(at[0]) if at else ast.Constant(0)
+                match array:
+                    case ast.Attribute(value=value, attr=name) if (outer := self.place(value)) is not None:
+                        first = ast.Constant(self._numbers(array, outer, name).at)
+                        return Place(outer.array, _sum(outer.at, first, start), layout)
+                return Place(self.visit(array), start, layout)
         return None
 
     def _layout(self, node: ast.Call) -> type[Layout] | None:
@@ -171,6 +176,13 @@ class _Flat(ast.NodeTransformer):
             if part.name == name:
                 return part
         raise self.error(node, f"{place.layout.__name__} has no {name}")
+
+    def _numbers(self, node: ast.Attribute, place: Place, name: str) -> Part:
+        """An array of a memory, or all of it as one."""
+        part = self._part(node, place, name) or Part(name, 0, (place.layout.length,))
+        if part.of is not None or not part.shape:
+            raise self.error(node, f"{ast.unparse(node)} where an array is expected")
+        return part
 
     def _slice(self, place: Place, start: int, count: int, context: ast.expr_context) -> ast.expr:
         first = _sum(place.at, ast.Constant(start))
@@ -198,9 +210,9 @@ class _Flat(ast.NodeTransformer):
     def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
         match node.value:
             case ast.Attribute(value=value, attr=name) if (place := self.place(value)) is not None:
-                part = self._part(node, place, name)
-                if part is not None and part.of is None and part.shape:
-                    return ast.copy_location(self._element(node, place, part), node)
+                return ast.copy_location(
+                    self._element(node, place, self._numbers(node.value, place, name)), node
+                )
         return self.generic_visit(node)  # type: ignore[return-value]
 
     def _element(self, node: ast.Subscript, place: Place, part: Part) -> ast.expr:

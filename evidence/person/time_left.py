@@ -20,23 +20,10 @@ from evidence import ROOT
 from evidence.arguments import parse
 from evidence.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, run
-from pointpred.predictors.adaptation import (
-    arrival_intervals,
-    correction,
-    durations,
-    moments,
-    predictor,
-    time_left,
-)
-from pointpred.predictors.adaptation.time_left import (
-    FIRST_TERM,
-    JUDGED,
-    MOMENT,
-    MOMENTS,
-    SMALL,
-    TERMS,
-    Prior,
-)
+from pointpred.predictors.adaptation import time_left
+from pointpred.predictors.adaptation.arrival_intervals import Intervals
+from pointpred.predictors.adaptation.predictor import Memory
+from pointpred.predictors.adaptation.time_left import JUDGED, SMALL, TERMS
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
 from pointpred.scoring import Prepared, prepare
@@ -56,21 +43,20 @@ TEXT = '''"""Everybody's weights of the time left, fitted by ``python -m evidenc
 
 from __future__ import annotations
 
+import numpy as np
+
+from pointpred.records import FloatArray
+
 # Fitted to {movements:,} movements, each set counting as much as another, with predictions of coefficients
 # that did not know the person:
 # {names}.
-PRIOR = (
+PRIOR: FloatArray = np.array(
+    (
 {rows}
+    )
 )
 """The weights of the terms; then the sums of products of two movements, the lower triangle row after row."""
 '''
-PERSON, INTERVALS, MOVEMENT, END = (
-    0,
-    time_left.LEARNED,
-    time_left.LEARNED + arrival_intervals.LEARNED,
-    time_left.LEARNED + arrival_intervals.LEARNED + time_left.STATES,
-)
-"""A memory with nothing but the time left."""
 
 
 class Movement(msgspec.Struct, frozen=True):
@@ -86,15 +72,12 @@ class Movement(msgspec.Struct, frozen=True):
 
     def judged(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of each moment by which it is judged: the terms, the time left and the time passed, s."""
-        rows, k = [], 0
+        state, k, rows = time_left.Movement(self.state), 0, []
         for n in range(JUDGED):
-            share = (n + 0.5) / JUDGED
-            k = moments.moment_at(self.state, MOMENTS, k, self.span, share, MOMENT)
-            place = MOMENTS + moments.FIRST + MOMENT * k
-            rows.append(self.state[place : place + MOMENT])
-        table = np.array(rows)
-        t = table[:, moments.T]
-        return table[:, FIRST_TERM:], np.maximum(self.span[1] - t, 0.0), t - self.span[0]
+            k = time_left.moment_at(self.state, k, self.span, (n + 0.5) / JUDGED)
+            rows.append(state.moments[k])
+        t = np.array([one.t for one in rows])
+        return np.array([one.terms for one in rows]), np.maximum(self.span[1] - t, 0.0), t - self.span[0]
 
 
 class Set(msgspec.Struct, frozen=True):
@@ -125,17 +108,15 @@ def gather(recording: Recording, coefficients: HeldOut) -> Set:
 
 def movement(user: str, pipeline: Pipeline, prepared: Prepared, k: int) -> list[Movement]:
     """The movement that a pipeline has just followed; none where nothing was known of the person."""
-    memory = np.frombuffer(pipeline.predictor.remembered())
-    at = predictor.MOVEMENT + correction.TIMED
-    state = memory[at : at + time_left.STATES].copy()
-    if state[time_left.READY] == 0.0:
+    memory = Memory(np.frombuffer(pipeline.predictor.remembered()))
+    state, median = memory.movement.time_left, float(memory.person.durations.median)
+    if state.ready == 0.0:
         return []
-    median = float(memory[predictor.PERSON + correction.DURATIONS + durations.MEDIAN])
     t, first = prepared.events.t, prepared.offsets[k]
-    return [Movement(user, state, (float(t[first]), float(t[prepared.arrivals[k]])), median)]
+    return [Movement(user, state.memory.copy(), (float(t[first]), float(t[prepared.arrivals[k]])), median)]
 
 
-def fitted(sets: Sequence[Set]) -> Prior:
+def fitted(sets: Sequence[Set]) -> FloatArray:
     """The prior: weights of the least absolute error, each set's in shares of its clock's, and their sums."""
     terms, left, weight = [], [], []
     for one in sets:
@@ -154,31 +135,32 @@ def fitted(sets: Sequence[Set]) -> Prior:
         weights = np.linalg.solve(sums + 1e-6 * np.eye(TERMS), rows.T @ y)
     precision = MOVEMENTS * (sums + RIDGE * np.diag(np.diag(sums)))
     prior = np.concatenate([weights, precision[np.tril_indices(TERMS)]])
-    return tuple(np.round(prior, 3).tolist())
+    rounded: FloatArray = np.round(prior, 3)
+    return rounded
 
 
-def share_of_clock(one: Set, prior: Prior) -> float:
+def share_of_clock(one: Set, prior: FloatArray) -> float:
     """Error over that of the clock of a law that starts with this prior, at the moments it is judged by."""
-    memories: dict[str, FloatArray] = {}
+    known: dict[str, tuple[FloatArray, FloatArray]] = {}
     errors = []
     for movement in one.movements:
-        memory = memories.setdefault(movement.user, np.zeros(END))
-        memory[MOVEMENT:] = movement.state
-        time_left.solve(memory, PERSON, prior, memory[MOVEMENT + time_left.WEIGHTS : MOVEMENT + MOMENTS])
-        weights = memory[MOVEMENT + time_left.WEIGHTS : MOVEMENT + MOMENTS]
-        known, left, _ = movement.judged()
-        errors.append(np.abs(np.maximum(known @ weights, 0.0) * movement.median - left).mean())
-        place = (PERSON, INTERVALS, MOVEMENT)
-        time_left.learn(memory, place, movement.span, movement.median, prior)
+        nobody = np.zeros(time_left.Sums.length), np.zeros(Intervals.length)
+        sums, intervals = known.setdefault(movement.user, nobody)
+        state = movement.state.copy()
+        weights = time_left.Movement(state).weights
+        time_left.solve(sums, prior, weights)
+        terms, left, _ = movement.judged()
+        errors.append(np.abs(np.maximum(terms @ weights, 0.0) * movement.median - left).mean())
+        time_left.learn(sums, intervals, state, movement.span, movement.median, prior)
     return float(np.mean(errors) / one.clock_error())
 
 
-def text(sets: Sequence[Set], prior: Prior) -> str:
+def text(sets: Sequence[Set], prior: FloatArray) -> str:
     """The file of the prior."""
     rows, first = [], 0
     for count in (TERMS, *range(1, TERMS + 1)):
-        numbers = ", ".join(str(value) for value in prior[first : first + count])
-        rows.append(f"    *({numbers}{',' if count == 1 else ''}),")
+        numbers = ", ".join(str(value) for value in prior[first : first + count].tolist())
+        rows.append(f"        *({numbers}{',' if count == 1 else ''}),")
         first += count
     movements = sum(len(one.movements) for one in sets)
     names = ", ".join(one.name for one in sets)

@@ -9,18 +9,18 @@ from __future__ import annotations
 
 import copy
 from math import exp, hypot, nan
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from pointpred.compiled import law, layout
 from pointpred.errors import ParameterError
+from pointpred.layout import Layout, clear
 from pointpred.parameter import option, parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
 from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-from pointpred.stage import offsets
 
 RATE_HZ = 20.0
 STEP_S = 1.0 / RATE_HZ
@@ -33,17 +33,64 @@ KERNEL = tuple(exp(-0.5 * (i / SIGMA) ** 2) for i in range(TAPS))
 """Half of it. Its sum is not 1: a factor on every score alike decides nothing."""
 POINTS_LEAST = 4
 
-# Settings, the kernel, then the templates: those of the library, those learned, and how many were learned.
-LEARNED_MOST, LIBRARY, LONGEST, SHORTEST_PX, HALF, STORE = offsets(1, 1, 1, 1, TAPS)
-# A template: samples of its profile (0: an empty place), straight distance px, speeds px/s.
-LENGTH, DISTANCE, SPEEDS = range(3)
-# After the templates: how many were learned, and the place of the next.
-COUNT, NEXT, LEARNED = range(3)
-# The movement, after `movement`'s own state: its points, its samples, the last of them, the last 22 speeds,
-# the whole profile; then for each template the running sum, the final part of its score, its score and the
-# last 22 smoothed differences.
-_, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.State.length, 1, 1, 1, 1, TAPS)
-SUM, FINAL, SCORE, SMOOTH, MATCH = offsets(1, 1, 1, TAPS)
+
+class Settings(Layout):
+    """Most templates to learn and those of the library, samples of the longest, the shortest; the kernel."""
+
+    learned_most: float
+    library: float
+    longest: float
+    shortest_px: float
+    half: Annotated[FloatArray, TAPS]
+
+
+class Memory(Layout):
+    """The settings; then the templates, the library's first, what is ``Learned``, and the ``State``."""
+
+    settings: Settings
+    rest: Annotated[FloatArray, None]
+
+
+class Template(Layout):
+    """Samples of its profile (0: an empty place), straight distance in px, speeds in px/s."""
+
+    samples: float
+    distance: float
+    speeds: Annotated[FloatArray, None]
+
+
+class Learned(Layout):
+    """How many templates were learned, and the place of the next."""
+
+    count: float
+    next: float
+
+
+class Samples(Layout):
+    """Of the movement: its points, its samples, the place of the last of them, the last speeds."""
+
+    points: float
+    count: float
+    x: float
+    y: float
+    recent: Annotated[FloatArray, TAPS]
+
+
+class State(Layout):
+    """The movement; then its whole profile, and a ``Match`` for each template."""
+
+    movement: movement.State
+    samples: Samples
+    rest: Annotated[FloatArray, None]
+
+
+class Match(Layout):
+    """Of a template: running sum, final part of the score, score, the last smoothed differences."""
+
+    sum: float
+    final: float
+    score: float
+    smooth: Annotated[FloatArray, TAPS]
 
 
 # The values of the parameters.
@@ -57,170 +104,181 @@ def samples_of(longest_s: float) -> int:
 
 
 @layout
-def fill(values: FloatArray, memory: FloatArray) -> None:
+def fill(values: FloatArray, settings: Settings) -> None:
     """The settings and the kernel, without a library."""
-    memory[LEARNED_MOST], memory[LIBRARY] = values[TEMPLATES_OF], 0.0
-    memory[LONGEST], memory[SHORTEST_PX] = samples_of(values[LONGEST_OF]), values[SHORTEST_OF]
+    settings.learned_most, settings.library = values[TEMPLATES_OF], 0.0
+    settings.longest, settings.shortest_px = samples_of(values[LONGEST_OF]), values[SHORTEST_OF]
     for k in range(TAPS):
-        memory[HALF + k] = KERNEL[k]
+        settings.half[k] = KERNEL[k]
 
 
 @layout
 def sizes(values: FloatArray) -> tuple[int, int, int]:
     """How many settings, learned floats and states of a movement there are without a library."""
     templates, longest = int(values[TEMPLATES_OF]), samples_of(values[LONGEST_OF])
-    states = PROFILE + longest + templates * MATCH
+    states = State.length + longest + templates * Match.length
     if templates == 0:
-        return STORE, 0, states + LEARNED
-    return STORE, templates * (SPEEDS + longest) + LEARNED, states
+        return Settings.length, 0, states + Learned.length
+    return Settings.length, templates * (Template.length + longest) + Learned.length, states
 
 
 @law
-def template(memory: FloatArray, k: int) -> int:
+def place_of_template(settings: Settings, k: int) -> int:
     """Place of the k-th template."""
-    return STORE + k * (SPEEDS + int(memory[LONGEST]))
+    return k * (Template.length + int(settings.longest))
 
 
 @law
-def counts(memory: FloatArray) -> int:
-    """Place of the counts of learned templates: after the last of them."""
-    return template(memory, int(memory[LIBRARY]) + int(memory[LEARNED_MOST]))
+def place_of_learned(settings: Settings) -> int:
+    """Place of what is learned: after the last template."""
+    return place_of_template(settings, int(settings.library) + int(settings.learned_most))
 
 
 @law
-def template_count(memory: FloatArray) -> int:
+def template_count(memory: Memory) -> int:
     """How many templates there are to compare with."""
-    return int(memory[LIBRARY]) + int(memory[counts(memory) + COUNT])
+    learned = Learned(memory.rest, place_of_learned(memory.settings))
+    return int(memory.settings.library) + int(learned.count)
 
 
 @law
-def score(memory: FloatArray, n: int, speed: float, own: float, place: int, match: int) -> None:
+def score(settings: Settings, n: int, speed: float, own: float, template: Template, match: Match) -> None:
     """One template's mean absolute smoothed difference over samples 0 to n."""
-    length, smooth = int(memory[place + LENGTH]), match + SMOOTH
-    difference = speed - memory[place + SPEEDS + n] if n < length else speed
-    memory[match + FINAL] += abs(memory[smooth])
-    total = memory[match + FINAL]
+    length = int(template.samples)
+    difference = speed - template.speeds[n] if n < length else speed
+    match.final += abs(match.smooth[0])
+    total = match.final
     oldest = max(0, TAPS - 1 - n)
     for k in range(oldest, TAPS - 1):
-        memory[smooth + k] = memory[smooth + k + 1] + memory[HALF + TAPS - 1 - k] * difference
-        total += abs(memory[smooth + k])
+        match.smooth[k] = match.smooth[k + 1] + settings.half[TAPS - 1 - k] * difference
+        total += abs(match.smooth[k])
     newest = own
     if n < length:  # a template's smoothed speed is 0 after its end: there the movement's own stands alone
         for k in range(oldest, TAPS):
-            newest -= memory[HALF + TAPS - 1 - k] * memory[place + SPEEDS + n - (TAPS - 1) + k]
-    memory[smooth + TAPS - 1] = newest
-    memory[match + SCORE] = (total + abs(newest)) / (n + 1)
+            newest -= settings.half[TAPS - 1 - k] * template.speeds[n - (TAPS - 1) + k]
+    match.smooth[TAPS - 1] = newest
+    match.score = (total + abs(newest)) / (n + 1)
 
 
 @law
-def sample(memory: FloatArray, at: int, speed: float) -> None:
+def sample(memory: Memory, s: State, speed: float) -> None:
     """Take in the next sample of the movement's speed, and score every template."""
-    n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
+    settings, samples = memory.settings, s.samples
+    n, longest = int(samples.count), int(settings.longest)
     for k in range(TAPS - 1):
-        memory[recent + k] = memory[recent + k + 1]
-    memory[recent + TAPS - 1] = speed
+        samples.recent[k] = samples.recent[k + 1]
+    samples.recent[TAPS - 1] = speed
     if n < longest:
-        memory[at + PROFILE + n] = speed
+        s.rest[n] = speed
     own = 0.0
     for k in range(TAPS):
-        own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
+        own += settings.half[TAPS - 1 - k] * samples.recent[k]
     for j in range(template_count(memory)):
-        place, match = template(memory, j), at + PROFILE + longest + j * MATCH
-        score(memory, n, speed, own, place, match)
-    memory[at + SAMPLES] = n + 1.0
+        template = Template(memory.rest, place_of_template(settings, j))
+        score(settings, n, speed, own, template, Match(s.rest, longest + j * Match.length))
+    samples.count = n + 1.0
 
 
 @law
-def winner(memory: FloatArray, at: int, times: float) -> int:
+def winner(memory: Memory, s: State, times: float) -> int:
     """Add each score that many times to its running sum; the first with the lowest sum, -1 without any."""
-    first, best = at + PROFILE + int(memory[LONGEST]), -1
+    best, lowest = -1, 0.0
     for j in range(template_count(memory)):
-        match = first + j * MATCH
-        memory[match + SUM] += times * memory[match + SCORE]
-        if best < 0 or memory[match + SUM] < memory[first + best * MATCH + SUM]:
-            best = j
+        match = Match(s.rest, int(memory.settings.longest) + j * Match.length)
+        match.sum += times * match.score
+        if best < 0 or match.sum < lowest:
+            best, lowest = j, match.sum
     return best
 
 
 @law
-def keep(memory: FloatArray, at: int, distance: float) -> None:
+def keep(memory: Memory, s: State, distance: float) -> None:
     """Store the movement as a template, replacing the oldest learned one, if its length is within bounds."""
-    most, samples = int(memory[LEARNED_MOST]), int(memory[at + SAMPLES])
-    if most == 0 or memory[at + POINTS] < POINTS_LEAST or not 2 <= samples <= memory[LONGEST]:
+    settings = memory.settings
+    most, samples = int(settings.learned_most), int(s.samples.count)
+    if most == 0 or s.samples.points < POINTS_LEAST or not 2 <= samples <= settings.longest:
         return
-    if not distance >= memory[SHORTEST_PX]:
+    if not distance >= settings.shortest_px:
         return
-    place_of_counts = counts(memory)
-    place = template(memory, int(memory[LIBRARY]) + int(memory[place_of_counts + NEXT]))
-    memory[place + LENGTH], memory[place + DISTANCE] = samples, distance
-    for k in range(int(memory[LONGEST])):
-        memory[place + SPEEDS + k] = memory[at + PROFILE + k]  # zeros behind the last sample
-    memory[place_of_counts + NEXT] = (memory[place_of_counts + NEXT] + 1.0) % most
-    memory[place_of_counts + COUNT] = min(memory[place_of_counts + COUNT] + 1.0, most)
+    learned = Learned(memory.rest, place_of_learned(settings))
+    template = Template(memory.rest, place_of_template(settings, int(settings.library) + int(learned.next)))
+    template.samples, template.distance = samples, distance
+    for k in range(int(settings.longest)):
+        template.speeds[k] = s.rest[k]  # zeros behind the last sample
+    learned.next = (learned.next + 1.0) % most
+    learned.count = min(learned.count + 1.0, most)
+
+
+@law
+def forget(settings: Settings, s: State) -> None:
+    """Nothing is known of the movement but what all predictors know."""
+    clear(s.samples)
+    matches = int(settings.library) + int(settings.learned_most)
+    s.rest[: int(settings.longest) + matches * Match.length] = 0.0
 
 
 TEMPLATES_MOST = 1000
 
 
 @law
-def distance(memory: FloatArray, at: int) -> float:
+def distance(s: movement.State) -> float:
     """How far the cursor is from the movement's start, px."""
-    away_x = movement.State(memory, at).x - movement.State(memory, at).x0
-    return hypot(away_x, movement.State(memory, at).y - movement.State(memory, at).y0)
+    return hypot(s.x - s.x0, s.y - s.y0)
 
 
 @law
-def conclude(memory: FloatArray) -> None:
+def conclude(memory: Memory) -> None:
     """The movement has ended: keep it as a template."""
-    at = counts(memory) + LEARNED
-    keep(memory, at, distance(memory, at))
+    s = State(memory.rest, place_of_learned(memory.settings) + Learned.length)
+    keep(memory, s, distance(s.movement))
 
 
 @law
-def resample(memory: FloatArray, at: int, since: float, x_before: float, y_before: float) -> None:
+def resample(memory: Memory, s: State, since: float, x_before: float, y_before: float) -> None:
     """Take in the samples that have fallen due since the motion before the last one."""
-    most = memory[LONGEST] + TAPS
-    now = movement.State(memory, at).t - movement.State(memory, at).t0
-    x, y = movement.State(memory, at).x, movement.State(memory, at).y
-    due = memory[at + SAMPLES] * STEP_S
-    while due <= now + STAMP_S and memory[at + SAMPLES] < most:
+    samples, most = s.samples, memory.settings.longest + TAPS
+    now = s.movement.t - s.movement.t0
+    x, y = s.movement.x, s.movement.y
+    due = samples.count * STEP_S
+    while due <= now + STAMP_S and samples.count < most:
         back = min(max((now - due) / since, 0.0), 1.0)
         grid_x, grid_y = x + back * (x_before - x), y + back * (y_before - y)
-        way = hypot(grid_x - memory[at + GRID_X], grid_y - memory[at + GRID_Y])
-        memory[at + GRID_X], memory[at + GRID_Y] = grid_x, grid_y
-        sample(memory, at, way * RATE_HZ)
-        due = memory[at + SAMPLES] * STEP_S
+        way = hypot(grid_x - samples.x, grid_y - samples.y)
+        samples.x, samples.y = grid_x, grid_y
+        sample(memory, s, way * RATE_HZ)
+        due = samples.count * STEP_S
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Follow the speed profile and go as far as the template that is most like it."""
     m = MotionRow(*motion)
-    at = counts(memory) + LEARNED
-    last_distance = distance(memory, at)
-    x_before, y_before = movement.State(memory, at).x, movement.State(memory, at).y
-    fault, new, dt = movement.follow(movement.State(memory, at), m)
+    s = State(memory.rest, place_of_learned(memory.settings) + Learned.length)
+    last_distance = distance(s.movement)
+    x_before, y_before = s.movement.x, s.movement.y
+    fault, new, dt = movement.follow(s.movement, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, at), m, fault)
-    phase = movement.phase(movement.State(memory, at), m)
+        return movement.refuse(s.movement, m, fault)
+    phase = movement.phase(s.movement, m)
     if new:
-        keep(memory, at, last_distance)
-        memory[at + movement.State.length :] = 0.0
-        memory[at + POINTS] = 1.0
-        sample(memory, at, 0.0)
-    if new or m.t == movement.State(memory, at).t0:
-        memory[at + GRID_X], memory[at + GRID_Y] = m.x, m.y
+        keep(memory, s, last_distance)
+        forget(memory.settings, s)
+        s.samples.points = 1.0
+        sample(memory, s, 0.0)
+    if new or m.t == s.movement.t0:
+        s.samples.x, s.samples.y = m.x, m.y
     if dt > 0.0:
-        memory[at + POINTS] += 1.0
-        resample(memory, at, dt, x_before, y_before)
-    away = distance(memory, at)
+        s.samples.points += 1.0
+        resample(memory, s, dt, x_before, y_before)
+    away = distance(s.movement)
     best = -1
-    if memory[at + POINTS] >= POINTS_LEAST:
-        best = winner(memory, at, 1.0 if dt > 0.0 else 0.0)
+    if s.samples.points >= POINTS_LEAST:
+        best = winner(memory, s, 1.0 if dt > 0.0 else 0.0)
     if best < 0 or not away > 0.0:
         return endpoint(m.t, nan, nan, phase)
-    ahead = memory[template(memory, best) + DISTANCE] / away - 1.0
-    x0, y0 = movement.State(memory, at).x0, movement.State(memory, at).y0
+    template = Template(memory.rest, place_of_template(memory.settings, best))
+    ahead = template.distance / away - 1.0
+    x0, y0 = s.movement.x0, s.movement.y0
     return endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase)
 
 
@@ -294,28 +352,27 @@ class TemplatePredictor(Predictor):
                 field="templates",
                 value=templates,
             )
-        wide = np.zeros((len(library), SPEEDS + longest))
+        wide = np.zeros((len(library), Template.length + longest))
         wide[:, : library.shape[1]] = library
         count, self.learned, states = sizes(self.values())
-        self.states = states + len(library) * MATCH
+        self.states = states + len(library) * Match.length
         settings = self.filled(count)
-        settings[LIBRARY] = len(library)
+        Settings(settings).library = len(library)
         return np.concatenate([settings, wide.ravel()])
 
     def template_table(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
         twin = copy.copy(self)
         twin.reset()
-        first = template(twin._memory, 0)
-        wide = SPEEDS + int(twin._memory[LONGEST])
-        count = template_count(twin._memory)
-        return twin._memory[first : first + count * wide].reshape(count, wide).copy()
+        memory = Memory(twin._memory)
+        wide, count = Template.length + int(memory.settings.longest), template_count(memory)
+        return memory.rest[: count * wide].reshape(count, wide).copy()
 
 
 def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
     """The library, checked."""
     if library is None:
-        return np.empty((0, SPEEDS))
+        return np.empty((0, Template.length))
     most = samples_of(longest_s)
     try:
         table = np.asarray(library, dtype=np.float64)
@@ -323,14 +380,14 @@ def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
         raise ParameterError(
             f"library must be a table of numbers: {error}", field="library", value=library
         ) from error
-    if table.ndim != 2 or not SPEEDS < table.shape[1] <= SPEEDS + most:
+    if table.ndim != 2 or not Template.length < table.shape[1] <= Template.length + most:
         raise ParameterError(
             f"library needs a row a template with at most {most} samples (longest_s is {longest_s:g} s), "
             f"received shape {table.shape}",
             field="library",
         )
-    lengths = table[:, LENGTH]
-    longest = table.shape[1] - SPEEDS
+    lengths = table[:, 0]
+    longest = table.shape[1] - Template.length
     if not (np.isfinite(table).all() and (lengths >= 1.0).all() and (lengths <= longest).all()):
         raise ParameterError(
             f"library needs finite numbers and templates of 1 to {longest} samples", field="library"
@@ -354,7 +411,7 @@ def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
         raise ParameterError(
             f"a library needs 1 to {TEMPLATES_MOST} trials, received {len(recording.trials)}"
         )
-    templates = np.empty((len(recording.trials), SPEEDS + samples_of(longest_s)))
+    templates = np.empty((len(recording.trials), Template.length + samples_of(longest_s)))
     for k, trial in enumerate(recording.trials):
         rows = recording.rows(k)
         pupil = TemplatePredictor(templates=1, longest_s=longest_s, shortest_px=0.0)

@@ -15,16 +15,27 @@ import msgspec
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.records import FloatArray, FloatTable
 from pointpred.regions import ellipse, probability
 
-# A part, a row of a table: its share, its centre in px, its scale matrix in px^2, its tail; 0: a normal law.
-SHARE, X, Y, SXX, SXY, SYY, TAIL, WIDTH = range(8)
 TURN_COS, TURN_SIN = -0.7373688780783197, 0.6754902942615238
 """The turn from one point of the spiral to the next: the golden angle."""
 HALVINGS = 60
 DENSITY_LEAST = 1e-280
 """A density below counts as none."""
+
+
+class PartRow(Layout):
+    """A part, a row of a table: its share, centre in px, scale matrix in px^2, tail; 0: a normal law."""
+
+    share: float
+    x: float
+    y: float
+    sxx: float
+    sxy: float
+    syy: float
+    tail: float
 
 
 @law
@@ -35,14 +46,14 @@ def squared_radius(share: float, tail: float) -> float:
 
 
 @law
-def part_density(parts: FloatTable, k: int, x: float, y: float) -> float:
+def part_density(part: PartRow, x: float, y: float) -> float:
     """The density of a part at a place, times its share, in 1 / px^2."""
-    sxx, sxy, syy, tail = parts[k, SXX], parts[k, SXY], parts[k, SYY], parts[k, TAIL]
+    sxx, sxy, syy, tail = part.sxx, part.sxy, part.syy, part.tail
     determinant = sxx * syy - sxy * sxy
-    dx, dy = x - parts[k, X], y - parts[k, Y]
+    dx, dy = x - part.x, y - part.y
     far = (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant
     log_density = -0.5 * far if tail == 0.0 else -0.5 * (tail + 2.0) * log1p(far / tail)
-    return float(parts[k, SHARE] * exp(log_density) / (2.0 * pi * sqrt(determinant)))
+    return float(part.share * exp(log_density) / (2.0 * pi * sqrt(determinant)))
 
 
 @law
@@ -50,7 +61,7 @@ def density(parts: FloatTable, count: int, x: float, y: float) -> float:
     """The density of the mixture at a place, in 1 / px^2."""
     total = 0.0
     for k in range(count):
-        total += part_density(parts, k, x, y)
+        total += part_density(PartRow(parts[k]), x, y)
     return total
 
 
@@ -58,14 +69,15 @@ def density(parts: FloatTable, count: int, x: float, y: float) -> float:
 def densities(parts: FloatTable, count: int, points: int, out: FloatTable) -> None:
     """The density at so many points of each part, a row of ``out`` each."""
     for k in range(count):
-        wide = sqrt(parts[k, SXX])
-        slant = parts[k, SXY] / wide
-        broad = sqrt(parts[k, SYY] - slant * slant)
+        part = PartRow(parts[k])
+        wide = sqrt(part.sxx)
+        slant = part.sxy / wide
+        broad = sqrt(part.syy - slant * slant)
         cos, sin = 1.0, 0.0
         for i in range(points):
-            radius = sqrt(squared_radius((i + 0.5) / points, parts[k, TAIL]))
-            x = parts[k, X] + radius * wide * cos
-            y = parts[k, Y] + radius * (slant * cos + broad * sin)
+            radius = sqrt(squared_radius((i + 0.5) / points, part.tail))
+            x = part.x + radius * wide * cos
+            y = part.y + radius * (slant * cos + broad * sin)
             out[k, i] = density(parts, count, x, y)
             cos, sin = cos * TURN_COS - sin * TURN_SIN, cos * TURN_SIN + sin * TURN_COS
 
@@ -78,7 +90,7 @@ def share_above(parts: FloatTable, count: int, points: int, known: FloatTable, t
         above = 0
         for i in range(points):
             above += 1 if known[k, i] > threshold else 0
-        total += parts[k, SHARE] * above / points
+        total += PartRow(parts[k]).share * above / points
     return total
 
 
@@ -86,9 +98,9 @@ def share_above(parts: FloatTable, count: int, points: int, known: FloatTable, t
 def content(parts: FloatTable, count: int, x: float, y: float, points: int) -> float:
     """The probability of the places that are denser than a place: exact for a single part."""
     if count == 1:
-        own, best = part_density(parts, 0, x, y), part_density(parts, 0, parts[0, X], parts[0, Y])
-        tail = parts[0, TAIL]
-        power = 1.0 if tail == 0.0 else tail / (tail + 2.0)
+        part = PartRow(parts[0])
+        own, best = part_density(part, x, y), part_density(part, part.x, part.y)
+        power = 1.0 if part.tail == 0.0 else part.tail / (part.tail + 2.0)
         return float(1.0 - (own / best) ** power)
     known = np.empty((count, points))
     densities(parts, count, points, known)
@@ -99,15 +111,16 @@ def content(parts: FloatTable, count: int, x: float, y: float, points: int) -> f
 def threshold_of(parts: FloatTable, count: int, level: float, points: int) -> float:
     """The density above which places of the probability ``level`` lie: exact for a single part."""
     if count == 1:
-        tail = parts[0, TAIL]
-        far = squared_radius(level, tail)
-        log_density = -0.5 * far if tail == 0.0 else -0.5 * (tail + 2.0) * log1p(far / tail)
-        return part_density(parts, 0, parts[0, X], parts[0, Y]) * exp(log_density)
+        first = PartRow(parts[0])
+        far = squared_radius(level, first.tail)
+        log_density = -0.5 * far if first.tail == 0.0 else -0.5 * (first.tail + 2.0) * log1p(far / first.tail)
+        return part_density(first, first.x, first.y) * exp(log_density)
     known = np.empty((count, points))
     densities(parts, count, points, known)
     most = DENSITY_LEAST  # no place is denser than all parts are at their centres
     for k in range(count):
-        most += part_density(parts, k, parts[k, X], parts[k, Y])
+        part = PartRow(parts[k])
+        most += part_density(part, part.x, part.y)
     low, high = log(DENSITY_LEAST), log(most)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
@@ -185,31 +198,33 @@ OUTSIDE = 1.0001
 
 
 @law
-def reach(parts: FloatTable, count: int, k: int, threshold: float) -> float:
-    """Squared Mahalanobis distance beyond which a part is less than its portion of a threshold.
+def reach(part: PartRow, count: int, threshold: float) -> float:
+    """Squared Mahalanobis distance beyond which one of the parts is less than its portion of a threshold.
 
     -1 where it is so at its centre.
     """
-    over = part_density(parts, k, parts[k, X], parts[k, Y]) * count / threshold
+    over = part_density(part, part.x, part.y) * count / threshold
     if not over > 1.0:
         return -1.0
-    tail = parts[k, TAIL]
+    tail = part.tail
     return float(2.0 * log(over) if tail == 0.0 else tail * expm1(2.0 * log(over) / (tail + 2.0)))
 
 
 @law
 def lines_of(parts: FloatTable, count: int, threshold: float, across: int, out: FloatArray) -> int:
     """Lay out the lines of the grid in one direction, ascending; returns how many. ``across``: 0 x, 1 y."""
-    centre, scale, total = X, SXX, 0
-    if across == 1:
-        centre, scale = Y, SYY
+    total = 0
     for k in range(count):
-        far = reach(parts, count, k, threshold)
+        part = PartRow(parts[k])
+        centre, scale = part.x, part.sxx
+        if across == 1:
+            centre, scale = part.y, part.syy
+        far = reach(part, count, threshold)
         for i in range(LINES):
             if far > 0.0:
                 at = 2.0 * i / (LINES - 1.0) - 1.0
                 at *= AT_CENTRE + (1.0 - AT_CENTRE) * at * at
-                value = parts[k, centre] + OUTSIDE * at * sqrt(far * parts[k, scale])
+                value = centre + OUTSIDE * at * sqrt(far * scale)
                 place = total
                 while place > 0 and out[place - 1] > value:
                     out[place] = out[place - 1]
@@ -397,7 +412,7 @@ class Mixture(msgspec.Struct, frozen=True, dict=True):
     def table(self) -> FloatArray:
         """The parts as laws take them."""
         rows = [(one.share, one.x, one.y, *one.scale, one.tail or 0.0) for one in self.parts]
-        return np.array(rows, dtype=np.float64).reshape(-1, WIDTH)
+        return np.array(rows, dtype=np.float64).reshape(-1, PartRow.length)
 
     def density(self, x: float, y: float) -> float:
         """The density at a place, in 1 / px^2."""

@@ -65,7 +65,7 @@ def claims_of(fitted: FittedNetwork, examples: Examples, settings: Settings) -> 
 
 
 def _left(values: FloatArray, examples: Examples) -> FloatArray:
-    since = examples.features[:, features.TIME].astype(np.float64)
+    since = examples.features[:, features.PLACE["time"]].astype(np.float64)
     ahead: FloatArray = np.exp(np.clip(values[:, net.LEFT], *net.LEFT_LOGS))
     return (since + net.HEAD_START_S) * ahead
 

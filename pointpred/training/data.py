@@ -117,9 +117,9 @@ def examples(
         message = f"{recording.name} must hold a movement to learn from, holds none"
         raise ParameterError(message, field="recording", value=recording.name)
     motions = build("hold").differentiator.run(prepared.events).table
-    features = np.zeros((len(motions), kinematic_features.FEATURES))
+    features = np.zeros((len(motions), kinematic_features.Values.length))
     frames = np.zeros((len(motions), 3))
-    memory = np.zeros(kinematic_features.STATES)
+    memory = kinematic_features.State(np.zeros(kinematic_features.State.length))
     kinematic_features.observe_all(memory, prepared.events.begin, motions, features, frames)
     first, last = prepared.offsets[:-1], prepared.offsets[1:] - 1
     trial = np.repeat(np.arange(len(first)), last + 1 - first)

@@ -275,7 +275,7 @@ def truth(examples: Examples, settings: Settings) -> Truth:
         (examples.along / reach).astype(np.float32),
         (examples.across / reach).astype(np.float32),
         examples.left_s.astype(np.float32),
-        moments[:, features.TIME],
+        moments[:, features.PLACE["time"]],
         even(moment * near**settings.late * reach / mean_hold),
         even(moment * np.where(examples.own, 1.0, settings.varied_law), settings.law_share),
         even(moment / duration * np.where(examples.own, 1.0, settings.varied_time), settings.time_share),
@@ -287,7 +287,7 @@ def _beginning(examples: Examples, settings: Settings, random: np.random.Generat
     turned = unmirrored(examples.features)
     mean, scale = turned.mean(axis=0, dtype=np.float64), 1.0 / (turned.std(axis=0, dtype=np.float64) + 1e-6)
     return FittedNetwork(
-        mean, scale, random_layers((features.FEATURES, *settings.hidden, net.OUTPUTS), random)
+        mean, scale, random_layers((features.Values.length, *settings.hidden, net.Outputs.length), random)
     )
 
 

@@ -12,12 +12,11 @@ from hypothesis import strategies as st
 from pointpred import build, run
 from pointpred import person as persons
 from pointpred.errors import ParameterError
+from pointpred.layout import Slot
 from pointpred.predictors import AdaptiveKinematicPredictor
-from pointpred.predictors.adaptation import correction as law
 from pointpred.predictors.adaptation import distances, places, time_left
-from pointpred.predictors.adaptation import durations as clock
+from pointpred.predictors.adaptation.correction import Person
 from pointpred.records import FloatArray
-from pointpred.stage import Slot
 from tests.building import reach
 
 NAME = "kinematic-adaptive"
@@ -38,31 +37,28 @@ def number(slot: Slot) -> st.SearchStrategy[float]:
 def consistent(numbers: Sequence[float]) -> FloatArray:
     """The numbers, changed as ``doubt`` asks: what is held fits, belief sums to 1, products are of terms."""
     known = np.array(numbers)
+    person = Person(known)
     root = np.zeros((time_left.TERMS, time_left.TERMS))
-    lower, products = np.tril_indices(time_left.TERMS), known[law.TIME_LEFT : law.TIME_LEFT + time_left.SUMS]
+    lower, products = np.tril_indices(time_left.TERMS), person.time_left.products
     root[lower] = products / time_left.MOST_PRODUCT
     products[:] = (root @ root.T * time_left.MOST_PRODUCT / time_left.TERMS)[lower]
-    far, long = known[law.DISTANCES : law.DURATIONS], known[law.DURATIONS : law.REGIONS]
-    far[distances.DISTANCES : distances.BELIEF] = np.maximum(
-        far[distances.DISTANCES : distances.BELIEF], distances.SHORTEST_PX
-    )
-    long[clock.COUNT] = far[distances.COUNT]
-    held = int(long[clock.COUNT])
+    far, long, where = person.distances, person.durations, person.places
+    far.last[:] = np.maximum(far.last, distances.SHORTEST_PX)
+    long.count = far.count
+    held = int(long.count)
     if held:
-        durations = long[clock.DURATIONS : clock.DURATIONS + held]
-        durations[:] = np.maximum(durations, 1e-6)
-        long[clock.MEDIAN] = np.median(durations)
-        belief = far[distances.BELIEF : distances.WEIGHTS]
+        long.last[:held] = np.maximum(long.last[:held], 1e-6)
+        long.median = np.median(long.last[:held])
+        belief = far.belief
         belief[-1] = np.clip(belief[-1], distances.FORGET * distances.UNKNOWN_SHARE, 1.0)
         others = belief[:-1].sum()
         if others > 1e-9:
             belief[:-1] *= (1.0 - belief[-1]) / others
         else:
             belief[:-1], belief[-1] = 0.0, 1.0
-    where = known[law.KNOWN : law.HABITS]
-    visits = where[places.PLACES : places.HISTORY].reshape(-1, places.WIDTH)[:, places.WEIGHT]
-    visits[:] = np.maximum(visits, places.LIGHTEST)
-    where[places.HISTORY :] = np.minimum(where[places.HISTORY :], where[places.COUNT] - 1.0)
+    for place in where.places:
+        place.visits = max(place.visits, places.LIGHTEST)
+    where.history[:] = np.minimum(where.history, where.count - 1.0)
     return known
 
 

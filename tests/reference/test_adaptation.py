@@ -15,9 +15,9 @@ LAWS = [(time, width) for time in (1.5, 12.0) for width in (0.02, 0.08, 0.35)]
 
 
 def remembered(history: list[float]) -> FloatArray:
-    memory = np.zeros(distances.LEARNED)
+    memory = np.zeros(distances.Distances.length)
     for distance in history:
-        distances.remember(memory, 0, distance)
+        distances.remember(memory, distance)
     return memory
 
 
@@ -53,7 +53,7 @@ HISTORIES = {
 @pytest.mark.parametrize("history", HISTORIES.values(), ids=HISTORIES)
 def test_belief_is_bayes_rule(history: list[float]) -> None:
     memory = remembered(history)
-    own = memory[distances.BELIEF : distances.BELIEF + distances.LAWS + 1]
+    own = distances.Distances(memory).belief
     np.testing.assert_allclose(own, beliefs(history), rtol=1e-9, atol=1e-14)
 
 
@@ -64,7 +64,7 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
     """With a normal law the product is known: integrated over a fine grid it gives the same median."""
     reached = 120.0
     memory = remembered(history)
-    own, width, _ = distances.combine(memory, 0, reached, Ahead(ahead, wide, 0.0, 1e9))
+    own, width, _ = distances.combine(memory, reached, Ahead(ahead, wide, 0.0, 1e9))
     grid = np.linspace(ahead - 8.0 * wide, ahead + 8.0 * wide, 400_001)
     law = np.exp(-0.5 * ((grid - ahead) / wide) ** 2)
     belief, last = beliefs(history), np.array(history[::-1][:12])
@@ -84,8 +84,8 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
 
 def test_nearer_where_the_direction_is_uncertain() -> None:
     memory = remembered([400.0] * 12)
-    sure, _, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 0.0, 8.0))
-    unsure, _, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 200.0, 8.0))
+    sure, _, _ = distances.combine(memory, 10.0, Ahead(300.0, 120.0, 0.0, 8.0))
+    unsure, _, _ = distances.combine(memory, 10.0, Ahead(300.0, 120.0, 200.0, 8.0))
     assert sure == pytest.approx(390.0, abs=3.0)
     assert unsure == pytest.approx(400.0 / np.sqrt(1.0 + 0.5 * 0.25) - 10.0, abs=3.0)
 
@@ -97,13 +97,14 @@ def moment(random: np.random.Generator) -> tuple[Moment, float, float, float]:
     wide, broad = random.uniform(10.0, 60.0, 2).tolist()
     tail, left = random.uniform(2.0, 20.0), random.uniform(0.2, 0.6)
     x = reached + 1.2 * ahead + 10.0 * random.standard_t(3.0)
-    m = Moment(t, reached, 0.0, 1.0, 0.0, ahead, across, wide, broad, tail, left, reached)
+    said = (1.0, t, reached, 0.0, 1.0, 0.0, ahead, across, wide, broad, tail, left, reached)
+    m = Moment(np.array(said))
     return m, x, random.normal(0.0, 15.0), t + random.uniform(0.2, 0.9)
 
 
 def test_the_bias_is_weighted_least_squares_over_the_whole_history() -> None:
     random = np.random.default_rng(3)
-    memory = np.zeros(stages.LEARNED)
+    stage = stages.Stage(np.zeros(stages.Stage.length))
     inputs: list[FloatArray] = []
     targets: list[float] = []
     weights: list[float] = []
@@ -124,21 +125,20 @@ def test_the_bias_is_weighted_least_squares_over_the_whole_history() -> None:
         rows, weight = np.array(inputs), ages * np.array(weights)
         gram = (rows * weight[:, None]).T @ rows + RIDGE * np.eye(2)
         theta = np.linalg.solve(gram, (rows * weight[:, None]).T @ np.array(targets))
-        stages.learn(memory, 0, m, x, y, t)
-    np.testing.assert_allclose(memory[[stages.TOTAL, stages.AHEAD]], theta, rtol=1e-9)
-    np.testing.assert_allclose(memory[stages.COUNT], ages.sum(), rtol=1e-12)
-    np.testing.assert_allclose(memory[stages.WIDE], ages @ np.array(along2), rtol=1e-9)
-    np.testing.assert_allclose(memory[stages.BROAD], ages @ np.array(across2), rtol=1e-9)
+        stages.learn(stage.memory, m.memory, x, y, t)
+    np.testing.assert_allclose([stage.total, stage.ahead], theta, rtol=1e-9)
+    np.testing.assert_allclose(stage.count, ages.sum(), rtol=1e-12)
+    np.testing.assert_allclose(stage.wide, ages @ np.array(along2), rtol=1e-9)
+    np.testing.assert_allclose(stage.broad, ages @ np.array(across2), rtol=1e-9)
 
 
 def test_between_stages_lie_lines() -> None:
-    memory = np.zeros(stages.LEARNED)
-    for stage in range(stages.STAGES):
-        at = stage * stages.WIDTH
-        memory[at + stages.TOTAL] = 0.1 * (stage + 1) ** 2
-        memory[at + stages.BIAS_PAID] = memory[at + stages.BIAS_SIZE] = 1e12
+    known = stages.Stages(np.zeros(stages.Stages.length))
+    for number, stage in enumerate(known.stages):
+        stage.total = 0.1 * (number + 1) ** 2
+        stage.bias_paid = stage.bias_size = 1e12
     shares = np.linspace(0.0, 1.0, 200)
-    own = [stages.correct(memory, 0, share, 100.0, 50.0)[0] for share in shares]
+    own = [stages.correct(known.memory, share, 100.0, 50.0)[0] for share in shares]
     knots = [10.0 * (stage + 1) ** 2 for stage in range(stages.STAGES)]
     expected = np.interp(shares, [0.1, 0.3, 0.5, 0.7, 0.9], knots)
     np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-9)

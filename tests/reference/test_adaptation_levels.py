@@ -9,12 +9,10 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from pointpred.predictors.adaptation import levels as tracker
-from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels
+from pointpred.predictors.adaptation.region_widening import Movement, Radii
 from pointpred.records import FloatArray
 
-AT = levels.LEARNED
-SIZE = levels.LEARNED + levels.STATES
 SHARES = np.arange(1, 10) / 10.0
 TAIL = 3.0
 
@@ -33,24 +31,24 @@ def errors(random: np.random.Generator, tail: float, times: float) -> FloatArray
 def session(
     random: np.random.Generator, movements: int, tail: float, times: float, noise: float = 0.15
 ) -> tuple[FloatArray, FloatArray]:
-    """Where each movement's end lay in the law stated at each share: its mass, 0 to 1; the memory.
+    """Where each movement's end lay in the law stated at each share: its mass, 0 to 1; what was learned.
 
     The predictor claims widths of 40 and 20 px and a tail of 3 at all shares, and its idea of the share is
     off by some noise. The end is drawn as ``errors`` says.
     """
-    memory, held = np.zeros(SIZE), np.empty((movements, len(SHARES)))
+    memory, held = np.zeros(Radii.length), np.empty((movements, len(SHARES)))
     for n in range(movements):
-        memory[AT:] = 0.0
+        movement = np.zeros(Movement.length)
         off = errors(random, tail, times)
         x, y = 40.0 * off[0], 20.0 * off[1]
         start, duration = 10.0 * n, random.uniform(0.3, 1.5)
         for k, share in enumerate(SHARES):
             said = float(np.clip(share + noise * random.standard_normal(), 0.0, 1.0))
-            factor, stated = levels.widen(memory, 0, said, TAIL)
+            factor, stated = levels.widen(memory, said, TAIL)
             law = (0.0, 0.0, 1600.0 * factor, 0.0, 400.0 * factor, stated)
-            levels.record(memory, AT, start + share * duration, float(k), 0.0, law)
+            levels.record(movement, (start + share * duration, float(k), 0.0), law)
             held[n, k] = mass(np.array((x / 40.0) ** 2 + (y / 20.0) ** 2) / factor, np.array(stated))
-        levels.learn(memory, 0, AT, (x, y), (start, start + duration))
+        levels.learn(memory, movement, (x, y), (start, start + duration))
     return held, memory
 
 
@@ -81,7 +79,7 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
     radii = []
     for _ in range(40):
         _, memory = session(random, 60, tail, times, noise=0.0)
-        stated = [levels.widen(memory, 0, share, TAIL) for share in (0.3, 0.5, 0.7)]
+        stated = [levels.widen(memory, share, TAIL) for share in (0.3, 0.5, 0.7)]
         radii.append([np.log(2.0 * by * stats.f.ppf([0.5, 0.8], 2.0, own)) for by, own in stated])
     expected = np.log(np.quantile(far, [0.5, 0.8]))
     found: FloatArray = np.median(np.array(radii), axis=0)
@@ -94,9 +92,9 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
     tail=st.floats(1e-9, 1e12),
 )
 def test_whatever_was_learned_the_law_is_one(offsets: list[float], share: float, tail: float) -> None:
-    memory = np.zeros(SIZE)
-    memory[levels.MOVEMENTS], memory[levels.OFFSETS : levels.MIXED] = 7.0, offsets
-    factor, stated = levels.widen(memory, 0, share, tail)
+    known = Radii(np.zeros(Radii.length))
+    known.movements, known.single.values[:] = 7.0, np.reshape(offsets, (-1, 2))
+    factor, stated = levels.widen(known.memory, share, tail)
     assert np.isfinite([factor, stated]).all()
     assert factor > 0.0
     assert 2.0 / levels.HEAVIEST <= stated <= 2.0 / levels.LIGHTEST
@@ -109,10 +107,9 @@ def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most:
 
     A growing radius is multiplied, a shrinking one is that of a lower level.
     """
-    memory = np.zeros(SIZE)
-    memory[levels.MOVEMENTS] = 5.0
-    memory[levels.OFFSETS : levels.MIXED : 2], memory[levels.OFFSETS + 1 : levels.MIXED : 2] = half, most
-    factor, stated = levels.widen(memory, 0, 0.4, tail)
+    known = Radii(np.zeros(Radii.length))
+    known.movements, known.single.values[:] = 5.0, (half, most)
+    factor, stated = levels.widen(known.memory, 0.4, tail)
     offsets = np.array([half, most])
     lower = 1.0 - (1.0 - np.array([0.5, 0.8])) ** np.exp(np.minimum(offsets, 0.0))
     wanted = np.log(2.0 * stats.f.ppf(lower, 2.0, tail)) + np.maximum(offsets, 0.0)
@@ -125,45 +122,45 @@ def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most:
 
 
 def test_nobody_is_told_what_was_claimed() -> None:
-    assert levels.widen(np.zeros(SIZE), 0, 0.3, 2.5) == (1.0, 2.5)
+    assert levels.widen(np.zeros(Radii.length), 0.3, 2.5) == (1.0, 2.5)
 
 
 @pytest.mark.parametrize("rate", [30.0, 125.0, 1000.0, 8000.0])
 @pytest.mark.parametrize("duration", [0.2, 0.9, 6.0])
 def test_a_movement_is_judged_by_what_was_stated_at_each_share(rate: float, duration: float) -> None:
     """The law's centre tells the time: whoever rests ten seconds afterwards drops none of it."""
-    memory = np.zeros(SIZE)
+    movement = Movement(np.zeros(Movement.length))
     t = np.arange(0.0, duration + 10.0, 1.0 / rate) + 3.0
     for now in t.tolist():
         cursor = min((now - 3.0) / duration, 1.0)
-        levels.record(memory, AT, now, cursor, 0.0, (now - 3.0, 0.0, 1.0, 0.0, 1.0, 9.0))
-    kept = int(memory[AT + moments.COUNT])
+        levels.record(movement.memory, (now, cursor, 0.0), (now - 3.0, 0.0, 1.0, 0.0, 1.0, 9.0))
+    kept = int(movement.series.count)
     assert kept <= levels.MOST
-    rows = memory[AT + moments.FIRST : AT + moments.FIRST + kept * levels.MOMENT].reshape(kept, -1)
-    assert (np.diff(rows[:, moments.T]) > 0.0).all()
+    times = np.array([one.t for one in movement.moments[:kept]])
+    assert (np.diff(times) > 0.0).all()
     for share in SHARES:
-        near = np.abs(rows[:, moments.T] - 3.0 - share * duration).min()
+        near = np.abs(times - 3.0 - share * duration).min()
         assert near <= max(1.01 / rate, 0.0072, 0.04 * duration)
 
 
 def test_of_moments_at_one_time_the_last_counts() -> None:
-    once, twice = np.zeros(SIZE), np.zeros(SIZE)
+    once, twice = np.zeros(Movement.length), np.zeros(Movement.length)
     for k in range(40):
         law = (10.0 * k, 1.0, 9.0, 1.0, 16.0, 4.0)
-        levels.record(once, AT, 0.02 * k, float(k), 2.0, law)
-        levels.record(twice, AT, 0.02 * k, float(k) + 5.0, 3.0, (0.0, 9.0, 1.0, 0.0, 1.0, 2.0))
-        levels.record(twice, AT, 0.02 * k, float(k), 2.0, law)
+        levels.record(once, (0.02 * k, float(k), 2.0), law)
+        levels.record(twice, (0.02 * k, float(k) + 5.0, 3.0), (0.0, 9.0, 1.0, 0.0, 1.0, 2.0))
+        levels.record(twice, (0.02 * k, float(k), 2.0), law)
     np.testing.assert_array_equal(twice, once)
 
 
 def test_a_stage_learns_from_the_true_share_and_no_other() -> None:
     """Ends outside in the first third only: radii grow there and nowhere else."""
-    memory = np.zeros(SIZE)
+    known, movement = Radii(np.zeros(Radii.length)), np.zeros(Movement.length)
     for k in range(100):
         far = 0.0 if k >= 35 else 1e6
-        levels.record(memory, AT, 0.01 * k, float(k), 0.0, (far, 0.0, 1.0, 0.0, 1.0, 9.0))
-    levels.learn(memory, 0, AT, (0.0, 0.0), (0.0, 1.0))
-    offsets = memory[levels.OFFSETS : levels.MIXED].reshape(-1, 2)
+        levels.record(movement, (0.01 * k, float(k), 0.0), (far, 0.0, 1.0, 0.0, 1.0, 9.0))
+    levels.learn(known.memory, movement, (0.0, 0.0), (0.0, 1.0))
+    offsets = known.single.values
     assert (offsets[:2] > 0.3).all()
     assert (offsets[2:] < 0.0).all()
-    assert memory[levels.MOVEMENTS] == 1.0
+    assert known.movements == 1.0

@@ -8,21 +8,37 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import optimize
 
+from pointpred.layout import Layout, clear, slots_of
 from pointpred.predictors.adaptation import arrival_intervals as intervals
 from pointpred.predictors.adaptation import time_left
-from pointpred.predictors.adaptation.time_left import TERMS, Estimates, Pace, Way
+from pointpred.predictors.adaptation.arrival_intervals import Intervals
+from pointpred.predictors.adaptation.time_left import TERMS, Estimates, Movement, Pace, Sums, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.records import FloatArray
 
 KEEP, SMALL, JUDGED = 0.98, 0.05, 12
-INTERVALS, MOVEMENT = time_left.LEARNED, time_left.LEARNED + intervals.LEARNED
-PLACE = (0, INTERVALS, MOVEMENT)
-SIZE = MOVEMENT + time_left.STATES
 SHARES = (np.arange(JUDGED) + 0.5) / JUDGED
 WEIGHTS, SUMS = np.array(PRIOR[:TERMS]), np.zeros((TERMS, TERMS))
 SUMS[np.tril_indices(TERMS)] = PRIOR[TERMS:]
 SUMS = SUMS + np.tril(SUMS, -1).T
 MEDIAN = 0.8
+
+
+class Memory(Layout):
+    """What is known of the person, and the movement."""
+
+    sums: Sums
+    intervals: Intervals
+    movement: Movement
+
+    @property
+    def flat(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """As the laws take them."""
+        return self.sums.memory, self.intervals.memory, self.movement.memory
+
+
+def nobody() -> Memory:
+    return Memory(np.zeros(Memory.length))
 
 
 def situation(random: np.random.Generator) -> tuple[Estimates, Way, Pace, float]:
@@ -42,34 +58,34 @@ def plain_terms(estimates: Estimates, way: Way, pace: Pace, since: float) -> Flo
     return np.array([mixed, predicted, 1.0, share, pace.of_peak * predicted, slow, near])
 
 
-def follow(memory: FloatArray, random: np.random.Generator, start: float, seconds: float) -> FloatArray:
+def follow(memory: Memory, random: np.random.Generator, start: float, seconds: float) -> FloatArray:
     """A movement with a moment at each share by which it is judged: the terms of each."""
-    memory[MOVEMENT:] = 0.0
+    clear(memory.movement)
     rows = []
     for k, share in enumerate(SHARES):
         estimates, way, pace, since = situation(random)
         cursor = (start + share * seconds, float(k), 0.0)
-        time_left.stated(memory, PLACE, cursor, since, MEDIAN, estimates, way, pace)
+        time_left.stated(*memory.flat, cursor, since, MEDIAN, estimates, way, pace)
         rows.append(plain_terms(estimates, way, pace, since))
     return np.array(rows)
 
 
-def weights_of(memory: FloatArray) -> FloatArray:
+def weights_of(memory: Memory) -> FloatArray:
     weights = np.empty(TERMS)
-    time_left.solve(memory, 0, PRIOR, weights)
+    time_left.solve(memory.sums.memory, PRIOR, weights)
     return weights
 
 
 def test_the_weights_are_those_of_reweighted_least_squares_over_the_whole_history() -> None:
     random = np.random.default_rng(1)
-    memory = np.zeros(SIZE)
+    memory = nobody()
     movements: list[tuple[FloatArray, FloatArray, FloatArray]] = []
     weights = WEIGHTS
     np.testing.assert_allclose(weights_of(memory), WEIGHTS, rtol=1e-12)
     for n in range(40):
         start, seconds = 3.0 * n, random.uniform(0.3, 2.0)
         rows = follow(memory, random, start, seconds)
-        time_left.learn(memory, PLACE, (start, start + seconds), MEDIAN, PRIOR)
+        time_left.learn(*memory.flat, (start, start + seconds), MEDIAN, PRIOR)
         left = (1.0 - SHARES) * seconds / MEDIAN
         movements.append((rows, left, 1.0 / np.maximum(np.abs(left - rows @ weights), SMALL) / JUDGED))
         products, right = SUMS.copy(), SUMS @ WEIGHTS
@@ -83,9 +99,9 @@ def test_the_weights_are_those_of_reweighted_least_squares_over_the_whole_histor
 def test_what_is_stated_is_the_weighted_sum_and_never_nothing() -> None:
     random = np.random.default_rng(2)
     for _ in range(300):
-        memory = np.zeros(SIZE)
+        memory = nobody()
         estimates, way, pace, since = situation(random)
-        left, spread = time_left.stated(memory, PLACE, (1.0, 2.0, 3.0), since, MEDIAN, estimates, way, pace)
+        left, spread = time_left.stated(*memory.flat, (1.0, 2.0, 3.0), since, MEDIAN, estimates, way, pace)
         total = MEDIAN * float(WEIGHTS @ plain_terms(estimates, way, pace, since))
         assert left == pytest.approx(max(total, 0.05 * min(estimates.predicted, MEDIAN)), rel=1e-9)
         assert spread == pytest.approx(0.6, rel=1e-12)
@@ -95,16 +111,15 @@ def test_the_weights_are_near_those_of_the_least_absolute_error() -> None:
     """By linear programming, for a person whose time left is another sum with mostly small errors."""
     random = np.random.default_rng(3)
     own = np.array([0.2, 0.3, 0.2, 0.1, 0.1, -0.1, 0.2])
-    memory, rows, left = np.zeros(SIZE), [], []
+    memory, rows, left = nobody(), [], []
     for n in range(250):
-        memory[MOVEMENT:] = 0.0
+        clear(memory.movement)
         for k, share in enumerate(SHARES):
             known = plain_terms(*situation(random))
             time_left.stated(
-                memory, PLACE, (5.0 * n + share, float(k), 0.0), 0.1, MEDIAN, *situation(random)[:3]
+                *memory.flat, (5.0 * n + share, float(k), 0.0), 0.1, MEDIAN, *situation(random)[:3]
             )
-            place = MOVEMENT + time_left.MOMENTS + 4 + k * time_left.MOMENT
-            memory[place + time_left.FIRST_TERM : place + time_left.MOMENT] = known
+            memory.movement.moments[k].terms[:] = known
             rows.append(known)
         # The arrival is one for all moments: each moment's constant is what makes the sum come true.
         arrival = 5.0 * n + 1.0
@@ -112,13 +127,11 @@ def test_the_weights_are_near_those_of_the_least_absolute_error() -> None:
         x = np.array(rows[-JUDGED:])
         miss = 0.1 * random.standard_t(1.5, JUDGED)
         x[:, 0] = (y - miss - x[:, 1:] @ own[1:]) / own[0]
-        first = MOVEMENT + time_left.MOMENTS + 4
         for k in range(JUDGED):
-            place = first + k * time_left.MOMENT + time_left.FIRST_TERM
-            memory[place : place + TERMS] = x[k]
+            memory.movement.moments[k].terms[:] = x[k]
         rows[-JUDGED:] = list(x)
         left.extend(y.tolist())
-        time_left.learn(memory, PLACE, (5.0 * n, arrival), MEDIAN, PRIOR)
+        time_left.learn(*memory.flat, (5.0 * n, arrival), MEDIAN, PRIOR)
     x, y = np.array(rows[-150 * JUDGED :]), np.array(left[-150 * JUDGED :])
     count = len(y)
     costs = np.concatenate([np.zeros(TERMS), np.ones(count)])
@@ -140,14 +153,14 @@ LAWS = {
 
 def coverage(random: np.random.Generator, name: str, size: float, movements: int) -> FloatArray:
     """Whether the intervals of 50 and 80 % held each arrival, of one person, by movement and share."""
-    memory, inside = np.zeros(intervals.LEARNED), np.empty((movements, JUDGED, 2))
+    memory, inside = np.zeros(Intervals.length), np.empty((movements, JUDGED, 2))
     for n in range(movements):
-        step = intervals.next_step(memory, 0) / JUDGED
+        step = intervals.next_step(memory) / JUDGED
         for k, share in enumerate(SHARES):
-            spread = intervals.spread(memory, 0, float(np.clip(share + 0.1 * random.standard_normal(), 0, 1)))
+            spread = intervals.spread(memory, float(np.clip(share + 0.1 * random.standard_normal(), 0, 1)))
             off = size * LAWS[name](random)
             inside[n, k] = np.abs(off) <= np.array([0.6744897501960817, 1.2815515655446004]) * spread
-            intervals.judge(memory, 0, share, step, (0.5, spread), 0.5 * float(np.exp(off)))
+            intervals.judge(memory, share, step, (0.5, spread), 0.5 * float(np.exp(off)))
     return inside
 
 
@@ -167,10 +180,11 @@ def test_unlearned_intervals_of_such_people_are_wrong() -> None:
 
 
 def test_a_stage_learns_from_the_true_share_and_no_other() -> None:
-    memory = np.zeros(intervals.LEARNED)
-    intervals.judge(memory, 0, 1.0 / 6.0, 0.1, (0.5, 0.6), 50.0)
-    assert memory[intervals.OFFSETS] > 0.0
-    assert not memory[intervals.OFFSETS + 1 :].any()
+    memory = np.zeros(Intervals.length)
+    intervals.judge(memory, 1.0 / 6.0, 0.1, (0.5, 0.6), 50.0)
+    offsets = Intervals(memory).offsets
+    assert offsets[0] > 0.0
+    assert not offsets[1:].any()
 
 
 @given(
@@ -182,26 +196,26 @@ def test_a_stage_learns_from_the_true_share_and_no_other() -> None:
 def test_whatever_was_learned_the_time_left_is_finite_and_what_follows_is_accepted(
     triangle: list[float], residuals: list[float], offsets: list[float], seed: int
 ) -> None:
-    random, memory, root = np.random.default_rng(seed), np.zeros(SIZE), np.zeros((TERMS, TERMS))
+    random, memory, root = np.random.default_rng(seed), nobody(), np.zeros((TERMS, TERMS))
     root[np.tril_indices(TERMS)] = triangle
-    memory[: time_left.SUMS] = (root @ root.T * time_left.MOST_PRODUCT / TERMS)[np.tril_indices(TERMS)]
-    memory[time_left.RESIDUALS : INTERVALS] = residuals
-    memory[INTERVALS + intervals.OFFSETS : MOVEMENT] = offsets
-    assert time_left.doubt(memory[:INTERVALS]) == ""
+    sums, made = memory.sums, root @ root.T * time_left.MOST_PRODUCT / TERMS
+    sums.products[:], sums.residuals[:] = made[np.tril_indices(TERMS)], residuals
+    memory.intervals.offsets[:] = offsets
+    assert time_left.doubt(sums) == ""
     for n in range(3):
         follow(memory, random, 4.0 * n, 1.0)
-        stated = memory[MOVEMENT + time_left.MOMENTS + 4 :].reshape(-1, time_left.MOMENT)[:JUDGED]
-        assert np.isfinite(stated).all()
-        assert (stated[:, [time_left.LEFT, time_left.SPREAD]] > 0.0).all()
-        assert (stated[:, time_left.LEFT] <= time_left.FURTHEST * MEDIAN).all()
-        time_left.learn(memory, PLACE, (4.0 * n, 4.0 * n + 1.0), MEDIAN, PRIOR)
-        known = memory[:MOVEMENT]
-        slots = [slot for slot in (*time_left.SLOTS, *intervals.SLOTS) for _ in range(slot.count)]
+        for one in memory.movement.moments[:JUDGED]:
+            assert np.isfinite(one.memory).all()
+            assert 0.0 < one.left <= time_left.FURTHEST * MEDIAN
+            assert one.spread > 0.0
+        time_left.learn(*memory.flat, (4.0 * n, 4.0 * n + 1.0), MEDIAN, PRIOR)
+        known = memory.memory[: Sums.length + Intervals.length]
+        slots = [slot for slot in slots_of(Memory) for _ in range(slot.count)]
         assert all(slot.low <= value <= slot.high for slot, value in zip(slots, known, strict=True))
-        assert time_left.doubt(memory[:INTERVALS]) == ""
+        assert time_left.doubt(sums) == ""
 
 
 def test_sums_that_no_terms_have_are_refused() -> None:
-    learned = np.zeros(time_left.LEARNED)
-    learned[1] = time_left.MOST_PRODUCT  # a product without the squares
+    learned = Sums(np.zeros(Sums.length))
+    learned.products[1] = time_left.MOST_PRODUCT  # a product without the squares
     assert "pivots of at least 0.01" in time_left.doubt(learned)

@@ -25,10 +25,10 @@ def curved(rate: float, seed: int = 4) -> EventColumns:
 def seen(events: EventColumns) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Motions, features and frames."""
     motions = build("hold").differentiator.run(events).table
-    found, frames = np.zeros((len(motions), features.FEATURES)), np.zeros((len(motions), 3))
+    found, frames = np.zeros((len(motions), features.Values.length)), np.zeros((len(motions), 3))
     begin = np.zeros(len(motions), np.bool_)
     begin[0] = True
-    features.observe_all(np.zeros(features.STATES), begin, motions, found, frames)
+    features.observe_all(features.State(np.zeros(features.State.length)), begin, motions, found, frames)
     return motions, found, frames
 
 
@@ -71,33 +71,32 @@ def test_features_agree_with_a_slow_computation(rate: float) -> None:
         n = np.array([-u[1], u[0]])
         assert frames[i, 1:] == pytest.approx(u, rel=1e-9)
         lags = np.array([slow.place[-1] - slow.back(lag) for lag in LAGS]) / reach
-        along = found[i, features.LAG_ALONG : features.LAG_ALONG + len(LAGS)]
-        across = found[i, features.LAG_ACROSS : features.LAG_ACROSS + len(LAGS)]
-        np.testing.assert_allclose(along, lags @ u, rtol=1e-7, atol=1e-9)
-        np.testing.assert_allclose(across, lags @ n, rtol=1e-7, atol=1e-9)
+        row = features.Values(found[i])
+        np.testing.assert_allclose(row.lag_along, lags @ u, rtol=1e-7, atol=1e-9)
+        np.testing.assert_allclose(row.across.lag, lags @ n, rtol=1e-7, atol=1e-9)
         way = float(slow.speed[1:] @ np.diff(slow.t))
         peak, at = slow.speed.max(), int(slow.speed.argmax())
         hand = way + 0.06 * peak + 1e-4
         wanted = {
-            features.LOG_REACH: np.log(hand),
-            features.TIME: now,
-            features.DISTANCE: d / reach,
-            features.STRAIGHTNESS: d / slow.paths[-1],
-            features.RETURN: d / np.hypot(*slow.place.T).max(),
-            features.LOG_PEAK: np.log(peak + 3e-4),
-            features.SPEED_OF_PEAK: slow.speed[-1] / (peak + 1e-9),
-            features.SINCE_PEAK: now - slow.t[at],
-            features.PEAK_DISTANCE: np.hypot(*slow.place[at]) / reach,
-            features.MEAN_OF_PEAK: way / (now + 1e-3) / (peak + 1e-9),
-            features.V_ALONG: motions[i, 3:5] @ u * 0.1 / hand,
-            features.A_ALONG: motions[i, 5:7] @ u * 0.01 / hand,
-            features.SLOW_FOR: now - slow.t[_last(slow, 0.2)],
-            features.SLOWER_FOR: now - slow.t[_last(slow, 0.05)],
+            "log_reach": np.log(hand),
+            "time": now,
+            "distance": d / reach,
+            "straightness": d / slow.paths[-1],
+            "of_farthest": d / np.hypot(*slow.place.T).max(),
+            "log_peak": np.log(peak + 3e-4),
+            "speed_of_peak": slow.speed[-1] / (peak + 1e-9),
+            "since_peak": now - slow.t[at],
+            "peak_distance": np.hypot(*slow.place[at]) / reach,
+            "mean_of_peak": way / (now + 1e-3) / (peak + 1e-9),
+            "v_along": motions[i, 3:5] @ u * 0.1 / hand,
+            "a_along": motions[i, 5:7] @ u * 0.01 / hand,
+            "slow_for": now - slow.t[_last(slow, 0.2)],
+            "slower_for": now - slow.t[_last(slow, 0.05)],
         }
-        for place, value in wanted.items():
-            assert found[i, place] == pytest.approx(value, rel=1e-6, abs=1e-7), place
+        for name, value in wanted.items():
+            assert getattr(row, name) == pytest.approx(value, rel=1e-6, abs=1e-7), name
         v_across = motions[i, 3:5] @ n * 0.1 / hand
-        assert found[i, features.V_ACROSS] == pytest.approx(v_across, rel=1e-6, abs=1e-9)
+        assert row.across.v == pytest.approx(v_across, rel=1e-6, abs=1e-9)
 
 
 def _last(slow: Slow, share: float) -> int:
@@ -110,21 +109,21 @@ def test_a_sub_movement_begins_in_the_valley_between_two_peaks() -> None:
     first, second = np.clip(t / 0.6, 0.0, 1.0), np.clip((t - 0.7) / 0.5, 0.0, 1.0)
     way = sum(a * (10 * s**3 - 15 * s**4 + 6 * s**5) for a, s in ((400.0, first), (80.0, second)))
     motions, found, _ = seen(EventColumns.of(t, way, np.zeros(len(t))))
-    subs = found[:, features.SUBS]
+    subs = found[:, features.PLACE["subs"]]
     assert set(subs.tolist()) == {0.0, 1.0}
     known = int(np.flatnonzero(subs)[0])
-    began = motions[known, 0] - found[known, features.SINCE_SUB]
+    began = motions[known, 0] - features.Values(found[known]).since_sub
     assert 0.6 <= began <= 0.75  # HOMD lags a little behind the valley at 0.6 to 0.7 s
     assert 0.7 < motions[known, 0] < 0.85
 
 
 @pytest.mark.parametrize(("gap", "x"), [(0.09, 50.0), (0.11, 0.0), (0.3, 0.0)])
 def test_between_events_far_apart_the_cursor_stood_and_then_jumped(gap: float, x: float) -> None:
-    memory = np.zeros(history.STATES)
-    history.begin(memory, 0)
-    now = history.extend(memory, 0, (0.0, 0.0, 0.0), (gap, 100.0, 0.0))
+    memory = history.State(np.zeros(history.State.length))
+    history.begin(memory)
+    now = history.extend(memory, (0.0, 0.0, 0.0), (gap, 100.0, 0.0))
     assert now[1:] == (100.0, 0.0, 100.0)
-    assert history.past(memory, 0, now, gap / 2) == pytest.approx((x, 0.0, x))
+    assert history.past(memory, now, gap / 2) == pytest.approx((x, 0.0, x))
 
 
 @pytest.mark.parametrize("gap", [0.05, 0.3, 5.0])
@@ -138,8 +137,10 @@ def test_an_event_that_comes_again_at_its_time_is_one_event(gap: float) -> None:
     twice[60, 3:7] *= 9.0
     found = []
     for table in (motions, twice):
-        out = np.zeros((len(table), features.FEATURES))
+        out = np.zeros((len(table), features.Values.length))
         begin = np.arange(len(table)) == 0
-        features.observe_all(np.zeros(features.STATES), begin, table, out, np.zeros((len(table), 3)))
+        features.observe_all(
+            features.State(np.zeros(features.State.length)), begin, table, out, np.zeros((len(table), 3))
+        )
         found.append(out[-20:])
     assert found[0].tobytes() == found[1].tobytes()

@@ -30,7 +30,7 @@ def wrong(path: Path, **changes: Any) -> Path:
 
 def wide(first: int, second: int) -> dict[str, Any]:
     return {
-        "weights0": np.zeros((features.FEATURES, first), np.float32),
+        "weights0": np.zeros((features.Values.length, first), np.float32),
         "offset0": np.zeros(first, np.float32),
         "weights1": np.zeros((first, second), np.float32),
         "offset1": np.zeros(second, np.float32),
@@ -47,14 +47,14 @@ def wide(first: int, second: int) -> dict[str, Any]:
         ({"version": np.float64(1.5)}, ""),
         ({"version": np.array([1, 1])}, ""),
         ({"version": np.array("1")}, ""),
-        ({"mean": np.array(["a"] * features.FEATURES)}, ""),
-        ({"mean": np.ones(features.FEATURES, complex)}, ""),
-        ({"mean": np.ones(features.FEATURES, object)}, ""),
-        ({"weights0": np.ones(features.FEATURES)}, ""),
+        ({"mean": np.array(["a"] * features.Values.length)}, ""),
+        ({"mean": np.ones(features.Values.length, complex)}, ""),
+        ({"mean": np.ones(features.Values.length, object)}, ""),
+        ({"weights0": np.ones(features.Values.length)}, ""),
         ({"weights1": np.float64(1.0)}, ""),
         ({"table": np.full((10, 3), 1e3)}, ""),
         ({"offset2": np.full(12, 2e4)}, ""),
-        ({"scale": np.full(features.FEATURES, 1e7)}, ""),
+        ({"scale": np.full(features.Values.length, 1e7)}, ""),
         (wide(0, 4), ""),
         (wide(4, 0), ""),
         (wide(1025, 4), ""),
@@ -196,6 +196,6 @@ def test_what_is_written_is_single_precision_near_what_was_given(tmp_path: Path)
 def test_the_first_weights_stand_where_a_line_of_the_cache_begins(tmp_path: Path) -> None:
     for number in range(4):  # an allocation may happen to be right
         flat = coefficients.read(wrong(tmp_path / f"{number}.npz"))
-        weights = flat[network.HEAD + 2 * features.FEATURES :]
+        weights = flat[network.Coefficients.length :]
         assert weights[0] == np.float64(own()["weights0"][0, 0])
         assert weights.ctypes.data % 64 == 0

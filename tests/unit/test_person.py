@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred import person as persons
 from pointpred.errors import ParameterError
+from pointpred.layout import Slot
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.records import FloatArray
-from pointpred.stage import Slot
 
 NAME = "kinematic-adaptive"
 SLOTS = AdaptiveKinematicPredictor.slots

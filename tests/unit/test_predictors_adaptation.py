@@ -16,10 +16,9 @@ from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.predictors.adaptation import correction
-from pointpred.predictors.adaptation.correction import Parts
+from pointpred.predictors.adaptation.correction import Movement, Person, Settings
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.records import FloatArray
-from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay
 from tests import building
@@ -157,16 +156,16 @@ def test_with_counts_the_screen_scales_the_answers() -> None:
 
 
 def test_what_claims_too_little_is_passed_on() -> None:
-    memory = np.zeros(correction.LEARNED + correction.STATES)
+    person, movement, settings = (np.zeros(one.length) for one in (Person, Movement, Settings))
+    settings[:] = 1.0
     none = float("nan")
     for answer in (
         (0.1, 5.0, 6.0, none, none, none, none, 1.0, none, none),
         (0.1, 5.0, 6.0, 1.0, 0.0, 1.0, none, 1.0, 4.0, 0.3),
         (0.1, 5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, 0.3),
     ):
-        at = correction.LEARNED
-        correction.follow(memory, at, (0.1, 4.0, 3.0), (0.0, 0.0, 0.0))
-        adapted = correction.adapt(memory, 0, at, Parts(1.0, 1.0, 1.0), SCREEN, answer, Pace(1.0, 0.0))
+        correction.follow(movement, (0.1, 4.0, 3.0), (0.0, 0.0, 0.0))
+        adapted = correction.adapt(settings, person, movement, answer, Pace(1.0, 0.0))
         np.testing.assert_array_equal(adapted, answer)
 
 

@@ -25,19 +25,19 @@ def taught(
 
     ``moments`` gives (time passed, time left as said) of a duration.
     """
-    memory, errors = np.zeros(clock.LEARNED), []
+    memory, errors = np.zeros(clock.Durations.length), []
     for n, duration in enumerate(durations.tolist()):
         if n:
-            clock.forget(memory, 0)
+            clock.forget(memory)
             median = float(np.median(durations[max(n - KEPT, 0) : n]))
             of = [0.0] * len(SHARES)
             for since, said in moments(duration):
-                clock.judge(memory, 0, since, said, duration - since, duration)
+                clock.judge(memory, since, said, duration - since, duration)
                 for k, share in enumerate(SHARES):
                     told = (1 - share) * said + share * max(median - since, 0.0)
                     of[k] += abs(max(told, LEAST * said) - (duration - since)) / duration
             errors.append(of)
-        clock.remember(memory, 0, duration)
+        clock.remember(memory, duration)
     return memory, errors
 
 
@@ -53,32 +53,32 @@ def test_the_best_mixture_is_the_one_with_the_least_discounted_error() -> None:
         memory, errors = taught(moments, durations)
         ages = KEEP ** np.arange(len(errors) - 1, -1, -1)
         sums = ages @ np.array(errors)
-        np.testing.assert_allclose(memory[clock.ERRORS : clock.ERRORS + 5], sums, rtol=1e-12)
-        assert memory[clock.MOVEMENTS] == pytest.approx(ages.sum(), rel=1e-12)
+        np.testing.assert_allclose(clock.Durations(memory).errors, sums, rtol=1e-12)
+        assert clock.Durations(memory).movements == pytest.approx(ages.sum(), rel=1e-12)
         sums += FIRST * sums[0] / ages.sum()
-        assert memory[clock.BEST] == SHARES[int(np.argmin(sums))]
-        assert memory[clock.MEDIAN] == np.median(durations[-KEPT:])
+        assert clock.Durations(memory).best == SHARES[int(np.argmin(sums))]
+        assert clock.Durations(memory).median == np.median(durations[-KEPT:])
 
 
 def test_a_predictor_that_knows_is_left_alone_and_one_that_does_not_is_overruled() -> None:
     random = np.random.default_rng(5)
     free, regular = random.uniform(0.3, 1.5, 80), 0.6 * np.exp(0.03 * random.standard_normal(80))
     knows, _ = taught(lambda duration: [(0.4 * duration, 0.6 * duration)], free)
-    assert clock.mix(knows, 0, 0.2, 0.5) == 0.5
+    assert clock.mix(knows, 0.2, 0.5) == 0.5
     guesses, _ = taught(lambda duration: [(0.4 * duration, 1.8 * duration)], regular)
-    assert clock.mix(guesses, 0, 0.2, 1.5) == pytest.approx(0.4, abs=0.05)
+    assert clock.mix(guesses, 0.2, 1.5) == pytest.approx(0.4, abs=0.05)
 
 
 def test_at_first_half_of_it_is_believed() -> None:
     """Where all mixtures are as wrong, the belief at first decides; a few movements overrule it."""
     memory, _ = taught(lambda duration: [(0.2, 0.4)], np.array([0.6, 0.5]))
-    assert memory[clock.BEST] == 0.5
+    assert clock.Durations(memory).best == 0.5
 
 
 def test_some_time_is_always_left() -> None:
     guesses, _ = taught(lambda duration: [(0.4 * duration, 1.8 * duration)], np.full(20, 0.6))
-    assert clock.mix(guesses, 0, 5.0, 1.5) == pytest.approx(0.05 * 1.5)
-    assert clock.mix(np.zeros(clock.LEARNED), 0, 5.0, 1.5) == 1.5
+    assert clock.mix(guesses, 5.0, 1.5) == pytest.approx(0.05 * 1.5)
+    assert clock.mix(np.zeros(clock.Durations.length), 5.0, 1.5) == 1.5
 
 
 @pytest.mark.parametrize("tempo", [0.35, 1.4])
@@ -109,5 +109,6 @@ def test_the_median_is_numpys_to_the_bit(count: int) -> None:
     random = np.random.default_rng(count)
     for kinds in (2, 100):  # with many equal values, and with hardly any
         for _ in range(50):
-            values = random.integers(0, kinds, count + 3) / 7.0
-            assert clock.median(values, 3, count) == np.median(values[3:])
+            known = clock.Durations(np.zeros(clock.Durations.length))
+            known.count, known.last[:count] = count, random.integers(0, kinds, count) / 7.0
+            assert clock.median(known.memory) == np.median(known.last[:count])

@@ -6,45 +6,41 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
-from pointpred.predictors.adaptation import correction, distances, stages, time_left
-from pointpred.predictors.adaptation import durations as clock
-from pointpred.predictors.adaptation import predictor as adaptation
-from pointpred.predictors.adaptation.correction import Parts
+from pointpred.predictors.adaptation import correction, distances, time_left
+from pointpred.predictors.adaptation.correction import Movement, Person, Settings
 from pointpred.predictors.adaptation.distances import Ahead
+from pointpred.predictors.adaptation.predictor import Memory
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.recording import Recording, Trial
 from pointpred.records import FloatArray
-from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 
-AT = correction.LEARNED
 ALONG, WIDE, REACHED, LEFT = 60.0, 60.0, 200.0, 0.4
 PACE = Pace(0.7, 0.05)
 
 
-def person(durations: float, shift: float = 0.0) -> FloatArray:
+def person(duration: float, shift: float = 0.0) -> Person:
     """Somebody who made 400 px eight times; a clock that alone is believed; a bias of so many px."""
-    memory = np.zeros(correction.LEARNED + correction.STATES)
+    made = Person(np.zeros(Person.length))
     for _ in range(8):
-        distances.remember(memory, correction.DISTANCES, 400.0)
-    memory[correction.DURATIONS + clock.COUNT] = 8.0
-    memory[correction.DURATIONS + clock.MEDIAN] = durations
-    memory[correction.DURATIONS + clock.BEST] = 1.0
-    for stage in range(stages.STAGES):
-        of = stage * stages.WIDTH
-        memory[of + stages.AHEAD] = shift / ALONG
-        memory[of + stages.BIAS_PAID] = memory[of + stages.BIAS_SIZE] = 1e12
-    return memory
+        distances.remember(made.distances.memory, 400.0)
+    made.durations.count, made.durations.median, made.durations.best = 8.0, duration, 1.0
+    for stage in made.stages.stages:
+        stage.ahead = shift / ALONG
+        stage.bias_paid = stage.bias_size = 1e12
+    return made
 
 
-def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, float]:
+def asked(known: Person, since: float, ask: float) -> tuple[float, float, float]:
     """Way ahead, its deviation and the time left, adapted, ``since`` after the start."""
-    memory = memory.copy()
-    memory[AT + correction.STARTED] = 1.0
-    memory[AT + correction.T], memory[AT + correction.X] = since, REACHED
+    settings, movement = Settings(np.zeros(Settings.length)), Movement(np.zeros(Movement.length))
+    settings.distances = ask
+    movement.started, movement.t, movement.x = 1.0, since, REACHED
     answer = (since, REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
-    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, Parts(ask, 0.0, 0.0), SCREEN, answer, PACE)
+    _, x, y, sxx, _, _, left, *_ = correction.adapt(
+        settings.memory, known.memory.copy(), movement.memory, answer, PACE
+    )
     assert y == 0.0
     return x - REACHED, float(np.sqrt(sxx)), left
 
@@ -54,9 +50,9 @@ def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, f
 )
 def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> None:
     """From 0.2 and 0.5 of the time on, the width too; the time left is the sum of its terms."""
-    memory = person(0.5, shift=12.0)
+    known_person = person(0.5, shift=12.0)
     biased = ALONG + 12.0 * min((1.0 - gone) / 0.8, 1.0)
-    along, wide, left = asked(memory, since, 0.0)
+    along, wide, left = asked(known_person, since, 0.0)
     assert along == pytest.approx(biased, rel=1e-12)
     assert wide == pytest.approx(WIDE, rel=1e-12)
     way = Way(REACHED, biased)
@@ -65,11 +61,11 @@ def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> 
     assert known[0] == pytest.approx(2.0 * mixed, rel=1e-12)
     assert left == pytest.approx(0.5 * float(np.dot(PRIOR[: time_left.TERMS], known)), rel=1e-9)
     ahead = Ahead(biased, WIDE, 40.0, 8.0)
-    usual, narrow, _ = distances.combine(memory, correction.DISTANCES, REACHED, ahead)
+    usual, narrow, _ = distances.combine(known_person.distances.memory, REACHED, ahead)
     assert usual > biased + 50.0
     assert narrow < 0.8 * WIDE
     still = min((1.0 - gone) / 0.5, 1.0)
-    along, wide, _ = asked(memory, since, 1.0)
+    along, wide, _ = asked(known_person, since, 1.0)
     assert along == pytest.approx(biased + still * (usual - biased), rel=1e-9)
     assert wide == pytest.approx(WIDE * (narrow / WIDE) ** still, rel=1e-9)
 
@@ -84,7 +80,7 @@ def learned(path: EventColumns, **settings: float) -> FloatArray:
 
 
 def duration(memory: FloatArray) -> float:
-    return float(memory[adaptation.PERSON + correction.DURATIONS + clock.DURATIONS])
+    return float(Memory(memory).person.durations.last[0])
 
 
 @pytest.mark.parametrize("rate", [60.0, 125.0, 500.0, 1000.0, 8000.0])
@@ -121,4 +117,4 @@ def test_a_movement_that_ends_where_it_began_teaches_nothing() -> None:
         table = run(pipeline, path).table
     assert np.isfinite(table[-1]).all()
     memory = learned(there_and_back, shortest_px=0.0)
-    assert not memory[adaptation.PERSON : adaptation.OBSERVATION].any()
+    assert not Memory(memory).person.memory.any()

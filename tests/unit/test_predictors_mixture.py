@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pointpred import Pipeline, PointerEvent, build, run
-from pointpred.predictors.adaptation import correction, levels, mixed_region, region_widening
-from pointpred.predictors.adaptation import predictor as adaptive
+from pointpred.predictors.adaptation import levels, mixed_region
+from pointpred.predictors.adaptation.predictor import Memory
 from tests.building import reach
 
 NAME = "kinematic-adaptive"
@@ -132,23 +132,21 @@ def test_both_levels_hold_their_share_of_the_ends() -> None:
 
 
 def test_a_level_whose_region_held_no_end_grows_and_one_that_held_all_shrinks() -> None:
-    memory = np.zeros(levels.OFFSETS + mixed_region.MIXTURE)
-    at = levels.OFFSETS
-    memory[at + mixed_region.COUNT] = 2.0
-    parts = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, 7)
-    parts[0], parts[1] = (0.3, 0.0, 0.0, 1e4, 0.0, 1e4, 2.0), (0.7, 300.0, 0.0, 100.0, 0.0, 100.0, 0.0)
+    offsets = levels.Offsets(np.zeros(levels.Offsets.length))
+    stated = mixed_region.Mixture(np.zeros(mixed_region.Mixture.length))
+    stated.count = 2.0
+    stated.rows[0].memory[:] = (0.3, 0.0, 0.0, 1e4, 0.0, 1e4, 2.0)
+    stated.rows[1].memory[:] = (0.7, 300.0, 0.0, 100.0, 0.0, 100.0, 0.0)
     for end, sign in (((5000.0, 0.0), 1.0), ((300.0, 0.0), -1.0)):
-        memory[: levels.OFFSETS] = 0.0
-        mixed_region.judge(memory, 0, at, end, 0.5, 1.0)
-        middle = memory[4:6]
-        assert (np.sign(middle) == sign).all()
+        offsets.values[:] = 0.0
+        mixed_region.judge(offsets.memory, stated.memory, end, 0.5, 1.0)
+        assert (np.sign(offsets.values[2]) == sign).all()
 
 
 def test_what_is_known_of_the_levels_is_part_of_the_person() -> None:
     pipeline = build(NAME)
     session(pipeline, 6)
-    first = adaptive.PERSON + correction.REGIONS + region_widening.MIXED
-    assert pipeline.predictor._memory[first : first + levels.OFFSETS].any()
+    assert Memory(pipeline.predictor._memory).person.regions.mixed.values.any()
     again = build(NAME, person=pipeline.person)
     for one in (pipeline, again):
         run(one, reach(ENDS[3], ENDS[0]).rows(0, 20))

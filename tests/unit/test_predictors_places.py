@@ -14,6 +14,8 @@ from pointpred import Pipeline, build, run
 from pointpred.errors import ParameterError
 from pointpred.predictors.adaptation import destination, distances, habits, places
 from pointpred.predictors.adaptation.destination import Heading
+from pointpred.predictors.adaptation.habits import Habits
+from pointpred.predictors.adaptation.places import Places
 from pointpred.records import FloatArray, Prediction, prediction_of
 from pointpred.scene import scene
 from tests.building import reach
@@ -33,9 +35,9 @@ def move(pipeline: Pipeline, start: Point, end: Point) -> Prediction:
 
 def visits(ends: list[Point], key: float = 0.0, near: float = 10.0) -> FloatArray:
     """A memory of places after these ends."""
-    memory = np.zeros(places.LEARNED)
+    memory = np.zeros(Places.length)
     for end in ends:
-        places.visit(memory, 0, key, end, near)
+        places.visit(memory, key, end, near)
     return memory
 
 
@@ -179,57 +181,57 @@ def test_with_places_off_the_ends_leave_no_trace() -> None:
 )
 def test_memory_is_bounded_and_what_is_held_fits(ends: list[tuple[int, float, float]]) -> None:
     """At most 64 places are held, and the history names places that are held."""
-    memory = np.zeros(places.LEARNED)
+    memory = np.zeros(Places.length)
     for number, key, off in ends:
-        places.visit(memory, 0, key, (100.0 * number, off), 10.0)
-        assert places.doubt(memory) == ""
-    count = int(memory[places.COUNT])
+        places.visit(memory, key, (100.0 * number, off), 10.0)
+        assert places.doubt(Places(memory)) == ""
+    count = int(Places(memory).count)
     assert count == min(count, places.CAPACITY, len({(number, key) for number, key, _ in ends}))
-    held = memory[places.PLACES : places.HISTORY].reshape(-1, places.WIDTH)[:count]
+    held = Places(memory).places[:count]
     number, key, _ = ends[-1]
-    last = held[places.visited(memory, 0, 0)]
-    assert last[places.KEY] == key
-    assert abs(last[places.X] - 100.0 * number) < 1e-6
-    assert held[:, places.WEIGHT].sum() <= sum(places.KEEP**k for k in range(len(ends))) + 1e-6
+    last = held[places.visited(memory, 0)]
+    assert last.key == key
+    assert abs(last.x - 100.0 * number) < 1e-6
+    assert sum(one.visits for one in held) <= sum(places.KEEP**k for k in range(len(ends))) + 1e-6
 
 
 def test_the_least_visited_place_is_forgotten_and_its_visits_with_it() -> None:
     ends = [(100.0 * k, 0.0) for k in range(places.CAPACITY)]
     memory = visits([*ends, *ends[1:], (9000.0, 0.0)])
-    held = memory[places.PLACES : places.HISTORY].reshape(-1, places.WIDTH)
-    assert 0.0 not in held[:, places.X]
-    assert 9000.0 in held[:, places.X]
-    assert [places.visited(memory, 0, age) for age in (0, places.CAPACITY * 2 - 1)] == [0, -1]
+    held = [one.x for one in Places(memory).places]
+    assert 0.0 not in held
+    assert 9000.0 in held
+    assert [places.visited(memory, age) for age in (0, places.CAPACITY * 2 - 1)] == [0, -1]
 
 
 def test_habits_are_shares_of_one_for_each_rule() -> None:
     random = np.random.default_rng(3)
-    memory = np.zeros(places.LEARNED + habits.LEARNED)
-    where, habit = 0, places.LEARNED
+    where, habit = np.zeros(Places.length), np.zeros(Habits.length)
     at = (0.0, 0.0)
     for _ in range(200):
         end = (100.0 * float(random.integers(0, 9)), 50.0)
-        habits.learn(memory, where, habit, (0.0, 1.0, 5.0), (*at, *end), 1.0)
-        places.visit(memory, where, 0.0, end, 5.0)
+        habits.learn(habit, where, (0.0, 1.0, 5.0), (*at, *end), 1.0)
+        places.visit(where, 0.0, end, 5.0)
         at = end
     out = np.zeros((habits.RULES, places.CAPACITY))
-    assert habits.shares(memory, where, habit, 0.0, (*at, 5.0), out)
+    assert habits.shares(habit, where, 0.0, (*at, 5.0), out)
     np.testing.assert_allclose(out.sum(axis=1), 1.0, rtol=1e-12)
-    assert 0.9 < habits.returns(memory, habit) < 1.0
+    assert 0.9 < habits.returns(habit) < 1.0
     for with_sequence in (0.0, 1.0):
-        weights = [habits.rule_weight(memory, habit, k, with_sequence) for k in range(habits.RULES)]
+        weights = [habits.rule_weight(habit, k, with_sequence) for k in range(habits.RULES)]
         assert sum(weights) == pytest.approx(1.0, rel=1e-12)
 
 
 def test_nearer_places_are_likelier_and_the_place_at_the_start_is_no_destination() -> None:
-    memory = np.zeros(places.LEARNED + habits.LEARNED + destination.STATES)
-    habit, going = places.LEARNED, places.LEARNED + habits.LEARNED
+    held, habit = Places(np.zeros(Places.length)), np.zeros(Habits.length)
+    going = destination.Movement(np.zeros(destination.Movement.length))
     for x in (0.0, 200.0, 400.0):
-        places.visit(memory, 0, 0.0, (x, 0.0), 5.0)
-    memory[places.PLACES + places.WEIGHT : places.HISTORY : places.WIDTH] = 1.0
-    memory[places.HISTORY :] = places.NOWHERE  # so that only how often counts
-    destination.prepare(memory, (0, habit), going, (0.0, 0.0, 6.0), (3.0, 0.0))
-    at_start, near, far = memory[going + destination.BEFORE :][:3]
+        places.visit(held.memory, 0.0, (x, 0.0), 5.0)
+    for one in held.places:
+        one.visits = 1.0
+    held.history[:] = places.NOWHERE  # so that only how often counts
+    destination.prepare(going.memory, held.memory, habit, (0.0, 0.0, 6.0), (3.0, 0.0))
+    at_start, near, far = going.before[:3]
     assert at_start == 0.0
     assert near / far == pytest.approx((397.0 / 197.0) ** destination.NEARNESS, rel=1e-12)
     assert near + far == pytest.approx(1.0, rel=1e-12)
@@ -237,14 +239,13 @@ def test_nearer_places_are_likelier_and_the_place_at_the_start_is_no_destination
 
 def test_a_rule_that_predicts_gains_weight_and_one_that_does_not_loses_it() -> None:
     """A cycle of seven places: what follows here, and how long ago, say more than how often."""
-    memory = np.zeros(places.LEARNED + habits.LEARNED)
-    habit, at = places.LEARNED, (0.0, 0.0)
+    where, habit, at = np.zeros(Places.length), np.zeros(Habits.length), (0.0, 0.0)
     ends = [(300.0 * np.cos(k), 300.0 * np.sin(k)) for k in range(7)]
     for k in range(60):
-        habits.learn(memory, 0, habit, (0.0, 1.0, 9.0), (*at, *ends[k % 7]), 1.0)
-        places.visit(memory, 0, 0.0, ends[k % 7], 9.0)
+        habits.learn(habit, where, (0.0, 1.0, 9.0), (*at, *ends[k % 7]), 1.0)
+        places.visit(where, 0.0, ends[k % 7], 9.0)
         at = ends[k % 7]
-    weights = [habits.rule_weight(memory, habit, k, 1.0) for k in range(habits.RULES)]
+    weights = [habits.rule_weight(habit, k, 1.0) for k in range(habits.RULES)]
     assert weights[habits.FROM_HERE] + weights[habits.AFTER_SO_MANY] > 0.7
 
 
@@ -282,20 +283,19 @@ def test_nothing_depends_on_the_scale_or_the_place_of_the_screen() -> None:
     ends: list[Point] = [(400.0, 100.0), (-250.0, 300.0), (400.0, 100.0), (402.0, 97.0), (-250.0, 300.0)]
 
     def session(scale: float, shift: Point) -> FloatArray:
-        memory = np.zeros(places.LEARNED + habits.LEARNED + destination.STATES)
-        habit, going = places.LEARNED, places.LEARNED + habits.LEARNED
+        where, habit, going = (np.zeros(one.length) for one in (Places, Habits, destination.Movement))
         start = shift
         for x, y in ends:
             end = (scale * x + shift[0], scale * y + shift[1])
             near = places.NEAR_SHARE * hypot(end[0] - start[0], end[1] - start[1])
-            habits.learn(memory, 0, habit, (0.0, 1.0, near), (*start, *end), 1.0)
-            places.visit(memory, 0, 0.0, end, near)
-        destination.prepare(memory, (0, habit), going, (0.0, 1.0, near), start)
+            habits.learn(habit, where, (0.0, 1.0, near), (*start, *end), 1.0)
+            places.visit(where, 0.0, end, near)
+        destination.prepare(going, where, habit, (0.0, 1.0, near), start)
         ahead = Heading(
             scale * 300.0 + shift[0], scale * 90.0 + shift[1], 1.0, 0.0, scale * 80, scale * 40, 6.0
         )
-        destination.weigh(memory, 0, going, start, ahead, (1.0, 1.0))
-        x, y, _, _, wide, broad, _ = destination.combine(memory, 0, going, start, ahead)
+        destination.weigh(going, where, start, ahead, (1.0, 1.0))
+        x, y, _, _, wide, broad, _ = destination.combine(going, where, start, ahead)
         return np.array([(x - shift[0]) / scale, (y - shift[1]) / scale, wide / scale, broad / scale])
 
     np.testing.assert_allclose(session(3.0, (0.0, 0.0)), session(1.0, (0.0, 0.0)), rtol=1e-9)

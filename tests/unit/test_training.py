@@ -46,7 +46,7 @@ def material() -> data.TrainingData:
 def test_slopes_agree_with_differences() -> None:
     """Of the whole chain: features to loss, by every weight, in double precision."""
     random = np.random.default_rng(5)
-    rows, sizes = 7, (5, 4, 3, net.OUTPUTS)
+    rows, sizes = 7, (5, 4, 3, net.Outputs.length)
     layers = [
         (0.4 * random.standard_normal((a, b)), 0.1 * random.standard_normal(b)) for a, b in pairwise(sizes)
     ]
@@ -108,10 +108,10 @@ def test_the_law_computes_what_training_computes(material: data.TrainingData, tm
     rows = material.own[0].features[:50]
     np.testing.assert_allclose(stored.outputs(rows), fitted.outputs(rows), atol=0.05)
     for seen, wanted in zip(rows, stored.outputs(rows), strict=True):
-        said = np.empty(net.OUTPUTS)
-        at = net.evaluate(flat, seen.astype(np.float64), said)
+        said = np.empty(net.Outputs.length)
+        at = net.evaluate(net.Coefficients(flat), seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
-        assert len(flat) - at == net.KNOTS * net.FACTORS
+        assert len(flat) - net.Coefficients.length - at == net.KNOTS * net.FACTORS
 
 
 def test_training_is_reproducible_to_the_byte(tmp_path: Path) -> None:
@@ -151,7 +151,7 @@ def test_examples_are_what_the_scorer_sees() -> None:
         duration = prepared.trials[trial].arrival_s
         np.testing.assert_allclose(given.left_s[rows] + given.share[rows] * duration, duration, rtol=1e-9)
         end = prepared.rows(trial).table[-1, 1:3] - prepared.rows(trial).table[0, 1:3]
-        start_to_cursor = given.features[rows][:, features.DISTANCE] * given.reach[rows]
+        start_to_cursor = given.features[rows][:, features.PLACE["distance"]] * given.reach[rows]
         np.testing.assert_allclose(
             np.hypot(start_to_cursor + given.along[rows], given.across[rows]), np.hypot(*end), rtol=1e-4
         )

@@ -54,8 +54,8 @@ def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
     rows = data.training_data([mine(10)], 1, lambda _: None, variants=0).own[0].features
     flat = coefficient_file.read(coefficient_file.OWN)
     for seen, wanted in zip(rows[:20], start.outputs(rows[:20]), strict=True):
-        said = np.empty(net.OUTPUTS)
-        net.evaluate(flat, seen.astype(np.float64), said)
+        said = np.empty(net.Outputs.length)
+        net.evaluate(net.Coefficients(flat), seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
 
 

@@ -12,11 +12,12 @@ Reference: Gibbs, Candes 2021, "Adaptive conformal inference under distribution 
 from __future__ import annotations
 
 from math import exp, log
+from typing import Annotated
 
 from pointpred.compiled import law
-from pointpred.predictors.adaptation.stages import interpolation_among
+from pointpred.layout import Known, Layout
+from pointpred.predictors.adaptation.stages import bounded, interpolation_among
 from pointpred.records import FloatArray
-from pointpred.stage import Slot, offsets
 
 LEVELS = (0.5, 0.8)
 DEVIATIONS = (0.6744897501960817, 1.2815515655446004)
@@ -34,35 +35,33 @@ FURTHEST = 3.0
 MOVEMENTS_MOST = 1e6
 """The count stops here: the step has long been at its least."""
 
-# What is learned, relative to its place: movements so far; at each stage, the logarithm of what the spread is
-# multiplied by.
-MOVEMENTS, OFFSETS, LEARNED = offsets(1, STAGES)
-SLOTS = (
-    Slot("movements with intervals", 1, 0.0, MOVEMENTS_MOST, whole=True),
-    Slot("spreads", STAGES, -FURTHEST, FURTHEST),
-)
-"""What is known of a person's intervals, in the order of the layout."""
+
+class Intervals(Layout):
+    """What is known of a person's intervals."""
+
+    movements: Annotated[float, Known("movements with intervals", 0.0, MOVEMENTS_MOST, whole=True)]
+    """Movements so far."""
+    offsets: Annotated[FloatArray, STAGES, Known("spreads", -FURTHEST, FURTHEST)]
+    """At each stage, the logarithm of what the spread is multiplied by."""
 
 
 @law
-def spread(memory: FloatArray, at: int, share: float) -> float:
+def spread(s: Intervals, share: float) -> float:
     """Standard deviation of the logarithm of the time left at a share of the time: lines between stages."""
     stage, part = interpolation_among(share, STAGES)
-    low = memory[at + OFFSETS + stage]
-    return float(SPREAD * exp(low + part * (memory[at + OFFSETS + stage + 1] - low)))
+    low = s.offsets[stage]
+    return float(SPREAD * exp(low + part * (s.offsets[stage + 1] - low)))
 
 
 @law
-def next_step(memory: FloatArray, at: int) -> float:
+def next_step(s: Intervals) -> float:
     """Count a finished movement; returns its step."""
-    memory[at + MOVEMENTS] = min(memory[at + MOVEMENTS] + 1.0, MOVEMENTS_MOST)
-    return float(max(STEP / (memory[at + MOVEMENTS] + STEP_OF), STEP_LEAST))
+    s.movements = min(s.movements + 1.0, MOVEMENTS_MOST)
+    return float(max(STEP / (s.movements + STEP_OF), STEP_LEAST))
 
 
 @law
-def judge(
-    memory: FloatArray, at: int, share: float, step: float, claim: tuple[float, float], left: float
-) -> None:
+def judge(s: Intervals, share: float, step: float, claim: tuple[float, float], left: float) -> None:
     """Change the spread by one moment: ``claim``, the time left in s and its spread; ``left`` what was left.
 
     A stage learns from the share of the true time that it stands for, whatever share was predicted there.
@@ -73,6 +72,5 @@ def judge(
         missed += SHARES[k] * (LEVELS[k] - 1.0 if inside else LEVELS[k])
     stage, part = interpolation_among(share, STAGES)
     for side in range(2):
-        slot = at + OFFSETS + stage + side
         change = step * missed * (part if side == 1 else 1.0 - part)
-        memory[slot] = min(max(memory[slot] + change, -FURTHEST), FURTHEST)
+        s.offsets[stage + side] = bounded(s.offsets[stage + side] + change, FURTHEST)

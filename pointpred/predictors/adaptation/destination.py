@@ -8,14 +8,16 @@ logarithm of the distance lies evenly in ``distances.UNKNOWN_LOGS``, and the dir
 from __future__ import annotations
 
 from math import hypot, pi, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout, clear
 from pointpred.predictors.adaptation import distances, habits, places
+from pointpred.predictors.adaptation.habits import Habits
+from pointpred.predictors.adaptation.places import Places
 from pointpred.records import FloatArray, FloatTable, SixFloats
-from pointpred.stage import offsets
 
 NEARNESS = 1.25
 """A place r px from the start counts by 1 / r to this power: of two places the nearer is likelier."""
@@ -28,11 +30,22 @@ NEGLIGIBLE = 1e-3
 STEPS = 10
 """Of the geometric median; each step brings it much nearer."""
 
-# The movement, relative to `at`: whether the shares before it are laid out, the share of known places, how
-# far visits end from a place over its distance, how much the places count for the endpoint; the share of each
-# place before the movement; now; that of elsewhere now.
-READY, RETURNS, WIDTH, COUNTS = range(4)
-_, BEFORE, NOW, ELSEWHERE, STATES = offsets(4, places.CAPACITY, places.CAPACITY, 1)
+
+class Movement(Layout):
+    """Where the movement may go; ``ready`` if the shares before it are laid out."""
+
+    ready: float
+    returns: float
+    """The share of known places."""
+    width: float
+    """How far visits end from a place, over its distance."""
+    counts: float
+    """How much the places count for the endpoint."""
+    before: Annotated[FloatArray, places.CAPACITY]
+    """The share of each place before the movement."""
+    now: Annotated[FloatArray, places.CAPACITY]
+    elsewhere: float
+    """The share of elsewhere now."""
 
 
 class Heading(NamedTuple):
@@ -48,23 +61,20 @@ class Heading(NamedTuple):
 
 
 @law
-def favour_near(
-    memory: FloatArray, place_memory: int, at: int, start: tuple[float, float], near: float
-) -> None:
+def favour_near(s: Movement, held: Places, start: tuple[float, float], near: float) -> None:
     """Shift the shares before the movement towards the places near its start; their sum stays.
 
     ``near``: how near a place the start is in it, px; that place is no destination.
     """
     before, after = 0.0, 0.0
-    for i in range(int(memory[place_memory + places.COUNT])):
-        place = place_memory + places.PLACES + places.WIDTH * i
-        distance = hypot(memory[place + places.X] - start[0], memory[place + places.Y] - start[1])
-        before += memory[at + BEFORE + i]
+    for i in range(int(held.count)):
+        distance = hypot(held.places[i].x - start[0], held.places[i].y - start[1])
+        before += s.before[i]
         nearest = NEAREST * near
-        memory[at + BEFORE + i] *= max(distance, nearest) ** -NEARNESS if distance > near else 0.0
-        after += memory[at + BEFORE + i]
-    for i in range(int(memory[place_memory + places.COUNT])):
-        memory[at + BEFORE + i] *= before / after if after > 0.0 else 0.0
+        s.before[i] *= max(distance, nearest) ** -NEARNESS if distance > near else 0.0
+        after += s.before[i]
+    for i in range(int(held.count)):
+        s.before[i] *= before / after if after > 0.0 else 0.0
 
 
 @law
@@ -90,31 +100,29 @@ def scaled(end: Heading, shape: float, factor: float, tail: float) -> SixFloats:
 
 @law
 def prepare(
-    memory: FloatArray,
-    known: tuple[int, int],
-    at: int,
+    s: Movement,
+    held: Places,
+    known: Habits,
     scene: tuple[float, float, float],
     start: tuple[float, float],
 ) -> None:
     """Lay out the share of each place before a movement from ``start``, px from the origin.
 
-    ``known``: where the places and the habits stand; ``scene``: the key, whether the sequence counts, how
-    near a place the start is in it.
+    ``scene``: the key, whether the sequence counts, how near a place the start is in it.
     """
-    place_memory, habit_memory = known
     key, with_sequence, near = scene
     out = np.zeros((habits.RULES, places.CAPACITY))
-    memory[at : at + STATES] = 0.0
-    memory[at + READY], memory[at + ELSEWHERE] = 1.0, 1.0
-    if not habits.shares(memory, place_memory, habit_memory, key, (start[0], start[1], near), out):
+    clear(s)
+    s.ready, s.elsewhere = 1.0, 1.0
+    if not habits.shares(known, held, key, (start[0], start[1], near), out):
         return
-    memory[at + RETURNS] = habits.returns(memory, habit_memory)
-    memory[at + WIDTH] = habits.usual_width(memory, habit_memory)
+    s.returns = habits.returns(known)
+    s.width = habits.usual_width(known)
     for rule in range(habits.RULES):
-        weight = habits.rule_weight(memory, habit_memory, rule, with_sequence)
+        weight = habits.rule_weight(known, rule, with_sequence)
         for i in range(places.CAPACITY):
-            memory[at + BEFORE + i] += weight * out[rule, i]
-    favour_near(memory, place_memory, at, start, near)
+            s.before[i] += weight * out[rule, i]
+    favour_near(s, held, start, near)
 
 
 @law
@@ -134,9 +142,8 @@ def likelihood(law_of_end: Heading, x: float, y: float, distance: float, spread:
 
 @law
 def weigh(
-    memory: FloatArray,
-    place_memory: int,
-    at: int,
+    s: Movement,
+    held: Places,
     start: tuple[float, float],
     law_of_end: Heading,
     elsewhere: tuple[float, float],
@@ -148,53 +155,45 @@ def weigh(
     """
     x0, y0 = start
     usual, counts = elsewhere
-    memory[at + COUNTS] = counts
-    returns, count = memory[at + RETURNS], int(memory[place_memory + places.COUNT])
-    total = (1.0 - returns) * usual
+    s.counts = counts
+    count = int(held.count)
+    total = (1.0 - s.returns) * usual
     for i in range(count):
-        before, share = memory[at + BEFORE + i], 0.0
+        before, share = s.before[i], 0.0
         if before > LEAST_SHARE:
-            place = place_memory + places.PLACES + places.WIDTH * i
-            x, y = memory[place + places.X], memory[place + places.Y]
+            x, y = held.places[i].x, held.places[i].y
             distance = hypot(x - x0, y - y0)
-            spread = memory[at + WIDTH] * distance
-            share = returns * before * likelihood(law_of_end, x, y, distance, spread)
-        memory[at + NOW + i] = share
+            spread = s.width * distance
+            share = s.returns * before * likelihood(law_of_end, x, y, distance, spread)
+        s.now[i] = share
         total += share
     rest = 1.0
     for i in range(count):
-        memory[at + NOW + i] /= total
-        rest -= memory[at + NOW + i]
-    memory[at + ELSEWHERE] = max(rest, 0.0)
+        s.now[i] /= total
+        rest -= s.now[i]
+    s.elsewhere = max(rest, 0.0)
 
 
 @law
-def spread_of(memory: FloatArray, at: int, start: tuple[float, float], x: float, y: float) -> float:
+def spread_of(s: Movement, start: tuple[float, float], x: float, y: float) -> float:
     """How far visits of a place end from it, px."""
-    return float(memory[at + WIDTH] * hypot(x - start[0], y - start[1]))
+    return float(s.width * hypot(x - start[0], y - start[1]))
 
 
 @law
 def candidates(
-    memory: FloatArray,
-    place_memory: int,
-    at: int,
-    start: tuple[float, float],
-    elsewhere: Heading,
-    out: FloatTable,
+    s: Movement, held: Places, start: tuple[float, float], elsewhere: Heading, out: FloatTable
 ) -> int:
     """Fill rows of share, position and squared width, px^2: elsewhere, then the places; returns how many."""
     size2 = 0.5 * (elsewhere.wide * elsewhere.wide + elsewhere.broad * elsewhere.broad)
-    counts = memory[at + COUNTS]
-    rest = 1.0 - counts * (1.0 - memory[at + ELSEWHERE])
+    rest = 1.0 - s.counts * (1.0 - s.elsewhere)
     out[0, 0], out[0, 1], out[0, 2], out[0, 3] = rest, elsewhere.x, elsewhere.y, size2
     count = 1
-    for i in range(int(memory[place_memory + places.COUNT])):
-        share = counts * memory[at + NOW + i]
+    for i in range(int(held.count)):
+        share = s.counts * s.now[i]
         if share > NEGLIGIBLE:
-            place = place_memory + places.PLACES + places.WIDTH * i
-            x, y = memory[place + places.X], memory[place + places.Y]
-            spread = spread_of(memory, at, start, x, y)
+            x, y = held.places[i].x, held.places[i].y
+            spread = spread_of(s, start, x, y)
             out[count, 0], out[count, 1], out[count, 2] = share, x, y
             out[count, 3] = spread * spread
             count += 1
@@ -226,16 +225,14 @@ def geometric_median(rows: FloatTable, count: int) -> tuple[float, float]:
 
 
 @law
-def combine(
-    memory: FloatArray, place_memory: int, at: int, start: tuple[float, float], elsewhere: Heading
-) -> Heading:
+def combine(s: Movement, held: Places, start: tuple[float, float], elsewhere: Heading) -> Heading:
     """The law of the endpoint by the places and elsewhere: ``elsewhere`` moved and of another size.
 
     Its centre is the geometric median; its widths are mean distances from it, along and across: a far place
     that is hardly likely then makes the region little larger.
     """
     rows = np.empty((places.CAPACITY + 1, 4))
-    count = candidates(memory, place_memory, at, start, elsewhere, rows)
+    count = candidates(s, held, start, elsewhere, rows)
     if count == 1:
         return elsewhere
     x, y = geometric_median(rows, count)

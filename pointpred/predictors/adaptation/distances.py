@@ -8,13 +8,13 @@ each law had made it, and the laws share the belief accordingly; some of it alwa
 from __future__ import annotations
 
 from math import exp, log, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law, layout
-from pointpred.records import LARGEST, FloatArray
-from pointpred.stage import Slot, offsets
+from pointpred.layout import Known, Layout
+from pointpred.records import LARGEST, FloatArray, FloatTable
 
 CAPACITY = 12
 """Distances that are remembered."""
@@ -41,21 +41,22 @@ HALVINGS = 10
 NEGLIGIBLE = 1e-4
 """Parts of the product that weigh less than this share are left out."""
 
-# Layout, relative to `at`: how many; the distances in px, the last first; belief in each law and in none;
-# the weight of each distance under each width.
-COUNT, DISTANCES, BELIEF, WEIGHTS, LEARNED = offsets(1, CAPACITY, LAWS + 1, CAPACITY * len(WIDTHS))
-
 OFF_ONE = 1e-6
 """The sum of the belief is off 1 by less."""
 SHORTEST_PX = 1e-6
 """A shorter distance is none, whatever is set: its logarithm is taken."""
-SLOTS = (
-    Slot("distances held", 1, 0.0, CAPACITY, whole=True),
-    Slot("distances", CAPACITY, 0.0, 4.0 * LARGEST),
-    Slot("belief", LAWS + 1, 0.0, 1.0),
-    Slot("weights", CAPACITY * len(WIDTHS), 0.0, 1.0),
-)
-"""What is known of a person's distances, in the order of the layout."""
+
+
+class Distances(Layout):
+    """What is known of a person's distances."""
+
+    count: Annotated[float, Known("distances held", 0.0, CAPACITY, whole=True)]
+    last: Annotated[FloatArray, CAPACITY, Known("distances", 0.0, 4.0 * LARGEST)]
+    """The distances in px, the last first."""
+    belief: Annotated[FloatArray, LAWS + 1, Known("belief", 0.0, 1.0)]
+    """In each law and in none."""
+    weights: Annotated[FloatTable, CAPACITY, len(WIDTHS), Known("weights", 0.0, 1.0)]
+    """Of each distance under each width."""
 
 
 LEAST_UNKNOWN = FORGET * UNKNOWN_SHARE
@@ -64,27 +65,27 @@ FINE, TOO_SHORT, TOO_SURE, NO_SHARES = range(4)
 
 
 @layout
-def fault(learned: FloatArray) -> tuple[int, float]:
-    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
-    count = int(learned[COUNT])
+def fault(learned: Distances) -> tuple[int, float]:
+    """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
+    count = int(learned.count)
     if count == 0:
         return FINE, 0.0
     for i in range(count):
-        if not learned[DISTANCES + i] >= SHORTEST_PX:
-            return TOO_SHORT, learned[DISTANCES + i]
-    if not learned[BELIEF + LAWS] >= LEAST_UNKNOWN:
-        return TOO_SURE, learned[BELIEF + LAWS]
+        if not learned.last[i] >= SHORTEST_PX:
+            return TOO_SHORT, learned.last[i]
+    if not learned.belief[LAWS] >= LEAST_UNKNOWN:
+        return TOO_SURE, learned.belief[LAWS]
     total = 0.0
-    for i in range(BELIEF, WEIGHTS):
-        total += learned[i]
+    for i in range(len(learned.belief)):
+        total += learned.belief[i]
     if not abs(total - 1.0) <= OFF_ONE:
         return NO_SHARES, total
     return FINE, 0.0
 
 
-def doubt(learned: FloatArray) -> str:
+def doubt(learned: Distances) -> str:
     """``fault`` in words; empty for nothing."""
-    wrong, value = fault(learned)
+    wrong, value = fault(learned.memory)
     return {
         FINE: "",
         TOO_SHORT: f"distances: each must be at least {SHORTEST_PX:g} px, one is {value:g} px",
@@ -112,64 +113,64 @@ def age_weight(age: int, count: int, time: float) -> float:
 
 
 @law
-def judge(memory: FloatArray, at: int, distance: float) -> None:
+def judge(s: Distances, distance: float) -> None:
     """Share the belief among the laws by how likely each had made a distance."""
-    count, belief, total = int(memory[at + COUNT]), at + BELIEF, 0.0
+    count, total = int(s.count), 0.0
     for k in range(LAWS):
         width, time = WIDTHS[k % len(WIDTHS)], AGES[k // len(WIDTHS)]
         likely = 0.0
         for j in range(count):
-            off = log(distance / memory[at + DISTANCES + j]) / width
+            off = log(distance / s.last[j]) / width
             likely += (
                 age_weight(j, count, time) * exp(-0.5 * min(off * off, 1000.0)) / (width * sqrt(2.0 * np.pi))
             )
-        memory[belief + k] *= max(UNKNOWN_LOGS * likely, LEAST_LIKELY)
-        total += memory[belief + k]
-    total += memory[belief + LAWS]
+        s.belief[k] *= max(UNKNOWN_LOGS * likely, LEAST_LIKELY)
+        total += s.belief[k]
+    total += s.belief[LAWS]
     for k in range(LAWS):
         first = (1.0 - UNKNOWN_SHARE) / LAWS
-        memory[belief + k] = (1.0 - FORGET) * memory[belief + k] / total + FORGET * first
-    memory[belief + LAWS] = (1.0 - FORGET) * memory[belief + LAWS] / total + FORGET * UNKNOWN_SHARE
+        s.belief[k] = (1.0 - FORGET) * s.belief[k] / total + FORGET * first
+    s.belief[LAWS] = (1.0 - FORGET) * s.belief[LAWS] / total + FORGET * UNKNOWN_SHARE
 
 
 @law
-def remember(memory: FloatArray, at: int, distance: float) -> None:
+def remember(s: Distances, distance: float) -> None:
     """Take in the distance of a finished movement."""
-    if memory[at + COUNT] == 0.0:
-        memory[at + BELIEF : at + BELIEF + LAWS] = (1.0 - UNKNOWN_SHARE) / LAWS
-        memory[at + BELIEF + LAWS] = UNKNOWN_SHARE
-    if memory[at + COUNT] >= LEAST:
-        judge(memory, at, distance)
+    if s.count == 0.0:
+        s.belief[:LAWS] = (1.0 - UNKNOWN_SHARE) / LAWS
+        s.belief[LAWS] = UNKNOWN_SHARE
+    if s.count >= LEAST:
+        judge(s, distance)
     for j in range(CAPACITY - 1, 0, -1):
-        memory[at + DISTANCES + j] = memory[at + DISTANCES + j - 1]
-    memory[at + DISTANCES] = distance
-    memory[at + COUNT] = min(memory[at + COUNT] + 1.0, CAPACITY)
-    count = int(memory[at + COUNT])
+        s.last[j] = s.last[j - 1]
+    s.last[0] = distance
+    s.count = min(s.count + 1.0, CAPACITY)
+    count = int(s.count)
     for j in range(count):
         for w in range(len(WIDTHS)):
             weight = 0.0
             for a in range(len(AGES)):
-                weight += memory[at + BELIEF + a * len(WIDTHS) + w] * age_weight(j, count, AGES[a])
-            memory[at + WEIGHTS + j * len(WIDTHS) + w] = weight
+                weight += s.belief[a * len(WIDTHS) + w] * age_weight(j, count, AGES[a])
+            s.weights[j, w] = weight
 
 
 @law
-def likelihood(memory: FloatArray, at: int, distance: float) -> float:
+def likelihood(s: Distances, distance: float) -> float:
     """How likely the last distances had made a distance, over what it is where nothing is known."""
-    count = int(memory[at + COUNT])
+    count = int(s.count)
     if count < LEAST:
         return 1.0
-    likely = memory[at + BELIEF + LAWS]
+    likely = s.belief[LAWS]
     for j in range(count):
         for w in range(len(WIDTHS)):
-            off = log(distance / memory[at + DISTANCES + j]) / WIDTHS[w]
+            off = log(distance / s.last[j]) / WIDTHS[w]
             near = exp(-0.5 * min(off * off, 1000.0)) / (WIDTHS[w] * sqrt(2.0 * np.pi))
-            likely += memory[at + WEIGHTS + j * len(WIDTHS) + w] * UNKNOWN_LOGS * near
+            likely += s.weights[j, w] * UNKNOWN_LOGS * near
     return float(likely)
 
 
 @law
-def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tuple[float, float, float]:
+def combine(s: Distances, reached: float, predicted: Ahead) -> tuple[float, float, float]:
     """The way ahead and its width along, by the predicted law and the last distances: (px, px).
 
     The third value is how likely the law makes the last distances, over what it is where nothing is known.
@@ -177,21 +178,21 @@ def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tu
     each kernel, a normal law each, and of the law alone where nothing is known.
     """
     ahead, wide, broad, tail = predicted
-    count = int(memory[at + COUNT])
+    count = int(s.count)
     if count < LEAST:
         return ahead, wide, 1.0
     most = count * len(WIDTHS) + 1
     weight, shift, width = np.empty(most), np.empty(most), np.empty(most)
-    total, low, high, parts = memory[at + BELIEF + LAWS], 0.0, 0.0, 1
+    total, low, high, parts = s.belief[LAWS], 0.0, 0.0, 1
     weight[0], shift[0], width[0] = total, 0.0, wide
     for j in range(count):
-        distance = memory[at + DISTANCES + j]
+        distance = s.last[j]
         gap = distance / sqrt(1.0 + ARC * (broad / distance) ** 2) - reached - ahead
         for w in range(len(WIDTHS)):
             kernel2 = (WIDTHS[w] * distance) ** 2
             both2 = wide * wide + kernel2
             fits = (1.0 + gap * gap / both2 / tail) ** (-0.5 * (tail + 1.0)) / sqrt(2.0 * np.pi * both2)
-            part = memory[at + WEIGHTS + j * len(WIDTHS) + w] * UNKNOWN_LOGS * distance * fits
+            part = s.weights[j, w] * UNKNOWN_LOGS * distance * fits
             if part > NEGLIGIBLE * total:
                 weight[parts], shift[parts] = part, gap * wide * wide / both2
                 width[parts] = wide * sqrt(kernel2 / both2)

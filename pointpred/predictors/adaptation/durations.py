@@ -7,11 +7,13 @@ of the time left.
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Known, Layout
 from pointpred.records import LATEST_S, FloatArray
-from pointpred.stage import Slot, offsets
 
 CAPACITY = 12
 """Durations that are remembered."""
@@ -26,90 +28,91 @@ FIRST_OF = 5.0
 LEAST = 0.05
 """The least answer, as a share of the predictor's: the clock runs out before late movements end."""
 
-# Layout, relative to `at`: how many durations; the durations in s, the last first; their median; sums of
-# the errors of the mixtures, as shares of the durations; how many movements these are of; the best's share.
-COUNT, DURATIONS, MEDIAN, ERRORS, MOVEMENTS, BEST, LEARNED = offsets(1, CAPACITY, 1, len(SHARES), 1, 1)
 
-SLOTS = (
-    Slot("durations held", 1, 0.0, CAPACITY, whole=True),
-    Slot("durations", CAPACITY, 0.0, 4.0 * LATEST_S),
-    Slot("median", 1, 0.0, 4.0 * LATEST_S),
-    Slot("errors", len(SHARES), 0.0, 1e30),
-    Slot("movements", 1, 0.0, 1.001 / (1.0 - KEEP)),
-    Slot("clock's share", 1, 0.0, 1.0),
-)
-"""What is known of a person's durations, in the order of the layout."""
+class Durations(Layout):
+    """What is known of a person's durations."""
+
+    count: Annotated[float, Known("durations held", 0.0, CAPACITY, whole=True)]
+    last: Annotated[FloatArray, CAPACITY, Known("durations", 0.0, 4.0 * LATEST_S)]
+    """The durations in s, the last first."""
+    median: Annotated[float, Known("median", 0.0, 4.0 * LATEST_S)]
+    errors: Annotated[FloatArray, len(SHARES), Known("errors", 0.0, 1e30)]
+    """Sums of the errors of the mixtures, as shares of the durations."""
+    movements: Annotated[float, Known("movements", 0.0, 1.001 / (1.0 - KEEP))]
+    """How many movements these are of."""
+    best: Annotated[float, Known("clock's share", 0.0, 1.0)]
 
 
 FINE, NO_DURATION, OTHER_MEDIAN = 0, 11, 12
 
 
 @law
-def mixture(memory: FloatArray, at: int, share: float, since: float, left: float) -> float:
+def mixture(s: Durations, share: float, since: float, left: float) -> float:
     """The time left in s, of which the clock says a share; ``left``: what the predictor says."""
-    by_clock = max(memory[at + MEDIAN] - since, 0.0)
+    by_clock = max(s.median - since, 0.0)
     return float(max((1.0 - share) * left + share * by_clock, LEAST * left))
 
 
 @law
-def mix(memory: FloatArray, at: int, since: float, left: float) -> float:
+def mix(s: Durations, since: float, left: float) -> float:
     """The time left by the best mixture; what the predictor says before any movement is known."""
-    if memory[at + COUNT] == 0.0:
+    if s.count == 0.0:
         return left
-    return mixture(memory, at, memory[at + BEST], since, left)
+    return mixture(s, s.best, since, left)
 
 
 @law
-def judge(memory: FloatArray, at: int, since: float, predicted: float, left: float, duration: float) -> None:
+def judge(s: Durations, since: float, predicted: float, left: float, duration: float) -> None:
     """Add the errors of the mixtures at one moment of a finished movement."""
     for k in range(len(SHARES)):
-        off = mixture(memory, at, SHARES[k], since, predicted) - left
-        memory[at + ERRORS + k] += abs(off) / duration
+        off = mixture(s, SHARES[k], since, predicted) - left
+        s.errors[k] += abs(off) / duration
 
 
 @law
-def forget(memory: FloatArray, at: int) -> None:
+def forget(s: Durations) -> None:
     """Discount the errors of earlier movements."""
     for k in range(len(SHARES)):
-        memory[at + ERRORS + k] *= KEEP
-    memory[at + MOVEMENTS] = KEEP * memory[at + MOVEMENTS] + 1.0
+        s.errors[k] *= KEEP
+    s.movements = KEEP * s.movements + 1.0
 
 
 @layout
-def value_of_rank(values: FloatArray, at: int, count: int, rank: int) -> float:
-    """The value that would stand at a place if the values were sorted."""
-    for i in range(at, at + count):
+def value_of_rank(s: Durations, rank: int) -> float:
+    """The duration that would stand at a place if they were sorted."""
+    count = int(s.count)
+    for i in range(count):
         before = 0
-        for j in range(at, at + count):
-            if values[j] < values[i] or (values[j] == values[i] and j < i):
+        for j in range(count):
+            if s.last[j] < s.last[i] or (s.last[j] == s.last[i] and j < i):
                 before += 1
         if before == rank:
-            return float(values[i])
+            return float(s.last[i])
     return np.nan
 
 
 @layout
-def median(values: FloatArray, at: int, count: int) -> float:
-    """The median of some values, bit for bit that of ``np.median``, which takes a second to compile."""
-    upper = value_of_rank(values, at, count, count // 2)
-    return upper if count % 2 else (value_of_rank(values, at, count, count // 2 - 1) + upper) / 2.0
+def median(s: Durations) -> float:
+    """The median of the durations, bit for bit that of ``np.median``."""
+    count = int(s.count)
+    upper = value_of_rank(s, count // 2)
+    return upper if count % 2 else (value_of_rank(s, count // 2 - 1) + upper) / 2.0
 
 
 @layout
-def fault(learned: FloatArray) -> tuple[int, float]:
-    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
-    count = int(learned[COUNT])
-    for i in range(count):
-        if not learned[DURATIONS + i] > 0.0:
-            return NO_DURATION, learned[DURATIONS + i]
-    if count > 0 and learned[MEDIAN] != median(learned, DURATIONS, count):
-        return OTHER_MEDIAN, learned[MEDIAN]
+def fault(learned: Durations) -> tuple[int, float]:
+    """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
+    for i in range(int(learned.count)):
+        if not learned.last[i] > 0.0:
+            return NO_DURATION, learned.last[i]
+    if learned.count > 0.0 and learned.median != median(learned):
+        return OTHER_MEDIAN, learned.median
     return FINE, 0.0
 
 
-def doubt(learned: FloatArray) -> str:
+def doubt(learned: Durations) -> str:
     """``fault`` in words; empty for nothing."""
-    wrong, value = fault(learned)
+    wrong, value = fault(learned.memory)
     return {
         FINE: "",
         NO_DURATION: f"durations: each must be above 0 s, one is {value:g} s",
@@ -118,16 +121,16 @@ def doubt(learned: FloatArray) -> str:
 
 
 @law
-def remember(memory: FloatArray, at: int, duration: float) -> None:
+def remember(s: Durations, duration: float) -> None:
     """Take in the duration of a finished movement, and choose the mixture again."""
-    count = int(min(memory[at + COUNT] + 1.0, CAPACITY))
+    count = int(min(s.count + 1.0, CAPACITY))
     for j in range(count - 1, 0, -1):
-        memory[at + DURATIONS + j] = memory[at + DURATIONS + j - 1]
-    memory[at + COUNT], memory[at + DURATIONS] = count, duration
-    memory[at + MEDIAN] = median(memory, at + DURATIONS, count)
-    usual = memory[at + ERRORS] / max(memory[at + MOVEMENTS], 1.0)
+        s.last[j] = s.last[j - 1]
+    s.count, s.last[0] = count, duration
+    s.median = median(s)
+    usual = s.errors[0] / max(s.movements, 1.0)
     least = np.inf
     for k in range(len(SHARES)):
-        error = memory[at + ERRORS + k] + FIRST_OF * FIRST[k] * usual
+        error = s.errors[k] + FIRST_OF * FIRST[k] * usual
         if error < least:
-            least, memory[at + BEST] = error, SHARES[k]
+            least, s.best = error, SHARES[k]

@@ -10,13 +10,15 @@ from a place the visits of it end.
 from __future__ import annotations
 
 from math import exp, hypot, log
+from typing import Annotated
 
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Known, Layout
 from pointpred.predictors.adaptation import distances, places
+from pointpred.predictors.adaptation.places import Places
 from pointpred.records import FloatArray, FloatTable
-from pointpred.stage import Slot, offsets
 
 OFTEN, LATELY, AFTER_SO_MANY, FROM_HERE, RULES = range(5)
 FIRST_RULES = (1.0, 0.15, 0.15, 0.15)
@@ -42,17 +44,19 @@ OFTEN_OF = 0.7
 LEAST_LOG = -200.0
 """Logarithms of densities are cut here."""
 
-# Layout, relative to `at`: visits to known places and to new ones; of each rule; of each width; returns
-# after 1, 2 ... movements.
-KNOWN, NEW, RULE, NARROW, LAG, LEARNED = offsets(1, 1, RULES, len(WIDTHS), LAGS)
 MOST = 1.001 / (1.0 - KEEP)
-SLOTS = (
-    Slot("visits to known and to new places", 2, 0.0, MOST),
-    Slot("visits as each rule has them", RULES, 0.0, MOST),
-    Slot("visits as each width has them", len(WIDTHS), 0.0, MOST),
-    Slot("returns", LAGS, 0.0, MOST),
-)
-"""What is known of a person's habits, in the order of the layout."""
+VISITS = Known("visits to known and to new places", 0.0, MOST)
+
+
+class Habits(Layout):
+    """What is known of a person's habits: visits to known places and to new ones, of each rule and width."""
+
+    known: Annotated[float, VISITS]
+    new: Annotated[float, VISITS]
+    rules: Annotated[FloatArray, RULES, Known("visits as each rule has them", 0.0, MOST)]
+    widths: Annotated[FloatArray, len(WIDTHS), Known("visits as each width has them", 0.0, MOST)]
+    lags: Annotated[FloatArray, LAGS, Known("returns", 0.0, MOST)]
+    """Returns after 1, 2 ... movements."""
 
 
 @law
@@ -66,13 +70,12 @@ def blend(out: FloatTable, rule: int, base: int, count: int, weight: float) -> N
 
 
 @law
-def count_often(memory: FloatArray, at: int, key: float, out: FloatTable) -> float:
+def count_often(held: Places, key: float, out: FloatTable) -> float:
     """The share of each place of a key by its visits; returns the sum of the visits."""
-    count, total = int(memory[at + places.COUNT]), 0.0
+    count, total = int(held.count), 0.0
     for i in range(count):
-        place = at + places.PLACES + places.WIDTH * i
-        if memory[place + places.KEY] == key:
-            out[OFTEN, i] = memory[place + places.WEIGHT]
+        if held.places[i].key == key:
+            out[OFTEN, i] = held.places[i].visits
             total += out[OFTEN, i]
     for i in range(count):
         out[OFTEN, i] = out[OFTEN, i] / total if total > 0.0 else 0.0
@@ -80,52 +83,50 @@ def count_often(memory: FloatArray, at: int, key: float, out: FloatTable) -> flo
 
 
 @law
-def count_last(memory: FloatArray, at: int, habits: int, out: FloatTable) -> None:
+def count_last(s: Habits, held: Places, out: FloatTable) -> None:
     """Recent visits, and returns after as many movements as each place was visited ago."""
     for age in range(places.MOVEMENTS):
-        number = places.visited(memory, at, age)
+        number = places.visited(held, age)
         if number >= 0 and out[OFTEN, number] > 0.0:
             out[LATELY, number] += exp(-age / LATE_AGE)
     for age in range(LAGS - 1, -1, -1):  # the most recent visit of a place is written last
-        number = places.visited(memory, at, age)
+        number = places.visited(held, age)
         if number >= 0 and out[OFTEN, number] > 0.0:
-            out[AFTER_SO_MANY, number] = memory[habits + LAG + age]
+            out[AFTER_SO_MANY, number] = s.lags[age]
 
 
 @law
-def count_following(memory: FloatArray, at: int, here: int, out: FloatTable) -> None:
+def count_following(held: Places, here: int, out: FloatTable) -> None:
     """Where the person went from this place."""
     for age in range(places.MOVEMENTS - 1):
-        after, before = places.visited(memory, at, age), places.visited(memory, at, age + 1)
+        after, before = places.visited(held, age), places.visited(held, age + 1)
         if before == here and after >= 0 and out[OFTEN, after] > 0.0:
             out[FROM_HERE, after] += exp(-age / AGE)
 
 
 @law
-def shares(
-    memory: FloatArray, at: int, habits: int, key: float, start: tuple[float, float, float], out: FloatTable
-) -> bool:
+def shares(s: Habits, held: Places, key: float, start: tuple[float, float, float], out: FloatTable) -> bool:
     """The share of each place by each rule, a row each; whether there is any.
 
     ``start``: of the movement in px from the origin, and how near a place it is in that place. ``out``:
     zeros, RULES rows of ``places.CAPACITY``. Places of another key have no share.
     """
-    if count_often(memory, at, key, out) == 0.0:
+    if count_often(held, key, out) == 0.0:
         return False
-    count = int(memory[at + places.COUNT])
-    count_last(memory, at, habits, out)
+    count = int(held.count)
+    count_last(s, held, out)
     blend(out, LATELY, OFTEN, count, LATE_ELSE)
     blend(out, AFTER_SO_MANY, OFTEN, count, OFTEN_OF)
     x, y, near = start
-    here = places.nearest(memory, at, key, (x, y), near)
+    here = places.nearest(held, key, (x, y), near)
     if here >= 0:
-        count_following(memory, at, here, out)
+        count_following(held, here, out)
     blend(out, FROM_HERE, OFTEN, count, OFTEN_OF)
     return True
 
 
 @law
-def rule_weight(memory: FloatArray, habits: int, rule: int, with_sequence: float) -> float:
+def rule_weight(s: Habits, rule: int, with_sequence: float) -> float:
     """The weight of a rule among all; without the sequence only of OFTEN and LATELY."""
     most = RULES if with_sequence == 1.0 else AFTER_SO_MANY
     if rule >= most:
@@ -133,62 +134,59 @@ def rule_weight(memory: FloatArray, habits: int, rule: int, with_sequence: float
     total = 0.0
     first = FIRST_RULES_OF / (FIRST_RULES[0] + FIRST_RULES[1] + FIRST_RULES[2] + FIRST_RULES[3])
     for k in range(most):
-        total += memory[habits + RULE + k] + first * FIRST_RULES[k]
-    return float((memory[habits + RULE + rule] + first * FIRST_RULES[rule]) / total)
+        total += s.rules[k] + first * FIRST_RULES[k]
+    return float((s.rules[rule] + first * FIRST_RULES[rule]) / total)
 
 
 @law
-def returns(memory: FloatArray, habits: int) -> float:
+def returns(s: Habits) -> float:
     """The share of movements that go to a known place."""
-    known, new = memory[habits + KNOWN], memory[habits + NEW]
-    return float((known + RETURNS * RETURNS_OF) / (known + new + RETURNS_OF))
+    return float((s.known + RETURNS * RETURNS_OF) / (s.known + s.new + RETURNS_OF))
 
 
 @law
-def width_weight(memory: FloatArray, habits: int, width: int) -> float:
+def width_weight(s: Habits, width: int) -> float:
     """The weight of a width among all."""
     total = WIDTHS_OF
     for k in range(len(WIDTHS)):
-        total += memory[habits + NARROW + k]
-    return float((memory[habits + NARROW + width] + WIDTHS_OF / len(WIDTHS)) / total)
+        total += s.widths[k]
+    return float((s.widths[width] + WIDTHS_OF / len(WIDTHS)) / total)
 
 
 @law
-def usual_width(memory: FloatArray, habits: int) -> float:
+def usual_width(s: Habits) -> float:
     """How far from a place its visits end, as a share of the distance to it: the geometric mean."""
     log_width = 0.0
     for k in range(len(WIDTHS)):
-        log_width += width_weight(memory, habits, k) * log(WIDTHS[k])
+        log_width += width_weight(s, k) * log(WIDTHS[k])
     return exp(log_width)
 
 
 @law
-def share_visit(
-    memory: FloatArray, habits: int, likely: FloatTable, with_sequence: float, elsewhere: float
-) -> None:
+def share_visit(s: Habits, likely: FloatTable, with_sequence: float, elsewhere: float) -> None:
     """Share one visit among rules, widths and "a new place" by how likely each had made the end.
 
     ``likely``: a row a rule, a column a width, over the density where nothing is known; ``elsewhere``: the
     same of the movements to new places.
     """
-    known = returns(memory, habits)
+    known = returns(s)
     new = (1.0 - known) * elsewhere
     total = new
     for rule in range(RULES):
         for width in range(len(WIDTHS)):
-            prior = (
-                known * rule_weight(memory, habits, rule, with_sequence) * width_weight(memory, habits, width)
-            )
+            prior = known * rule_weight(s, rule, with_sequence) * width_weight(s, width)
             likely[rule, width] *= prior
             total += likely[rule, width]
-    for i in range(LEARNED - LAGS):
-        memory[habits + i] *= KEEP
-    memory[habits + NEW] += new / total
-    memory[habits + KNOWN] += 1.0 - new / total
+    s.new = KEEP * s.new + new / total
+    s.known = KEEP * s.known + (1.0 - new / total)
+    for rule in range(RULES):
+        s.rules[rule] *= KEEP
+    for width in range(len(WIDTHS)):
+        s.widths[width] *= KEEP
     for rule in range(RULES):
         for width in range(len(WIDTHS)):
-            memory[habits + RULE + rule] += likely[rule, width] / total
-            memory[habits + NARROW + width] += likely[rule, width] / total
+            s.rules[rule] += likely[rule, width] / total
+            s.widths[width] += likely[rule, width] / total
 
 
 @law
@@ -208,9 +206,8 @@ def density_ratio(far2: float, distance2: float, width: float) -> float:
 
 @law
 def learn(
-    memory: FloatArray,
-    at: int,
-    habits: int,
+    s: Habits,
+    held: Places,
     scene: tuple[float, float, float],
     movement: tuple[float, float, float, float],
     elsewhere: float,
@@ -224,22 +221,21 @@ def learn(
     key, with_sequence, near = scene
     x0, y0, x, y = movement
     out = np.zeros((RULES, places.CAPACITY))
-    if not shares(memory, at, habits, key, (x0, y0, near), out):
+    if not shares(s, held, key, (x0, y0, near), out):
         return
     likely = np.zeros((RULES, len(WIDTHS)))
-    for i in range(int(memory[at + places.COUNT])):
-        place = at + places.PLACES + places.WIDTH * i
-        px, py = memory[place + places.X], memory[place + places.Y]
+    for i in range(int(held.count)):
+        px, py = held.places[i].x, held.places[i].y
         distance2, far2 = (px - x0) ** 2 + (py - y0) ** 2, (px - x) ** 2 + (py - y) ** 2
         for width in range(len(WIDTHS)):
             ratio = density_ratio(far2, distance2, WIDTHS[width])
             for rule in range(RULES):
                 likely[rule, width] += out[rule, i] * ratio
-    share_visit(memory, habits, likely, with_sequence, elsewhere)
-    number = places.nearest(memory, at, key, (x, y), places.NEAR_SHARE * hypot(x - x0, y - y0))
+    share_visit(s, likely, with_sequence, elsewhere)
+    number = places.nearest(held, key, (x, y), places.NEAR_SHARE * hypot(x - x0, y - y0))
     for age in range(LAGS):
-        if number >= 0 and places.visited(memory, at, age) == number:
+        if number >= 0 and places.visited(held, age) == number:
             for k in range(LAGS):
-                memory[habits + LAG + k] *= LAG_KEEP
-            memory[habits + LAG + age] += 1.0
+                s.lags[k] *= LAG_KEEP
+            s.lags[age] += 1.0
             return

@@ -7,14 +7,18 @@ returns to places these are several small ones, where the ellipse of one law mus
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Annotated
+
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.predictors import mixture
-from pointpred.predictors.adaptation import destination, levels, places
-from pointpred.predictors.mixture import LEVELS, corrected_probability
+from pointpred.predictors.adaptation import destination, levels
+from pointpred.predictors.adaptation.places import Places
+from pointpred.predictors.mixture import LEVELS, PartRow, corrected_probability
 from pointpred.records import FloatArray, SixFloats
-from pointpred.stage import Slot, offsets
 
 MOST_PLACES = 4
 """Places that are told apart from elsewhere."""
@@ -25,94 +29,100 @@ LEAST_SPREAD = 0.5
 POINTS = 32
 """Points of each part by which it is judged whether the end lay inside."""
 
-LEARNED = levels.OFFSETS
-SLOTS: tuple[Slot, ...] = (levels.SLOT,)
-"""What is known of a person's levels, in the order of the layout."""
 
-# The mixture at a moment: how many parts; the parts as ``mixture`` has them, elsewhere first; the offsets of
-# both levels.
-COUNT, PARTS, OFFSETS, MIXTURE = offsets(1, mixture.WIDTH * (MOST_PLACES + 1), len(LEVELS))
-# The movement, relative to its place: whether a law is claimed now, at which share of the time, and
-# elsewhere's law: centre, scale matrix, tail; the mixture that is written when somebody asks for it.
-CLAIMED, TIME, ELSEWHERE, ASKED, STATES = offsets(1, 1, 6, MIXTURE)
+class Mixture(Layout):
+    """The mixture at a moment: how many parts, these as ``mixture`` has them, the offsets of the levels."""
+
+    count: float
+    rows: Annotated[Sequence[PartRow], MOST_PLACES + 1]
+    """The parts, elsewhere first."""
+    offsets: Annotated[FloatArray, len(LEVELS)]
+
+
+class Movement(Layout):
+    """What is claimed now, if anything is."""
+
+    claimed: float
+    time: float
+    """The share of the time."""
+    elsewhere: Annotated[FloatArray, 6]
+    """Its law: centre, scale matrix, tail."""
+    asked: Mixture
+    """Written when somebody asks for it."""
 
 
 @law
-def likeliest(memory: FloatArray, place_memory: int, going: int, below: float) -> int:
+def likeliest(held: Places, going: destination.Movement, below: float) -> int:
     """The likeliest place that is less likely than ``below``; -1 where there is none above ``LEAST``."""
     best, most = -1, LEAST
-    for i in range(int(memory[place_memory + places.COUNT])):
-        share = memory[going + destination.NOW + i]
+    for i in range(int(held.count)):
+        share = going.now[i]
         if most < share < below:
             best, most = i, share
     return best
 
 
 @law
-def claim(memory: FloatArray, now: int, share: float, elsewhere: SixFloats) -> None:
+def claim(s: Movement, share: float, elsewhere: SixFloats) -> None:
     """Remember elsewhere's law at a share of the time: its centre, scale matrix and tail."""
-    memory[now + CLAIMED], memory[now + TIME] = 1.0, share
+    s.claimed, s.time = 1.0, share
     for i in range(len(elsewhere)):
-        memory[now + ELSEWHERE + i] = elsewhere[i]
+        s.elsewhere[i] = elsewhere[i]
 
 
 @law
-def write_part(
-    memory: FloatArray, part: int, share: float, centre: tuple[float, float], spread: float
-) -> None:
+def write_part(part: PartRow, share: float, centre: tuple[float, float], spread: float) -> None:
     """Write a place: a normal law of a standard deviation in px."""
-    memory[part + mixture.SHARE] = share
-    memory[part + mixture.X], memory[part + mixture.Y] = centre
-    memory[part + mixture.SXX], memory[part + mixture.SXY] = spread * spread, 0.0
-    memory[part + mixture.SYY], memory[part + mixture.TAIL] = spread * spread, 0.0
+    part.share = share
+    part.x, part.y = centre
+    part.sxx, part.sxy = spread * spread, 0.0
+    part.syy, part.tail = spread * spread, 0.0
 
 
 @law
 def write(
-    memory: FloatArray,
-    known: tuple[int, int, int],
-    now: int,
-    at: int,
+    offsets: levels.Offsets,
+    held: Places,
+    going: destination.Movement,
+    now: Movement,
+    to: Mixture,
     origin: tuple[float, float],
     start: tuple[float, float],
 ) -> None:
     """Write the mixture as it is now, and what its regions must hold of it.
 
-    ``known``: where the levels, the places and their shares stand; ``origin`` of the scene on the screen,
-    ``start`` of the movement from there, both in px.
+    ``origin`` of the scene on the screen, ``start`` of the movement from there, both in px.
     """
-    person, place_memory, going = known
     count, rest, below = 1, 1.0, 2.0
-    number = likeliest(memory, place_memory, going, below)
+    number = likeliest(held, going, below)
     while number >= 0 and count <= MOST_PLACES:
-        below = memory[going + destination.NOW + number]
-        place = place_memory + places.PLACES + places.WIDTH * number
-        x, y = memory[place + places.X], memory[place + places.Y]
-        spread = max(destination.spread_of(memory, going, start, x, y), LEAST_SPREAD)
-        centre = x + origin[0], y + origin[1]
-        write_part(memory, at + PARTS + mixture.WIDTH * count, below, centre, spread)
+        below = going.now[number]
+        place = held.places[number]
+        spread = max(destination.spread_of(going, start, place.x, place.y), LEAST_SPREAD)
+        write_part(to.rows[count], below, (place.x + origin[0], place.y + origin[1]), spread)
         rest -= below
         count += 1
-        number = likeliest(memory, place_memory, going, below)
-    memory[at + COUNT], memory[at + PARTS + mixture.SHARE] = count, max(rest, 0.0)
-    for i in range(ASKED - ELSEWHERE):
-        memory[at + PARTS + mixture.X + i] = memory[now + ELSEWHERE + i]
+        number = likeliest(held, going, below)
+    elsewhere = to.rows[0]
+    to.count, elsewhere.share = count, max(rest, 0.0)
+    for i in range(len(now.elsewhere)):
+        elsewhere.memory[1 + i] = now.elsewhere[i]
     for which in range(len(LEVELS)):
-        memory[at + OFFSETS + which] = levels.offset(memory, person, memory[now + TIME], which)
+        to.offsets[which] = levels.offset(offsets, now.time, which)
 
 
 @law
 def judge(
-    memory: FloatArray, person: int, at: int, end: tuple[float, float], share: float, step: float
+    offsets: levels.Offsets, stated: Mixture, end: tuple[float, float], share: float, step: float
 ) -> None:
     """Learn whether the end lay inside the regions that were stated at a share of the time."""
-    count = int(memory[at + COUNT])
-    parts = np.empty((MOST_PLACES + 1, mixture.WIDTH))
+    count = int(stated.count)
+    parts = np.empty((MOST_PLACES + 1, PartRow.length))
     for k in range(count):
-        for i in range(mixture.WIDTH):
-            parts[k, i] = memory[at + PARTS + mixture.WIDTH * k + i]
+        for i in range(PartRow.length):
+            parts[k, i] = stated.rows[k].memory[i]
     within = mixture.content(parts, count, end[0], end[1], POINTS)
-    tail, near, far = parts[0, mixture.TAIL], memory[at + OFFSETS], memory[at + OFFSETS + 1]
+    tail, near, far = stated.rows[0].tail, stated.offsets[0], stated.offsets[1]
     for which in range(len(LEVELS)):
         inside = within <= corrected_probability(LEVELS[which], tail, near, far)
-        levels.learn(memory, person, share, which, inside, step)
+        levels.learn(offsets, share, which, inside, step)

@@ -6,53 +6,50 @@ When all places are taken, every second moment is dropped and their distance in 
 from __future__ import annotations
 
 from pointpred.compiled import law
-from pointpred.records import ROUNDING_S, FloatArray
-from pointpred.stage import offsets
+from pointpred.layout import Layout
+from pointpred.records import ROUNDING_S
 
-# The movement, relative to its place: how many moments there are, their distance in time, the cursor at the
-# last; then the moments, each of the same width, its time first.
-COUNT, APART, CURSOR_X, CURSOR_Y, FIRST = offsets(1, 1, 1, 1)
-T = 0
 APART_S = 0.0071
 """Distance of the moments at first."""
 
 
-@law
-def new_moment(memory: FloatArray, at: int, cursor: tuple[float, float, float], width: int, most: int) -> int:
-    """Where to write the moment of a cursor (t, x, y), its time already written; -1 for nowhere.
+class Series(Layout):
+    """How many moments there are, their distance in s, the cursor at the last in px; the moments follow."""
 
-    Of one time the last is remembered. A cursor that stands makes no other moment drop out, however long it
-    stands. ``width``: floats of a moment; ``most``: moments that are remembered.
+    count: float
+    apart: float
+    cursor_x: float
+    cursor_y: float
+
+
+@law
+def next_moment(s: Series, last_t: float, cursor: tuple[float, float, float], most: int) -> tuple[int, bool]:
+    """The number of the moment that a cursor (t, x, y) is written to, -1 for none; whether to thin out first.
+
+    Thinning out moves moment 2 k to k, for each k below that number. Of one time the last is remembered. A
+    cursor that stands makes no other moment drop out, however long it stands. ``last_t``: the time of the
+    last moment, if there is one; ``most``: moments that are remembered.
     """
     t, x, y = cursor
-    count = int(memory[at + COUNT])
-    last = at + FIRST + width * (count - 1)
-    if count == 0 or t != memory[last + T]:
+    count, full = int(s.count), False
+    if count == 0 or t != last_t:
         if count == 0:
-            memory[at + APART] = APART_S
-        elif t - memory[last + T] < memory[at + APART]:
-            return -1
+            s.apart = APART_S
+        elif t - last_t < s.apart:
+            return -1, False
         if count == most:
-            if x == memory[at + CURSOR_X] and y == memory[at + CURSOR_Y]:
-                return -1
-            count = most // 2
-            for k in range(1, count):
-                for i in range(width):
-                    memory[at + FIRST + width * k + i] = memory[at + FIRST + 2 * width * k + i]
-            memory[at + APART] *= 2.0
-        memory[at + COUNT] = count + 1.0
-        last = at + FIRST + width * count
-    memory[at + CURSOR_X], memory[at + CURSOR_Y], memory[last + T] = x, y, t
-    return last
+            if x == s.cursor_x and y == s.cursor_y:
+                return -1, False
+            count, full = most // 2, True
+            s.apart *= 2.0
+        count += 1
+        s.count = count
+    s.cursor_x, s.cursor_y = x, y
+    return count - 1, full
 
 
 @law
-def moment_at(
-    memory: FloatArray, at: int, k: int, span: tuple[float, float], share: float, width: int
-) -> int:
-    """The number of the moment at a share of the time between the start and the end in s, from ``k`` on."""
+def has_come(s: Series, t: float, span: tuple[float, float], share: float) -> bool:
+    """Whether a moment at ``t`` lies before a share of the time between the start and the end in s."""
     start, end = span
-    due = share * (end - start) + ROUNDING_S + 0.5 * memory[at + APART]
-    while k + 1 < memory[at + COUNT] and memory[at + FIRST + width * (k + 1) + T] - start <= due:
-        k += 1
-    return k
+    return t - start <= share * (end - start) + ROUNDING_S + 0.5 * s.apart

@@ -6,11 +6,13 @@ the history: which place each of the last movements went to.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot
+from typing import Annotated
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Known, Layout
 from pointpred.records import LARGEST, FloatArray
-from pointpred.stage import Slot, offsets
 
 CAPACITY = 64
 """Places that are remembered."""
@@ -31,109 +33,112 @@ STEADIEST = 0.1
 LARGEST_KEY = 2.0**53
 FURTHEST = 4.0 * LARGEST
 
-# A place, relative to its own place in the memory: its key, position in px from the origin, visits with
-# earlier ones forgotten.
-KEY, X, Y, WEIGHT, WIDTH = range(5)
-# Layout, relative to `at`: how many places; how many movements ended; the places; the history as a ring.
-COUNT, ENDED, PLACES, HISTORY, LEARNED = offsets(1, 1, WIDTH * CAPACITY, MOVEMENTS)
+POSITION = Known("position of a place", -FURTHEST, FURTHEST)
 
-SLOTS = (
-    Slot("places held", 1, 0.0, CAPACITY, whole=True),
-    Slot("movements ended", 1, 0.0, MOST_ENDED - 1.0, whole=True),
-    *(
-        Slot("key of a place", 1, 0.0, LARGEST_KEY, whole=True),
-        Slot("position of a place", 2, -FURTHEST, FURTHEST),
-        Slot("visits of a place", 1, 0.0, 1.001 / (1.0 - KEEP)),
-    )
-    * CAPACITY,
-    Slot("history", MOVEMENTS, NOWHERE, CAPACITY - 1.0, whole=True),
-)
-"""What is known of a person's places, in the order of the layout."""
+
+class Place(Layout):
+    """A place relative to the origin of its window."""
+
+    key: Annotated[float, Known("key of a place", 0.0, LARGEST_KEY, whole=True)]
+    x: Annotated[float, POSITION]
+    """Position, px."""
+    y: Annotated[float, POSITION]
+    visits: Annotated[float, Known("visits of a place", 0.0, 1.001 / (1.0 - KEEP))]
+    """Visits with earlier ones forgotten."""
+
+
+class Places(Layout):
+    """What is known of a person's places; the history is a ring of their numbers."""
+
+    count: Annotated[float, Known("places held", 0.0, CAPACITY, whole=True)]
+    ended: Annotated[float, Known("movements ended", 0.0, MOST_ENDED - 1.0, whole=True)]
+    places: Annotated[Sequence[Place], CAPACITY]
+    history: Annotated[FloatArray, MOVEMENTS, Known("history", NOWHERE, CAPACITY - 1.0, whole=True)]
+
 
 FINE, TOO_LIGHT, NO_SUCH_PLACE = 0, 41, 42
 
 
 @layout
-def fault(learned: FloatArray) -> tuple[int, float]:
-    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
-    count = int(learned[COUNT])
+def fault(learned: Places) -> tuple[int, float]:
+    """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
+    count = int(learned.count)
     for i in range(count):
-        if not learned[PLACES + WIDTH * i + WEIGHT] >= LIGHTEST:
-            return TOO_LIGHT, learned[PLACES + WIDTH * i + WEIGHT]
-    for age in range(int(min(learned[ENDED], MOVEMENTS))):
-        if learned[HISTORY + age] >= count:
-            return NO_SUCH_PLACE, learned[HISTORY + age]
+        if not learned.places[i].visits >= LIGHTEST:
+            return TOO_LIGHT, learned.places[i].visits
+    for age in range(int(min(learned.ended, MOVEMENTS))):
+        if learned.history[age] >= count:
+            return NO_SUCH_PLACE, learned.history[age]
     return FINE, 0.0
 
 
-def doubt(learned: FloatArray) -> str:
+def doubt(learned: Places) -> str:
     """``fault`` in words; empty for nothing."""
-    wrong, value = fault(learned)
+    wrong, value = fault(learned.memory)
     return {
         FINE: "",
         TOO_LIGHT: f"visits of a place must be at least {LIGHTEST:g}, are {value:g}",
-        NO_SUCH_PLACE: f"history must name a place that is held, names {value:g} of {learned[COUNT]:g}",
+        NO_SUCH_PLACE: f"history must name a place that is held, names {value:g} of {learned.count:g}",
     }[wrong]
 
 
 @law
-def nearest(memory: FloatArray, at: int, key: float, point: tuple[float, float], near: float) -> int:
+def nearest(s: Places, key: float, point: tuple[float, float], near: float) -> int:
     """The place of this key nearest to a point, at most ``near`` px from it; -1 where there is none."""
     x, y = point
     best, closest = -1, near
-    for i in range(int(memory[at + COUNT])):
-        place = at + PLACES + WIDTH * i
-        away = hypot(memory[place + X] - x, memory[place + Y] - y)
-        if memory[place + KEY] == key and away <= closest:
+    for i in range(int(s.count)):
+        place = s.places[i]
+        away = hypot(place.x - x, place.y - y)
+        if place.key == key and away <= closest:
             best, closest = i, away
     return best
 
 
 @law
-def visited(memory: FloatArray, at: int, age: int) -> int:
+def visited(s: Places, age: int) -> int:
     """Where a movement ended, ``age`` movements before the last one: the place, -1 where it is unknown."""
-    ended = int(memory[at + ENDED])
+    ended = int(s.ended)
     if age >= min(ended, MOVEMENTS):
         return -1
-    return int(memory[at + HISTORY + (ended - 1 - age) % MOVEMENTS])
+    return int(s.history[(ended - 1 - age) % MOVEMENTS])
 
 
 @law
-def new_place(memory: FloatArray, at: int) -> int:
+def new_place(s: Places) -> int:
     """A free place; where there is none the one with the fewest visits is forgotten, in the history too."""
-    count = int(memory[at + COUNT])
+    count = int(s.count)
     if count < CAPACITY:
-        memory[at + COUNT] = count + 1.0
+        s.count = count + 1.0
         return count
     free = 0
     for i in range(CAPACITY):
-        if memory[at + PLACES + WIDTH * i + WEIGHT] < memory[at + PLACES + WIDTH * free + WEIGHT]:
+        if s.places[i].visits < s.places[free].visits:
             free = i
     for age in range(MOVEMENTS):
-        if memory[at + HISTORY + age] == free:
-            memory[at + HISTORY + age] = NOWHERE
+        if s.history[age] == free:
+            s.history[age] = NOWHERE
     return free
 
 
 @law
-def visit(memory: FloatArray, at: int, key: float, end: tuple[float, float], near: float) -> None:
+def visit(s: Places, key: float, end: tuple[float, float], near: float) -> None:
     """Take in the end of a movement: a visit of the nearest place within ``near`` px, or a new place."""
     x, y = end
-    for i in range(int(memory[at + COUNT])):
-        place = at + PLACES + WIDTH * i
-        memory[place + WEIGHT] = max(KEEP * memory[place + WEIGHT], LIGHTEST)
-    number = nearest(memory, at, key, end, near)
+    for i in range(int(s.count)):
+        s.places[i].visits = max(KEEP * s.places[i].visits, LIGHTEST)
+    number = nearest(s, key, end, near)
     if number < 0:
-        number = new_place(memory, at)
-        place = at + PLACES + WIDTH * number
-        memory[place + KEY], memory[place + WEIGHT] = key, 0.0
-        memory[place + X], memory[place + Y] = x, y
-    place = at + PLACES + WIDTH * number
-    memory[place + WEIGHT] += 1.0
-    share = max(1.0 / memory[place + WEIGHT], STEADIEST)
-    memory[place + X] += share * (x - memory[place + X])
-    memory[place + Y] += share * (y - memory[place + Y])
-    memory[at + HISTORY + int(memory[at + ENDED]) % MOVEMENTS] = number
-    memory[at + ENDED] += 1.0
-    if memory[at + ENDED] == MOST_ENDED:
-        memory[at + ENDED] -= MOVEMENTS
+        number = new_place(s)
+        new = s.places[number]
+        new.key, new.visits = key, 0.0
+        new.x, new.y = x, y
+    place = s.places[number]
+    place.visits += 1.0
+    share = max(1.0 / place.visits, STEADIEST)
+    place.x += share * (x - place.x)
+    place.y += share * (y - place.y)
+    s.history[int(s.ended) % MOVEMENTS] = number
+    s.ended += 1.0
+    if s.ended == MOST_ENDED:
+        s.ended -= MOVEMENTS

@@ -8,148 +8,143 @@ from typing import Any, Self
 import numpy as np
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Layout, clear, slots_of
 from pointpred.parameter import parameter
-from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction, destination, mixed_region, places
-from pointpred.predictors.adaptation.correction import Parts
+from pointpred.predictors.adaptation import correction, destination, places
+from pointpred.predictors.adaptation.places import Places
 from pointpred.predictors.adaptation.time_left import Pace
-from pointpred.predictors.kinematic import features, track
+from pointpred.predictors.kinematic import features, network
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.mixture import WIDTH, Mixture, Part
+from pointpred.predictors.mixture import Mixture, Part
 from pointpred.records import FloatArray, FloatTable, MotionRow, Place, TenFloats
 from pointpred.scene import SCREEN, Scene
-from pointpred.stage import offsets
 
-# The settings: the parameters, then the scene of this movement and that of the next. What is known of the
-# person, the movement of the learned predictor and that of the adaptation.
-ADAPT, DISTANCES, SHORTEST_PX, PLACES, SEQUENCE, KEY, ORIGIN_X, ORIGIN_Y = range(8)
-_, NEXT, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
-    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, features.STATES, correction.STATES
-)
 # A row of known places: position in px, shares now and before the movement, visits, the number of the place,
 # the standard deviation of its visits in px.
 X, Y, P, BEFORE, VISITS, NUMBER, SPREAD, FIELDS = range(8)
+ADAPT_OF = 0
+"""Which parameter says whether anything is learned."""
+
+
+class Settings(Layout):
+    """The parameters with the scene of this movement, then the scene of the next."""
+
+    adapt: float
+    adaptation: correction.Settings
+    next: correction.Window
+
+
+class Memory(Layout):
+    """The settings, what is known of the person, the movement as `kinematic` and the adaptation have it."""
+
+    settings: Settings
+    person: correction.Person
+    observation: features.State
+    movement: correction.Movement
 
 
 @layout
 def sizes(values: FloatArray) -> tuple[int, int, int]:
     """How many settings, learned floats and states there are: without adaptation nothing is learned."""
-    learned = correction.LEARNED if values[ADAPT] == 1.0 else 0
-    return PERSON, learned, LENGTH - PERSON - learned
+    learned = correction.Person.length if values[ADAPT_OF] == 1.0 else 0
+    return Settings.length, learned, Memory.length - Settings.length - learned
 
 
 @law
-def parts_of(memory: FloatArray) -> Parts:
-    """Which parts of the adaptation answer."""
-    return Parts(memory[DISTANCES], memory[PLACES], memory[SEQUENCE])
-
-
-@law
-def scene_of(memory: FloatArray) -> Scene:
-    """What the cursor moves in."""
-    return Scene(memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y])
-
-
-@law
-def conclude(memory: FloatArray) -> None:
+def conclude(memory: Memory) -> None:
     """The movement has ended: learn from it. The next one is in the window that was entered last."""
-    if memory[ADAPT] == 1.0:
-        parts, scene = parts_of(memory), scene_of(memory)
-        correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX], parts, scene)
-        memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = memory[NEXT], memory[NEXT + 1], memory[NEXT + 2]
+    settings = memory.settings
+    if settings.adapt == 1.0:
+        correction.conclude(settings.adaptation, memory.person, memory.movement)
+        scene, after = settings.adaptation.scene, settings.next
+        scene.key, scene.x, scene.y = after.key, after.x, after.y
 
 
 @law
-def adapt(memory: FloatArray, answer: TenFloats, pace: Pace) -> TenFloats:
-    """The learned predictor's answer, corrected for the person."""
-    return correction.adapt(memory, PERSON, MOVEMENT, parts_of(memory), scene_of(memory), answer, pace)
-
-
-@law
-def pace_of(own: FloatArray, m: MotionRow) -> Pace:
+def pace_of(own: features.State, m: MotionRow) -> Pace:
     """The hand's speed over its peak and how long it has been slow; ``own``: memory of `kinematic`."""
-    peak = own[features.TRACK + track.PEAK]
-    of_peak = hypot(m.vx, m.vy) / peak if peak > 0.0 else 0.0
-    return Pace(of_peak, m.t - movement.State(own).t0 - own[features.TRACK + track.FAST_T])
+    of_peak = hypot(m.vx, m.vy) / own.track.peak if own.track.peak > 0.0 else 0.0
+    return Pace(of_peak, m.t - own.movement.t0 - own.track.fast_t)
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> TenFloats:
+def step(memory: Memory, motion: TenFloats, coefficients: network.Coefficients) -> TenFloats:
     """The learned predictor's step, then what is known of the person."""
     m = MotionRow(*motion)
-    own = memory[OBSERVATION:MOVEMENT]
+    own = memory.observation
     answer = kinematic.step(own, motion, coefficients)
-    if memory[ADAPT] == 0.0 or answer[0] != answer[0]:
+    if memory.settings.adapt == 0.0 or answer[0] != answer[0]:
         return answer
     if m.start == 1.0:
         conclude(memory)
-    start = movement.State(own).t0, movement.State(own).x0, movement.State(own).y0
-    correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
-    return adapt(memory, answer, pace_of(own, m))
+    start = own.movement.t0, own.movement.x0, own.movement.y0
+    correction.follow(memory.movement, (m.t, m.x, m.y), start)
+    settings, pace = memory.settings.adaptation, pace_of(own, m)
+    return correction.adapt(settings, memory.person, memory.movement, answer, pace)
 
 
 @law
-def enter_scene(memory: FloatArray, scene: Scene) -> None:
+def enter_scene(memory: Memory, scene: Scene) -> None:
     """The next movement is in this window or page; at once where none goes on."""
-    memory[NEXT], memory[NEXT + 1], memory[NEXT + 2] = scene.key, scene.x, scene.y
-    if memory[ADAPT] == 0.0 or memory[MOVEMENT + correction.STARTED] == 0.0:
-        memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = scene.key, scene.x, scene.y
+    now, after = memory.settings.adaptation.scene, memory.settings.next
+    after.key, after.x, after.y = scene
+    if memory.settings.adapt == 0.0 or memory.movement.started == 0.0:
+        now.key, now.x, now.y = scene
 
 
 @law
-def last_end(memory: FloatArray, known: int, key: float) -> tuple[float, float]:
+def last_end(held: Places, key: float) -> tuple[float, float]:
     """Where the last movement to a place of this key ended, px from the origin; the origin if none did."""
     for age in range(places.MOVEMENTS):
-        number = places.visited(memory, known, age)
-        place = known + places.PLACES + places.WIDTH * max(number, 0)
-        if number >= 0 and memory[place + places.KEY] == key:
-            return float(memory[place + places.X]), float(memory[place + places.Y])
+        number = places.visited(held, age)
+        place = held.places[max(number, 0)]
+        if number >= 0 and place.key == key:
+            return float(place.x), float(place.y)
     return 0.0, 0.0
 
 
 @law
-def list_places(memory: FloatArray, out: FloatTable) -> int:
+def list_places(memory: Memory, out: FloatTable) -> int:
     """Fill a row for each place of the window that the cursor is in, by their numbers; returns how many.
 
     ``out``: ``places.CAPACITY`` rows of FIELDS. Before a movement has begun the shares are those of a
     movement from where the last one in this window ended.
     """
-    if memory[ADAPT] == 0.0 or memory[PLACES] == 0.0:
+    settings, person, going = memory.settings.adaptation, memory.person, memory.movement.destination
+    if memory.settings.adapt == 0.0 or settings.places == 0.0:
         return 0
-    parts, scene = parts_of(memory), scene_of(memory)
-    known, going = PERSON + correction.KNOWN, MOVEMENT + correction.DESTINATION
-    waits = memory[going + destination.READY] == 0.0
-    start = memory[MOVEMENT + correction.X0] - scene.x, memory[MOVEMENT + correction.Y0] - scene.y
+    scene, held = settings.scene, person.places
+    waits = going.ready == 0.0
+    start = memory.movement.x0 - scene.x, memory.movement.y0 - scene.y
     if waits:
-        if memory[MOVEMENT + correction.STARTED] == 0.0:
-            start = last_end(memory, known, scene.key)
-        correction.prepare(memory, PERSON, going, parts, scene, start)
-    count, returns = 0, memory[going + destination.RETURNS]
-    for i in range(int(memory[known + places.COUNT])):
-        place = known + places.PLACES + places.WIDTH * i
-        if memory[place + places.KEY] == scene.key:
-            x, y = memory[place + places.X], memory[place + places.Y]
-            before = returns * memory[going + destination.BEFORE + i]
-            out[count, X], out[count, Y] = x + scene.x, y + scene.y
-            out[count, P] = before if waits else memory[going + destination.NOW + i]
-            out[count, BEFORE], out[count, VISITS] = before, memory[place + places.WEIGHT]
+        if memory.movement.started == 0.0:
+            start = last_end(held, scene.key)
+        correction.prepare(settings, person, going, start)
+    count = 0
+    for i in range(int(held.count)):
+        place = held.places[i]
+        if place.key == scene.key:
+            before = going.returns * going.before[i]
+            out[count, X], out[count, Y] = place.x + scene.x, place.y + scene.y
+            out[count, P] = before if waits else going.now[i]
+            out[count, BEFORE], out[count, VISITS] = before, place.visits
             out[count, NUMBER] = i
-            out[count, SPREAD] = destination.spread_of(memory, going, start, x, y)
+            out[count, SPREAD] = destination.spread_of(going, start, place.x, place.y)
             count += 1
     if waits:  # the movement lays them out for where it starts
-        memory[going : going + destination.STATES] = 0.0
+        clear(going)
     return count
 
 
 @law
-def write_mixture(memory: FloatArray) -> int:
-    """Write the mixture of places and elsewhere into the memory; returns where it stands, -1 for nowhere."""
-    now = MOVEMENT + correction.NOW
-    if memory[ADAPT] == 0.0 or memory[PLACES] == 0.0 or memory[now + mixed_region.CLAIMED] == 0.0:
-        return -1
-    correction.write_mixture(memory, PERSON, MOVEMENT, scene_of(memory), now + mixed_region.ASKED)
-    return now + mixed_region.ASKED
+def write_mixture(memory: Memory) -> bool:
+    """Write the mixture of places and elsewhere into the memory; whether one is claimed now."""
+    settings, now = memory.settings, memory.movement.now
+    if settings.adapt == 0.0 or settings.adaptation.places == 0.0 or now.claimed == 0.0:
+        return False
+    correction.write_mixture(settings.adaptation, memory.person, memory.movement, now.asked)
+    return True
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -251,7 +246,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     step = staticmethod(step)
     follow = None  # what is stated at each motion is compared with the movement's end
     conclude = staticmethod(conclude)
-    slots = correction.SLOTS
+    slots = slots_of(correction.Person)
     fault = staticmethod(correction.fault)
     doubt = staticmethod(correction.doubt)
     sizes = staticmethod(sizes)
@@ -260,7 +255,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
 
     def settings(self) -> FloatArray:
         """The numbers of the parameters, and the scene: no key, the origin at 0."""
-        return self.filled(PERSON)
+        return self.filled(Settings.length)
 
     def declare(self, **values: Any) -> None:
         """Check the values; without adaptation nothing of the person is remembered."""
@@ -292,13 +287,12 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     def mixture(self) -> Mixture | None:
         """The law of the endpoint as places and elsewhere have it; ``None`` where no law is claimed."""
         memory = self._memory.copy()
-        at = write_mixture(memory)
-        if at < 0:
+        if not write_mixture(memory):
             return None
-        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, WIDTH)
+        asked = Memory(memory).movement.now.asked
+        rows = [part.memory.tolist() for part in asked.rows[: int(asked.count)]]
         parts = tuple(
-            Part(share, x, y, (sxx, sxy, syy), tail or None)
-            for share, x, y, sxx, sxy, syy, tail in rows[: int(memory[at + mixed_region.COUNT])].tolist()
+            Part(share, x, y, (sxx, sxy, syy), tail or None) for share, x, y, sxx, sxy, syy, tail in rows
         )
-        near, far = memory[at + mixed_region.OFFSETS : at + mixed_region.MIXTURE].tolist()
+        near, far = asked.offsets.tolist()
         return Mixture(parts, (near, far))

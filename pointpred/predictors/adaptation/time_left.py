@@ -11,15 +11,18 @@ Reference: recursive least squares with weights 1 / |residual|, which approximat
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law, layout
+from pointpred.layout import Known, Layout
 from pointpred.predictors.adaptation import arrival_intervals, moments
+from pointpred.predictors.adaptation.arrival_intervals import Intervals
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.records import FloatArray
-from pointpred.stage import Slot, offsets
+from pointpred.stage import copy_values
 
 TERMS = 7
 SUMS = TERMS * (TERMS + 1) // 2
@@ -43,30 +46,42 @@ SHORTEST_S = 1e-6
 START = 0.1
 """Added to the time passed, in medians, of which slow time is a share."""
 
-# What is learned, relative to its place: sums of the products of terms, of terms and residuals under the
-# prior's weights, each weighted.
-PRODUCTS, RESIDUALS, LEARNED = offsets(SUMS, TERMS)
 MOVEMENTS = 1.001 / (1.0 - KEEP)
 """What a sum comes to that takes in 1 with each movement, for ever; rounding included."""
 MOST_PRODUCT = LONGEST**2 / SMALL * MOVEMENTS
 MOST_RESIDUAL = 1e9
 """No sum of residuals comes near it."""
-SLOTS = (
-    Slot("sums of products", SUMS, -MOST_PRODUCT, MOST_PRODUCT),
-    Slot("sums of residuals", TERMS, -MOST_RESIDUAL, MOST_RESIDUAL),
-)
-"""What is known of a person's time left, in the order of the layout."""
 LEAST_PIVOT = 0.01
 """The prior's sums alone have no smaller pivot, and a person's make none smaller."""
-
-# The movement, relative to its place: whether its weights are there, the weights; its moments, each with the
-# time left that was stated, its spread, and the terms.
-_, LEFT, SPREAD, FIRST_TERM = range(4)
-MOMENT, MOST = FIRST_TERM + TERMS, 32
-READY, WEIGHTS, MOMENTS, STATES = offsets(1, TERMS, moments.FIRST + MOMENT * MOST)
+MOST = 32
+"""Moments that are remembered."""
 
 
-"""The weights of the terms, then sums of products: SUMS of them."""
+class Sums(Layout):
+    """What is known of a person's time left."""
+
+    products: Annotated[FloatArray, SUMS, Known("sums of products", -MOST_PRODUCT, MOST_PRODUCT)]
+    """Of terms, weighted."""
+    residuals: Annotated[FloatArray, TERMS, Known("sums of residuals", -MOST_RESIDUAL, MOST_RESIDUAL)]
+    """Of terms times the residuals under the prior's weights, weighted."""
+
+
+class Moment(Layout):
+    """What was stated at a time: the time left, its spread, and the terms."""
+
+    t: float
+    left: float
+    spread: float
+    terms: Annotated[FloatArray, TERMS]
+
+
+class Movement(Layout):
+    """What was stated in the movement; ``ready`` if its weights of the terms are there."""
+
+    ready: float
+    weights: Annotated[FloatArray, TERMS]
+    series: moments.Series
+    moments: Annotated[Sequence[Moment], MOST]
 
 
 class Pace(NamedTuple):
@@ -104,14 +119,14 @@ def terms(
 
 
 @law
-def factor(memory: FloatArray, person: int, prior: FloatArray, out: FloatArray) -> float:
+def factor(s: Sums, prior: FloatArray, out: FloatArray) -> float:
     """Factor the sums and the prior's into L D L' in place of their lower triangle; returns the least of D.
 
     ``prior``: the weights, then the sums of everybody.
     """
     least = np.inf
     for i in range(SUMS):
-        out[i] = memory[person + PRODUCTS + i] + prior[TERMS + i]
+        out[i] = s.products[i] + prior[TERMS + i]
     for i in range(TERMS):
         row = i * (i + 1) // 2
         for j in range(i):
@@ -127,12 +142,12 @@ def factor(memory: FloatArray, person: int, prior: FloatArray, out: FloatArray) 
 
 
 @law
-def solve(memory: FloatArray, person: int, prior: FloatArray, weights: FloatArray) -> None:
+def solve(s: Sums, prior: FloatArray, weights: FloatArray) -> None:
     """The weights of the terms for this person."""
     factors = np.empty(SUMS)
-    factor(memory, person, prior, factors)
+    factor(s, prior, factors)
     for i in range(TERMS):
-        weights[i] = memory[person + RESIDUALS + i]
+        weights[i] = s.residuals[i]
         for j in range(i):
             weights[i] -= factors[i * (i + 1) // 2 + j] * weights[j]
     for i in range(TERMS):
@@ -146,8 +161,9 @@ def solve(memory: FloatArray, person: int, prior: FloatArray, weights: FloatArra
 
 @law
 def stated(
-    memory: FloatArray,
-    place: tuple[int, int, int],
+    s: Sums,
+    intervals: Intervals,
+    movement: Movement,
     cursor: tuple[float, float, float],
     since: float,
     median: float,
@@ -157,75 +173,89 @@ def stated(
 ) -> tuple[float, float]:
     """The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both.
 
-    ``place``: of the person's time left, of the person's intervals, of the movement; ``cursor``: t, x, y.
+    ``cursor``: t, x, y.
     """
-    person, intervals, at = place
-    if memory[at + READY] == 0.0:
-        solve(memory, person, PRIOR, memory[at + WEIGHTS : at + MOMENTS])
-        memory[at + READY] = 1.0
+    if movement.ready == 0.0:
+        solve(s, PRIOR, movement.weights)
+        movement.ready = 1.0
     known = terms(estimates, way, pace, since, median)
     total = 0.0
     for i in range(TERMS):
-        total += memory[at + WEIGHTS + i] * known[i]
+        total += movement.weights[i] * known[i]
     left = max(min(total, FURTHEST) * median, LEAST * min(estimates.predicted, median))
-    spread = arrival_intervals.spread(memory, intervals, since / (since + left))
-    moment = moments.new_moment(memory, at + MOMENTS, cursor, MOMENT, MOST)
-    if moment >= 0:
-        memory[moment + LEFT], memory[moment + SPREAD] = left, spread
+    spread = arrival_intervals.spread(intervals, since / (since + left))
+    last = movement.moments[max(int(movement.series.count) - 1, 0)]
+    number, full = moments.next_moment(movement.series, last.t, cursor, MOST)
+    if full:
+        for k in range(1, number):
+            copy_values(movement.moments[2 * k].memory, movement.moments[k].memory)
+    if number >= 0:
+        m = movement.moments[number]
+        m.t, m.left, m.spread = cursor[0], left, spread
         for i in range(TERMS):
-            memory[moment + FIRST_TERM + i] = known[i]
+            m.terms[i] = known[i]
     return left, spread
 
 
 @law
+def moment_at(movement: Movement, k: int, span: tuple[float, float], share: float) -> int:
+    """The number of the moment at a share of the time between the start and the end in s, from ``k`` on."""
+    while k + 1 < movement.series.count and moments.has_come(
+        movement.series, movement.moments[k + 1].t, span, share
+    ):
+        k += 1
+    return k
+
+
+@law
 def learn(
-    memory: FloatArray,
-    place: tuple[int, int, int],
+    s: Sums,
+    intervals: Intervals,
+    movement: Movement,
     span: tuple[float, float],
     median: float,
     prior: FloatArray,
 ) -> None:
-    """Learn from a movement over ``span``, its start and its arrival in s; ``place`` as for ``stated``."""
-    person, intervals, at = place
-    if memory[at + READY] == 0.0:
+    """Learn from a movement over ``span``, its start and its arrival in s."""
+    if movement.ready == 0.0:
         return
-    step = arrival_intervals.next_step(memory, intervals) / JUDGED
-    for i in range(LEARNED):
-        memory[person + i] *= KEEP
+    step = arrival_intervals.next_step(intervals) / JUDGED
+    for i in range(SUMS):
+        s.products[i] *= KEEP
+    for i in range(TERMS):
+        s.residuals[i] *= KEEP
     k = 0
     for judged in range(JUDGED):
         share = (judged + 0.5) / JUDGED
-        k = moments.moment_at(memory, at + MOMENTS, k, span, share, MOMENT)
-        moment = at + MOMENTS + moments.FIRST + MOMENT * k
-        seconds = max(span[1] - memory[moment + moments.T], SHORTEST_S)
-        arrival_intervals.judge(
-            memory, intervals, share, step, (memory[moment + LEFT], memory[moment + SPREAD]), seconds
-        )
+        k = moment_at(movement, k, span, share)
+        m = movement.moments[k]
+        seconds = max(span[1] - m.t, SHORTEST_S)
+        arrival_intervals.judge(intervals, share, step, (m.left, m.spread), seconds)
         left = min(seconds / median, FURTHEST)
         off, off_prior = left, left
         for i in range(TERMS):
-            off -= memory[at + WEIGHTS + i] * memory[moment + FIRST_TERM + i]
-            off_prior -= prior[i] * memory[moment + FIRST_TERM + i]
+            off -= movement.weights[i] * m.terms[i]
+            off_prior -= prior[i] * m.terms[i]
         weight = 1.0 / (max(abs(off), SMALL) * JUDGED)
         for i in range(TERMS):
-            term = weight * memory[moment + FIRST_TERM + i]
-            memory[person + RESIDUALS + i] += term * off_prior
+            term = weight * m.terms[i]
+            s.residuals[i] += term * off_prior
             for j in range(i + 1):
-                memory[person + PRODUCTS + i * (i + 1) // 2 + j] += term * memory[moment + FIRST_TERM + j]
+                s.products[i * (i + 1) // 2 + j] += term * m.terms[j]
 
 
 FINE, NOT_POSITIVE = 0, 31
 
 
 @layout
-def fault(learned: FloatArray) -> tuple[int, float]:
-    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
-    least = factor(learned, 0, PRIOR, np.empty(SUMS))
+def fault(learned: Sums) -> tuple[int, float]:
+    """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
+    least = factor(learned, PRIOR, np.empty(SUMS))
     return (FINE, 0.0) if least >= LEAST_PIVOT else (NOT_POSITIVE, least)
 
 
-def doubt(learned: FloatArray) -> str:
+def doubt(learned: Sums) -> str:
     """``fault`` in words; empty for nothing."""
-    wrong, value = fault(learned)
+    wrong, value = fault(learned.memory)
     least = f"sums of products must be those of real terms, with pivots of at least {LEAST_PIVOT:g}"
     return "" if wrong == FINE else f"{least}, one is {value:g}"

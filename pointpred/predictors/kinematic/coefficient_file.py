@@ -145,7 +145,7 @@ def _aligned(values: FloatArray) -> FloatArray:
     Vectors of eight weights then lie in one line of the cache each: on two, a network takes a fifth longer.
     """
     spare = np.empty(len(values) + LINE)
-    first = spare.ctypes.data // spare.itemsize + network.HEAD + 2 * features.FEATURES
+    first = spare.ctypes.data // spare.itemsize + network.Coefficients.length
     aligned = spare[-first % LINE :][: len(values)]
     aligned[:] = values
     return aligned
@@ -184,11 +184,11 @@ def _parts(arrays: dict[str, Any]) -> list[Any]:
         raise ValueError(f"is of version {version}")
     first, second = _width(arrays, 0), _width(arrays, 1)
     wanted: list[tuple[str, tuple[int, ...], float]] = [
-        ("mean", (features.FEATURES,), LARGEST_SCALE),
-        ("scale", (features.FEATURES,), LARGEST_SCALE),
+        ("mean", (features.Values.length,), LARGEST_SCALE),
+        ("scale", (features.Values.length,), LARGEST_SCALE),
     ]
     for number, (rows, width) in enumerate(
-        ((features.FEATURES, first), (first, second), (second, network.OUTPUTS))
+        ((features.Values.length, first), (first, second), (second, network.Outputs.length))
     ):
         wanted += [
             (f"weights{number}", (rows, width), LARGEST_WEIGHT),
@@ -219,15 +219,14 @@ def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
 
 def layers_of(path: Path | str = OWN) -> tuple[FloatArray, FloatArray, list[tuple[FloatArray, FloatArray]]]:
     """Means and scales of the inputs, and the layers of a file's network; raises ParameterError."""
-    flat = read(path)
-    sizes = (features.FEATURES, int(flat[network.FIRST]), int(flat[network.SECOND]), network.OUTPUTS)
-    mean, scale = flat[network.HEAD :][: sizes[0]], flat[network.HEAD + sizes[0] :][: sizes[0]]
-    layers, at = [], network.HEAD + 2 * sizes[0]
+    file = network.Coefficients(read(path))
+    sizes = (features.Values.length, int(file.first), int(file.second), network.Outputs.length)
+    layers, at = [], 0
     for rows, width in pairwise(sizes):
         offset = at + rows * width
-        layers.append((flat[at:offset].reshape(rows, width), flat[offset : offset + width]))
+        layers.append((file.rest[at:offset].reshape(rows, width), file.rest[offset : offset + width]))
         at = offset + width
-    return mean, scale, layers
+    return file.mean, file.scale, layers
 
 
 def card(path: Path = OWN) -> dict[str, Any]:

@@ -8,29 +8,76 @@ one time are one event: the state goes back to where it was before that time.
 from __future__ import annotations
 
 from math import hypot, log
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from pointpred.compiled import law
+from pointpred.layout import Layout, clear, places
 from pointpred.predictors import minimum_jerk, movement
-from pointpred.predictors.kinematic import history, submovements, track
+from pointpred.predictors.kinematic import history, track
 from pointpred.predictors.kinematic.history import Point
 from pointpred.records import FINE, BoolArray, FloatArray, FloatTable, MotionRow, row_at
-from pointpred.stage import offsets
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)
 
-# The places of the features, which the coefficients follow. First those that a mirror leaves as they are:
-LOG_REACH, LOG_TIME, TIME, DISTANCE, STRAIGHTNESS, RETURN, CURSOR_PEAK, LOG_PEAK = range(8)
-LOG_SPEED, V_ALONG, A_ALONG, SPEED_OF_PEAK, V_ALIGNED = range(8, 13)
-SINCE_PEAK, PEAK_SHARE, PEAK_TIME, PEAK_DISTANCE, PEAK_PATH, MEAN_OF_PEAK = range(13, 19)
-PUSH, BRAKE, SINCE_PUSH = range(19, 22)
-SUBS, SINCE_SUB, SUB_PEAK, SPEED_OF_SUB, SINCE_SUB_PEAK, FALLING, SUB_ALONG, SUB_PATH = range(22, 30)
-JERK_AHEAD, SUB_JERK_AHEAD = range(30, 32)
-SLOW_FOR, SLOWER_FOR, STILL_FOR, LOG_MEAN = range(32, 36)
-STOP_TIME, STOP_WAY = range(36, 38)
-_, LAG_ALONG, ODD = offsets(STOP_WAY + 1, len(LAGS_S))
-"""From ODD on they change their sign in a mirror: across the direction instead of along it."""
-_, V_ACROSS, A_ACROSS, SUB_ACROSS, LAG_ACROSS, FEATURES = offsets(ODD, 1, 1, 1, len(LAGS_S))
+
+class Across(Layout):
+    """The features that change their sign in a mirror: across the direction instead of along it."""
+
+    v: float
+    a: float
+    sub: float
+    lag: Annotated[FloatArray, len(LAGS_S)]
+
+
+class Values(Layout):
+    """The features, which the coefficients follow; a mirror leaves those before ``across`` as they are."""
+
+    log_reach: float
+    log_time: float
+    time: float
+    distance: float
+    straightness: float
+    of_farthest: float
+    cursor_peak: float
+    log_peak: float
+    log_speed: float
+    v_along: float
+    a_along: float
+    speed_of_peak: float
+    v_aligned: float
+    since_peak: float
+    peak_share: float
+    peak_time: float
+    peak_distance: float
+    peak_path: float
+    mean_of_peak: float
+    push: float
+    brake: float
+    since_push: float
+    subs: float
+    since_sub: float
+    sub_peak: float
+    speed_of_sub: float
+    since_sub_peak: float
+    falling: float
+    sub_along: float
+    sub_path: float
+    jerk_ahead: float
+    sub_jerk_ahead: float
+    slow_for: float
+    slower_for: float
+    still_for: float
+    log_mean: float
+    stop_time: float
+    stop_way: float
+    lag_along: Annotated[FloatArray, len(LAGS_S)]
+    across: Across
+
+
+PLACE = dict(places(Values))
+"""Where a feature stands, by its name."""
+ODD = Values.length - Across.length
+"""From here on they change their sign in a mirror."""
 
 REACH_S = 0.06
 """Seconds of the peak speed that count as reach."""
@@ -70,150 +117,162 @@ def direction(x: float, y: float, vx: float, vy: float) -> tuple[float, float]:
 
 
 @law
-def frame_of(memory: FloatArray, at: int, point: Point, m: MotionRow) -> Frame:
-    """The frame of the movement so far; ``at``: its track."""
+def frame_of(s: track.State, point: Point, m: MotionRow) -> Frame:
+    """The frame of the movement so far."""
     ux, uy = direction(point.x, point.y, m.vx, m.vy)
     if not point.path > 0.0:
         return Frame(0.0, 0.0, ux, uy)
-    reach = point.path + REACH_S * memory[at + track.CURSOR_PEAK]
-    return Frame(reach, memory[at + track.WAY] + REACH_S * memory[at + track.PEAK] + 1e-4, ux, uy)
+    reach = point.path + REACH_S * s.cursor_peak
+    return Frame(reach, s.way + REACH_S * s.peak + 1e-4, ux, uy)
 
 
 @law
-def fill_shape(memory: FloatArray, at: int, point: Point, frame: Frame, out: FloatArray) -> None:
+def fill_shape(s: track.State, point: Point, frame: Frame, out: Values) -> None:
     """Features of the way so far: its length, its peak, its sub-movements."""
     t, x, y, path = point
     reach, hand, _, _ = frame
-    sub = at + track.SUBMOVEMENT
-    d, peak = hypot(x, y), memory[at + track.PEAK] + 1e-9
-    out[LOG_REACH] = log(hand)
-    out[LOG_TIME] = log(t + 0.02)
-    out[TIME] = t
-    out[DISTANCE] = d / reach
-    out[STRAIGHTNESS] = d / path
-    out[RETURN] = d / max(memory[at + track.FAR], 1e-9)
-    out[CURSOR_PEAK] = memory[at + track.CURSOR_PEAK] * SOON_S / reach
-    out[LOG_PEAK] = log(memory[at + track.PEAK] + 3e-4)
-    out[SINCE_PEAK] = t - memory[at + track.PEAK_T]
-    out[PEAK_SHARE] = memory[at + track.PEAK_T] / (t + 1e-3)
-    out[PEAK_TIME] = memory[at + track.PEAK_T]
-    out[PEAK_DISTANCE] = memory[at + track.PEAK_D] / reach
-    out[PEAK_PATH] = memory[at + track.PEAK_PATH] / path
-    out[MEAN_OF_PEAK] = memory[at + track.WAY] / (t + 1e-3) / peak
-    out[PUSH] = memory[at + track.PUSH] * SOON_S * 0.1 / hand
-    out[BRAKE] = memory[at + track.BRAKE] * SOON_S * 0.1 / hand
-    out[SINCE_PUSH] = t - memory[at + track.PUSH_T]
-    out[SUBS] = min(memory[sub + submovements.COUNT], 6.0)
-    out[SINCE_SUB] = t - memory[sub + submovements.T]
-    out[SUB_PEAK] = memory[sub + submovements.PEAK] / peak
-    out[SINCE_SUB_PEAK] = t - memory[sub + submovements.PEAK_T]
-    out[FALLING] = memory[sub + submovements.FALLING]
-    out[SUB_PATH] = (path - memory[sub + submovements.PATH]) / reach
-    out[SLOW_FOR] = t - memory[at + track.FAST_T]
-    out[SLOWER_FOR] = t - memory[at + track.MOVING_T]
-    out[STILL_FOR] = t - memory[at + track.MOVED_T]
-    out[LOG_MEAN] = log(memory[at + track.WAY] / (t + 0.01) + 3e-4)
+    sub = s.submovement
+    d, peak = hypot(x, y), s.peak + 1e-9
+    out.log_reach = log(hand)
+    out.log_time = log(t + 0.02)
+    out.time = t
+    out.distance = d / reach
+    out.straightness = d / path
+    out.of_farthest = d / max(s.far, 1e-9)
+    out.cursor_peak = s.cursor_peak * SOON_S / reach
+    out.log_peak = log(s.peak + 3e-4)
+    out.since_peak = t - s.peak_t
+    out.peak_share = s.peak_t / (t + 1e-3)
+    out.peak_time = s.peak_t
+    out.peak_distance = s.peak_d / reach
+    out.peak_path = s.peak_path / path
+    out.mean_of_peak = s.way / (t + 1e-3) / peak
+    out.push = s.push * SOON_S * 0.1 / hand
+    out.brake = s.brake * SOON_S * 0.1 / hand
+    out.since_push = t - s.push_t
+    out.subs = min(sub.count, 6.0)
+    out.since_sub = t - sub.t
+    out.sub_peak = sub.peak / peak
+    out.since_sub_peak = t - sub.peak_t
+    out.falling = sub.falling
+    out.sub_path = (path - sub.path) / reach
+    out.slow_for = t - s.fast_t
+    out.slower_for = t - s.moving_t
+    out.still_for = t - s.moved_t
+    out.log_mean = log(s.way / (t + 0.01) + 3e-4)
 
 
 @law
-def fill_pace(memory: FloatArray, at: int, point: Point, m: MotionRow, frame: Frame, out: FloatArray) -> None:
+def fill_pace(s: track.State, point: Point, m: MotionRow, frame: Frame, out: Values) -> None:
     """Features of the present motion: against its peaks, across the direction, and what it says is left."""
     reach, hand, ux, uy = frame
-    sub = at + track.SUBMOVEMENT
-    sub_x, sub_y = point.x - memory[sub + submovements.X], point.y - memory[sub + submovements.Y]
-    peak, sub_peak = memory[at + track.PEAK] + 1e-9, memory[sub + submovements.PEAK] + 1e-9
+    sub = s.submovement
+    sub_x, sub_y = point.x - sub.x, point.y - sub.y
+    peak, sub_peak = s.peak + 1e-9, sub.peak + 1e-9
     v, v_along, a_along = hypot(m.vx, m.vy), m.vx * ux + m.vy * uy, m.ax * ux + m.ay * uy
-    out[LOG_SPEED] = log(v + 3e-3)
-    out[V_ALONG] = v_along * SOON_S / hand
-    out[A_ALONG] = a_along * SOON_S * 0.1 / hand
-    out[SPEED_OF_PEAK] = v / peak
-    out[V_ALIGNED] = v_along / (v + 1e-6)
-    out[SPEED_OF_SUB] = v / sub_peak
-    of_peak = v / peak if point.t > memory[at + track.PEAK_T] else 1.0
-    of_sub = v / sub_peak if point.t > memory[sub + submovements.PEAK_T] else 1.0
-    out[JERK_AHEAD] = ahead(of_peak) * hypot(point.x, point.y) / reach
-    out[SUB_JERK_AHEAD] = ahead(of_sub) * hypot(sub_x, sub_y) / reach
+    out.log_speed = log(v + 3e-3)
+    out.v_along = v_along * SOON_S / hand
+    out.a_along = a_along * SOON_S * 0.1 / hand
+    out.speed_of_peak = v / peak
+    out.v_aligned = v_along / (v + 1e-6)
+    out.speed_of_sub = v / sub_peak
+    of_peak = v / peak if point.t > s.peak_t else 1.0
+    of_sub = v / sub_peak if point.t > sub.peak_t else 1.0
+    out.jerk_ahead = ahead(of_peak) * hypot(point.x, point.y) / reach
+    out.sub_jerk_ahead = ahead(of_sub) * hypot(sub_x, sub_y) / reach
     braking = max(-a_along, 1e-3)
-    out[STOP_TIME] = min(1.0, max(-1.0, v_along / braking))
-    out[STOP_WAY] = min(4.0, v_along * v_along / (2.0 * braking) / hand)
-    out[SUB_ALONG] = (sub_x * ux + sub_y * uy) / reach
-    out[SUB_ACROSS] = (sub_y * ux - sub_x * uy) / reach
-    out[V_ACROSS] = (m.vy * ux - m.vx * uy) * SOON_S / hand
-    out[A_ACROSS] = (m.ay * ux - m.ax * uy) * SOON_S * 0.1 / hand
+    out.stop_time = min(1.0, max(-1.0, v_along / braking))
+    out.stop_way = min(4.0, v_along * v_along / (2.0 * braking) / hand)
+    out.sub_along = (sub_x * ux + sub_y * uy) / reach
+    out.across.sub = (sub_y * ux - sub_x * uy) / reach
+    out.across.v = (m.vy * ux - m.vx * uy) * SOON_S / hand
+    out.across.a = (m.ay * ux - m.ax * uy) * SOON_S * 0.1 / hand
 
 
 @law
-def fill_lags(memory: FloatArray, at: int, point: Point, frame: Frame, out: FloatArray) -> None:
-    """Features of the way of the last moments, from the history at ``at``."""
+def fill_lags(s: history.State, point: Point, frame: Frame, out: Values) -> None:
+    """Features of the way of the last moments."""
     reach, _, ux, uy = frame
     for i in range(len(LAGS_S)):
-        past_x, past_y, _ = history.past(memory, at, point, LAGS_S[i])
+        past_x, past_y, _ = history.past(s, point, LAGS_S[i])
         lag_x, lag_y = point.x - past_x, point.y - past_y
-        out[LAG_ALONG + i] = (lag_x * ux + lag_y * uy) / reach
-        out[LAG_ACROSS + i] = (lag_y * ux - lag_x * uy) / reach
+        out.lag_along[i] = (lag_x * ux + lag_y * uy) / reach
+        out.across.lag[i] = (lag_y * ux - lag_x * uy) / reach
 
 
-# State, relative to `at`: the movement; the track and the head of the history, and both as they were before
-# the last time; the history.
-_, TRACK, TRACK_BEFORE, HEAD_BEFORE, HISTORY, STATES = offsets(
-    movement.State.length, track.STATES, track.STATES, history.HEAD, history.STATES
-)
+class Before(Layout):
+    """The track and the head of the history as they were before the last time."""
+
+    track: track.State
+    head: history.Head
+
+
+class State(Layout):
+    """What is remembered of the movement, and what of that before its last time."""
+
+    movement: movement.State
+    track: track.State
+    before: Before
+    history: history.State
 
 
 @law
-def rewind(memory: FloatArray, at: int, again: bool) -> None:
+def rewind(s: State, again: bool) -> None:
     """Copy the track before a new time; go back to the copy where a sample of the same time comes again."""
-    source, head = (TRACK_BEFORE, HEAD_BEFORE) if again else (TRACK, HISTORY)
-    target, head_target = (TRACK, HISTORY) if again else (TRACK_BEFORE, HEAD_BEFORE)
-    for i in range(track.STATES):
-        memory[at + target + i] = memory[at + source + i]
-    for i in range(history.HEAD):
-        memory[at + head_target + i] = memory[at + head + i]
+    now, before = s.track, s.before.track
+    for i in range(track.State.length):
+        if again:
+            now.memory[i] = before.memory[i]
+        else:
+            before.memory[i] = now.memory[i]
+    head, head_before = s.history.head, s.before.head
+    for i in range(history.Head.length):
+        if again:
+            head.memory[i] = head_before.memory[i]
+        else:
+            head_before.memory[i] = head.memory[i]
 
 
 @law
-def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[int, Point]:
+def follow(s: State, m: MotionRow) -> tuple[int, Point]:
     """Take one motion in: its fault, and where the cursor is."""
-    started, last_t = movement.State(memory, at).known, movement.State(memory, at).t
-    fault, new, _ = movement.follow(movement.State(memory, at), m)
+    started, last_t = s.movement.known, s.movement.t
+    fault, new, _ = movement.follow(s.movement, m)
     if fault != FINE:
         return fault, Point(0.0, 0.0, 0.0, 0.0)
-    if new or m.t == movement.State(memory, at).t0:
-        memory[at + TRACK : at + HISTORY] = 0.0
-        history.begin(memory, at + HISTORY)
+    if new or m.t == s.movement.t0:
+        clear(s.track)
+        clear(s.before)
+        history.begin(s.history)
     else:
-        rewind(memory, at, started == 1.0 and m.t == last_t)
-    here = at + TRACK
-    last = memory[here + track.T], memory[here + track.X], memory[here + track.Y]
-    t0, x0, y0 = movement.State(memory, at).t0, movement.State(memory, at).x0, movement.State(memory, at).y0
-    point = history.extend(memory, at + HISTORY, last, (m.t - t0, m.x - x0, m.y - y0))
-    _, _, path_before = history.past(memory, at + HISTORY, point, track.SPAN_S)
-    track.advance(memory, here, point, m, (point.path - path_before) / track.SPAN_S)
+        rewind(s, started == 1.0 and m.t == last_t)
+    last = s.track.t, s.track.x, s.track.y
+    now = m.t - s.movement.t0, m.x - s.movement.x0, m.y - s.movement.y0
+    point = history.extend(s.history, last, now)
+    _, _, path_before = history.past(s.history, point, track.SPAN_S)
+    track.advance(s.track, point, m, (point.path - path_before) / track.SPAN_S)
     return FINE, point
 
 
 @law
-def observe(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple[int, Frame]:
+def observe(s: State, m: MotionRow, out: Values) -> tuple[int, Frame]:
     """Take one motion in and compute the features: its fault, and their frame."""
-    fault, point = follow(memory, at, m)
+    fault, point = follow(s, m)
     if fault != FINE:
         return fault, Frame(0.0, 0.0, 0.0, 0.0)
-    here = at + TRACK
-    frame = frame_of(memory, here, point, m)
+    frame = frame_of(s.track, point, m)
     if frame.reach > 0.0:
-        fill_shape(memory, here, point, frame, out)
-        fill_pace(memory, here, point, m, frame, out)
-        fill_lags(memory, at + HISTORY, point, frame, out)
+        fill_shape(s.track, point, frame, out)
+        fill_pace(s.track, point, m, frame, out)
+        fill_lags(s.history, point, frame, out)
     return FINE, frame
 
 
 @law
-def observe_all(
-    memory: FloatArray, begin: BoolArray, rows: FloatTable, out: FloatTable, frames: FloatTable
-) -> None:
+def observe_all(s: State, begin: BoolArray, rows: FloatTable, out: FloatTable, frames: FloatTable) -> None:
     """The features of a whole table of motions, as training needs them; frames: reach and direction."""
     for i in range(len(rows)):
         if begin[i]:
-            memory[:] = 0.0
-        _, frame = observe(memory, 0, MotionRow(*row_at(rows, i)), out[i])
+            clear(s)
+        _, frame = observe(s, MotionRow(*row_at(rows, i)), Values(out[i]))
         frames[i, 0], frames[i, 1], frames[i, 2] = frame.reach, frame.ux, frame.uy

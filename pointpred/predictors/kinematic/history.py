@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import floor, hypot
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
-from pointpred.stage import offsets
+from pointpred.layout import Layout, clear
 
 TICK_S = 0.008
 TICKS = 66
@@ -15,9 +15,27 @@ TICKS = 66
 STILL_GAP_S = 0.1
 """Between events farther apart the device was still: the cursor jumped at the end."""
 
-# State, relative to `at`: how many ticks have been; place and path of the last; then x, y, path of each tick.
-COUNT, LAST_X, LAST_Y, LAST_PATH, RING, STATES = offsets(1, 1, 1, 1, 3 * TICKS)
-HEAD = RING
+
+class Tick(Layout):
+    """Place in px from the movement's start, and the path over the ticks up to here in px."""
+
+    x: float
+    y: float
+    path: float
+
+
+class Head(Layout):
+    """How many ticks have been, and the last of them."""
+
+    count: float
+    last: Tick
+
+
+class State(Layout):
+    """The last ticks: that of number n stands at n modulo TICKS."""
+
+    head: Head
+    ticks: Annotated[Sequence[Tick], TICKS]
 
 
 class Point(NamedTuple):
@@ -30,60 +48,58 @@ class Point(NamedTuple):
 
 
 @law
-def begin(memory: FloatArray, at: int) -> None:
+def begin(s: State) -> None:
     """Remember the start: tick 0 is the origin."""
-    memory[at + COUNT] = 1.0
-    memory[at + LAST_X : at + RING + 3] = 0.0
+    s.head.count = 1.0
+    clear(s.head.last)
+    clear(s.ticks[0])
 
 
 @law
-def extend(
-    memory: FloatArray, at: int, last: tuple[float, float, float], now: tuple[float, float, float]
-) -> Point:
+def extend(s: State, last: tuple[float, float, float], now: tuple[float, float, float]) -> Point:
     """Fill the ticks after the last one up to now, on the line from the last event (t, x, y) to this one.
 
     At most as many as there are places. Returns where the cursor is, with the path over the ticks.
     """
     last_t, last_x, last_y = last
     t, x, y = now
-    count = int(memory[at + COUNT])
+    count = int(s.head.count)
     newest = floor(t / TICK_S)
-    old_x, old_y, path = memory[at + LAST_X], memory[at + LAST_Y], memory[at + LAST_PATH]
-    for tick in range(max(count, newest + 1 - TICKS), newest + 1):
+    old = s.head.last
+    for number in range(max(count, newest + 1 - TICKS), newest + 1):
         share = 0.0
         if t - last_t <= STILL_GAP_S:
-            share = min(max((tick * TICK_S - last_t) / (t - last_t), 0.0), 1.0)
-        new_x, new_y = last_x + share * (x - last_x), last_y + share * (y - last_y)
-        path += hypot(new_x - old_x, new_y - old_y)
-        slot = at + RING + 3 * (tick % TICKS)
-        memory[slot], memory[slot + 1], memory[slot + 2] = new_x, new_y, path
-        old_x, old_y = new_x, new_y
-    memory[at + COUNT] = max(count, newest + 1)
-    memory[at + LAST_X], memory[at + LAST_Y], memory[at + LAST_PATH] = old_x, old_y, path
-    return Point(t, x, y, path + hypot(x - old_x, y - old_y))
+            share = min(max((number * TICK_S - last_t) / (t - last_t), 0.0), 1.0)
+        tick = s.ticks[number % TICKS]
+        tick.x, tick.y = last_x + share * (x - last_x), last_y + share * (y - last_y)
+        old.path += hypot(tick.x - old.x, tick.y - old.y)
+        tick.path = old.path
+        old.x, old.y = tick.x, tick.y
+    s.head.count = max(count, newest + 1)
+    return Point(t, x, y, old.path + hypot(x - old.x, y - old.y))
 
 
 @law
-def past(memory: FloatArray, at: int, now: Point, ago: float) -> tuple[float, float, float]:
+def past(s: State, now: Point, ago: float) -> tuple[float, float, float]:
     """Place and path ``ago`` seconds before now: between two ticks on a line, the start before it."""
     then = now.t - ago
     if then <= 0.0:
         return 0.0, 0.0, 0.0
-    count = int(memory[at + COUNT])
-    tick = floor(then / TICK_S)
-    if tick > count - 1:
+    count = int(s.head.count)
+    number = floor(then / TICK_S)
+    if number > count - 1:
         return now.x, now.y, now.path
-    slot = at + RING + 3 * (tick % TICKS)
-    if tick == count - 1:
-        span = now.t - tick * TICK_S
-        share = (then - tick * TICK_S) / span if span > 0.0 else 1.0
+    before = s.ticks[number % TICKS]
+    if number == count - 1:
+        span = now.t - number * TICK_S
+        share = (then - number * TICK_S) / span if span > 0.0 else 1.0
         after_x, after_y, after_path = now.x, now.y, now.path
     else:
-        share = (then - tick * TICK_S) / TICK_S
-        after = at + RING + 3 * ((tick + 1) % TICKS)
-        after_x, after_y, after_path = memory[after], memory[after + 1], memory[after + 2]
+        share = (then - number * TICK_S) / TICK_S
+        after = s.ticks[(number + 1) % TICKS]
+        after_x, after_y, after_path = after.x, after.y, after.path
     return (
-        memory[slot] + share * (after_x - memory[slot]),
-        memory[slot + 1] + share * (after_y - memory[slot + 1]),
-        memory[slot + 2] + share * (after_path - memory[slot + 2]),
+        before.x + share * (after_x - before.x),
+        before.y + share * (after_y - before.y),
+        before.path + share * (after_path - before.path),
     )

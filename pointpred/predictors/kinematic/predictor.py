@@ -14,9 +14,7 @@ from pointpred.parameter import option
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import coefficient_file, features, network
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-
-AT = 0
+from pointpred.records import FINE, MotionRow, TenFloats, endpoint
 
 
 @law
@@ -26,31 +24,32 @@ def bounded_exp(logarithm: float, bounds: tuple[float, float]) -> float:
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> TenFloats:
+def step(s: features.State, motion: TenFloats, coefficients: network.Coefficients) -> TenFloats:
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
-    values = np.empty(features.FEATURES)
-    fault, frame = features.observe(memory, AT, m, values)
+    values = np.empty(features.Values.length)
+    fault, frame = features.observe(s, m, features.Values(values))
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    phase = movement.phase(movement.State(memory, AT), m)
+        return movement.refuse(s.movement, m, fault)
+    phase = movement.phase(s.movement, m)
     reach, _, ux, uy = frame
     if reach == 0.0:
         return endpoint(m.t, m.x, m.y, phase)
-    out = np.empty(network.OUTPUTS)
-    calibration_at = network.evaluate(coefficients, values, out)
-    along, across = out[network.ALONG], out[network.ACROSS] * network.side(values)
+    sums = np.empty(network.Outputs.length)
+    at = network.evaluate(coefficients, values, sums)
+    calibration, out = network.Calibration(coefficients.rest, at), network.Outputs(sums)
+    along, across = out.along, out.across * network.side(values)
     for i in range(network.BASES):
-        along += out[network.BASIS + i] * values[network.BASIS_ALONG[i]]
-        across += out[network.BASIS + i] * values[network.BASIS_ACROSS[i]]
-    since = m.t - movement.State(memory, AT).t0
-    left = (since + network.HEAD_START_S) * bounded_exp(out[network.LEFT], network.LEFT_LOGS)
+        along += out.basis[i] * values[network.BASIS_ALONG[i]]
+        across += out.basis[i] * values[network.BASIS_ACROSS[i]]
+    since = m.t - s.movement.t0
+    left = (since + network.HEAD_START_S) * bounded_exp(out.left, network.LEFT_LOGS)
     share = since / (since + left)
-    scale = reach * network.factor(coefficients, calibration_at, share, network.WIDTH_FACTOR)
-    wide = (scale * bounded_exp(out[network.WIDE], network.WIDTH_LOGS)) ** 2
-    broad = (scale * bounded_exp(out[network.BROAD], network.WIDTH_LOGS)) ** 2
-    tail = bounded_exp(out[network.TAIL], network.TAIL_LOGS)
-    spread = bounded_exp(out[network.SPREAD], network.SPREAD_LOGS)
+    scale = reach * network.factor(calibration, share, network.WIDTH_FACTOR)
+    wide = (scale * bounded_exp(out.wide, network.WIDTH_LOGS)) ** 2
+    broad = (scale * bounded_exp(out.broad, network.WIDTH_LOGS)) ** 2
+    tail = bounded_exp(out.tail, network.TAIL_LOGS)
+    spread = bounded_exp(out.spread, network.SPREAD_LOGS)
     return (
         m.t,
         m.x + reach * (along * ux - across * uy),
@@ -60,15 +59,15 @@ def step(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> Ten
         wide * uy * uy + broad * ux * ux,
         left,
         phase,
-        tail * network.factor(coefficients, calibration_at, share, network.TAIL_FACTOR),
-        spread * network.factor(coefficients, calibration_at, share, network.SPREAD_FACTOR),
+        tail * network.factor(calibration, share, network.TAIL_FACTOR),
+        spread * network.factor(calibration, share, network.SPREAD_FACTOR),
     )
 
 
 @law
-def follow(memory: FloatArray, motion: TenFloats, coefficients: FloatArray) -> bool:
+def follow(s: features.State, motion: TenFloats, coefficients: network.Coefficients) -> bool:
     """Take one motion in without an answer: the network remembers nothing."""
-    fault, _ = features.follow(memory, AT, MotionRow(*motion))
+    fault, _ = features.follow(s, MotionRow(*motion))
     return fault == FINE
 
 
@@ -110,9 +109,9 @@ class KinematicPredictor(Predictor):
     coefficients: Path | str | None = option(
         "the file of other coefficients, as `pointpred train` writes it", default=None
     )
-    step = staticmethod(step)
+    step: ClassVar[Callable[..., TenFloats]] = staticmethod(step)
     follow: ClassVar[Callable[..., bool] | None] = staticmethod(follow)
-    states = features.STATES
+    states = features.State.length
 
     def declare(self, **values: Any) -> None:
         """Check the values and read the coefficients: those of the package for ``None``."""

@@ -1,13 +1,5 @@
 // Written by `make laws` from mixture.py: change that and run it again.
 import { larger, matrix, smaller } from "../arithmetic.js";
-export const SHARE = 0;
-export const X = 1;
-export const Y = 2;
-export const SXX = 3;
-export const SXY = 4;
-export const SYY = 5;
-export const TAIL = 6;
-export const WIDTH = 7;
 export const TURN_COS = -0.7373688780783197;
 export const TURN_SIN = 0.6754902942615238;
 export const LEVELS = [0.5, 0.8];
@@ -18,36 +10,37 @@ export function squared_radius(share, tail) {
   const normal = -2 * Math.log1p(-share);
   return Number(tail === 0 ? normal : tail * Math.expm1(normal / tail));
 }
-export function part_density(parts, k, x, y) {
-  const sxx = parts[k][SXX];
-  const sxy = parts[k][SXY];
-  const syy = parts[k][SYY];
-  const tail = parts[k][TAIL];
+export function part_density(part, x, y, part_at = 0) {
+  const sxx = part[part_at + 3];
+  const sxy = part[part_at + 4];
+  const syy = part[part_at + 5];
+  const tail = part[part_at + 6];
   const determinant = sxx * syy - sxy * sxy;
-  const dx = x - parts[k][X];
-  const dy = y - parts[k][Y];
+  const dx = x - part[part_at + 1];
+  const dy = y - part[part_at + 2];
   const far = (syy * dx * dx - 2 * sxy * dx * dy + sxx * dy * dy) / determinant;
   const log_density = tail === 0 ? -0.5 * far : -0.5 * (tail + 2) * Math.log1p(far / tail);
-  return parts[k][SHARE] * Math.exp(log_density) / (2 * Math.PI * Math.sqrt(determinant));
+  return part[part_at] * Math.exp(log_density) / (2 * Math.PI * Math.sqrt(determinant));
 }
 export function density(parts, count, x, y) {
   let total = 0;
   for (let k = 0; k < count; k++) {
-    total += part_density(parts, k, x, y);
+    total += part_density(parts[k], x, y);
   }
   return total;
 }
 export function densities(parts, count, points, out) {
   for (let k = 0; k < count; k++) {
-    const wide = Math.sqrt(parts[k][SXX]);
-    const slant = parts[k][SXY] / wide;
-    const broad = Math.sqrt(parts[k][SYY] - slant * slant);
+    const part_at = 0;
+    const wide = Math.sqrt(parts[k][part_at + 3]);
+    const slant = parts[k][part_at + 4] / wide;
+    const broad = Math.sqrt(parts[k][part_at + 5] - slant * slant);
     let cos = 1;
     let sin = 0;
     for (let i = 0; i < points; i++) {
-      const radius = Math.sqrt(squared_radius((i + 0.5) / points, parts[k][TAIL]));
-      const x = parts[k][X] + radius * wide * cos;
-      const y = parts[k][Y] + radius * (slant * cos + broad * sin);
+      const radius = Math.sqrt(squared_radius((i + 0.5) / points, parts[k][part_at + 6]));
+      const x = parts[k][part_at + 1] + radius * wide * cos;
+      const y = parts[k][part_at + 2] + radius * (slant * cos + broad * sin);
       out[k][i] = density(parts, count, x, y);
       const value_1 = cos * TURN_COS - sin * TURN_SIN;
       const value_2 = cos * TURN_SIN + sin * TURN_COS;
@@ -63,16 +56,16 @@ export function share_above(parts, count, points, known, threshold) {
     for (let i = 0; i < points; i++) {
       above += known[k][i] > threshold ? 1 : 0;
     }
-    total += parts[k][SHARE] * above / points;
+    total += parts[k][0] * above / points;
   }
   return total;
 }
 export function content(parts, count, x, y, points) {
   if (count === 1) {
-    const own = part_density(parts, 0, x, y);
-    const best = part_density(parts, 0, parts[0][X], parts[0][Y]);
-    const tail = parts[0][TAIL];
-    const power = tail === 0 ? 1 : tail / (tail + 2);
+    const part_at = 0;
+    const own = part_density(parts[0], x, y, part_at);
+    const best = part_density(parts[0], parts[0][part_at + 1], parts[0][part_at + 2], part_at);
+    const power = parts[0][part_at + 6] === 0 ? 1 : parts[0][part_at + 6] / (parts[0][part_at + 6] + 2);
     return 1 - Math.pow(own / best, power);
   }
   const known = matrix(count, points);

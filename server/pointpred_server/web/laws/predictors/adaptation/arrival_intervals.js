@@ -11,20 +11,18 @@ export const STEP_OF = 5;
 export const STEP_LEAST = 0.15;
 export const FURTHEST = 3;
 export const MOVEMENTS_MOST = 1000000;
-export const MOVEMENTS = 0;
-export const OFFSETS = 1;
-export function spread(memory, at, share) {
+export function spread(s, share, s_at = 0) {
   const values_1 = $stages.interpolation_among(share, STAGES);
   const stage = values_1[0];
   const part = values_1[1];
-  const low = memory[at + OFFSETS + stage];
-  return SPREAD * Math.exp(low + part * (memory[at + OFFSETS + stage + 1] - low));
+  const low = s[s_at + stage + 1];
+  return SPREAD * Math.exp(low + part * (s[s_at + stage + 2] - low));
 }
-export function next_step(memory, at) {
-  memory[at + MOVEMENTS] = smaller(memory[at + MOVEMENTS] + 1, MOVEMENTS_MOST);
-  return larger(STEP / (memory[at + MOVEMENTS] + STEP_OF), STEP_LEAST);
+export function next_step(s, s_at = 0) {
+  s[s_at] = smaller(s[s_at] + 1, MOVEMENTS_MOST);
+  return larger(STEP / (s[s_at] + STEP_OF), STEP_LEAST);
 }
-export function judge(memory, at, share, step, claim, left) {
+export function judge(s, share, step, claim, left, s_at = 0) {
   const off = Math.abs(Math.log(left / claim[0]));
   let missed = 0;
   for (let k = 0, end_1 = LEVELS.length; k < end_1; k++) {
@@ -35,8 +33,7 @@ export function judge(memory, at, share, step, claim, left) {
   const stage = values_2[0];
   const part = values_2[1];
   for (let side = 0; side < 2; side++) {
-    const slot = at + OFFSETS + stage + side;
     const change = step * missed * (side === 1 ? part : 1 - part);
-    memory[slot] = smaller(larger(memory[slot] + change, -FURTHEST), FURTHEST);
+    s[s_at + stage + side + 1] = $stages.bounded(s[s_at + stage + side + 1] + change, FURTHEST);
   }
 }

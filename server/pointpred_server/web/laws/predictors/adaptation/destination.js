@@ -8,27 +8,18 @@ export const NEAREST = 2.5;
 export const LEAST_SHARE = 0.0001;
 export const NEGLIGIBLE = 0.001;
 export const STEPS = 10;
-export const READY = 0;
-export const RETURNS = 1;
-export const WIDTH = 2;
-export const COUNTS = 3;
-export const BEFORE = 4;
-export const NOW = 68;
-export const ELSEWHERE = 132;
-export const STATES = 133;
-export function favour_near(memory, place_memory, at, start, near) {
+export function favour_near(s, held, start, near, s_at = 0, held_at = 0) {
   let before = 0;
   let after = 0;
-  for (let i = 0, end_1 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_1; i++) {
-    const place = place_memory + $places.PLACES + $places.WIDTH * i;
-    const distance = hypot(memory[place + $places.X] - start[0], memory[place + $places.Y] - start[1]);
-    before += memory[at + BEFORE + i];
+  for (let i = 0, end_1 = Math.trunc(held[held_at]); i < end_1; i++) {
+    const distance = hypot(held[held_at + i * 4 + 3] - start[0], held[held_at + i * 4 + 4] - start[1]);
+    before += s[s_at + i + 4];
     const nearest = NEAREST * near;
-    memory[at + BEFORE + i] *= distance > near ? Math.pow(larger(distance, nearest), -NEARNESS) : 0;
-    after += memory[at + BEFORE + i];
+    s[s_at + i + 4] *= distance > near ? Math.pow(larger(distance, nearest), -NEARNESS) : 0;
+    after += s[s_at + i + 4];
   }
-  for (let i = 0, end_2 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_2; i++) {
-    memory[at + BEFORE + i] *= after > 0 ? before / after : 0;
+  for (let i = 0, end_2 = Math.trunc(held[held_at]); i < end_2; i++) {
+    s[s_at + i + 4] *= after > 0 ? before / after : 0;
   }
 }
 export function shift_law(heading, dx, dy) {
@@ -52,28 +43,26 @@ export function scaled(end, shape, factor, tail) {
   const syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
   return [end[0], end[1], sxx, sxy, syy, tail];
 }
-export function prepare(memory, known, at, scene, start) {
-  const place_memory = known[0];
-  const habit_memory = known[1];
+export function prepare(s, held, known, scene, start, s_at = 0, held_at = 0, known_at = 0) {
   const key = scene[0];
   const with_sequence = scene[1];
   const near = scene[2];
   const out = matrix($habits.RULES, $places.CAPACITY);
-  memory.fill(0, at, at + STATES);
-  memory[at + READY] = 1;
-  memory[at + ELSEWHERE] = 1;
-  if (!$habits.shares(memory, place_memory, habit_memory, key, [start[0], start[1], near], out)) {
+  s.fill(0, s_at, s_at + 133);
+  s[s_at] = 1;
+  s[s_at + 132] = 1;
+  if (!$habits.shares(known, held, key, [start[0], start[1], near], out, known_at, held_at)) {
     return;
   }
-  memory[at + RETURNS] = $habits.returns(memory, habit_memory);
-  memory[at + WIDTH] = $habits.usual_width(memory, habit_memory);
+  s[s_at + 1] = $habits.returns(known, known_at);
+  s[s_at + 2] = $habits.usual_width(known, known_at);
   for (let rule = 0; rule < $habits.RULES; rule++) {
-    const weight = $habits.rule_weight(memory, habit_memory, rule, with_sequence);
+    const weight = $habits.rule_weight(known, rule, with_sequence, known_at);
     for (let i = 0; i < $places.CAPACITY; i++) {
-      memory[at + BEFORE + i] += weight * out[rule][i];
+      s[s_at + i + 4] += weight * out[rule][i];
     }
   }
-  favour_near(memory, place_memory, at, start, near);
+  favour_near(s, held, start, near, s_at, held_at);
 }
 export function likelihood(law_of_end, x, y, distance, spread) {
   const ux = law_of_end[2];
@@ -91,55 +80,51 @@ export function likelihood(law_of_end, x, y, distance, spread) {
   const density = Math.pow(1 + far2 / tail, -0.5 * (tail + 2)) / (2 * Math.PI * Math.sqrt(wide2 * broad2));
   return density * 2 * Math.PI * distance * distance * $distances.UNKNOWN_LOGS;
 }
-export function weigh(memory, place_memory, at, start, law_of_end, elsewhere) {
+export function weigh(s, held, start, law_of_end, elsewhere, s_at = 0, held_at = 0) {
   const x0 = start[0];
   const y0 = start[1];
   const usual = elsewhere[0];
   const counts = elsewhere[1];
-  memory[at + COUNTS] = counts;
-  const returns = memory[at + RETURNS];
-  const count = Math.trunc(memory[place_memory + $places.COUNT]);
-  let total = (1 - returns) * usual;
+  s[s_at + 3] = counts;
+  const count = Math.trunc(held[held_at]);
+  let total = (1 - s[s_at + 1]) * usual;
   for (let i = 0; i < count; i++) {
-    const before = memory[at + BEFORE + i];
+    const before = s[s_at + i + 4];
     let share = 0;
     if (before > LEAST_SHARE) {
-      const place = place_memory + $places.PLACES + $places.WIDTH * i;
-      const x = memory[place + $places.X];
-      const y = memory[place + $places.Y];
+      const x = held[held_at + i * 4 + 3];
+      const y = held[held_at + i * 4 + 4];
       const distance = hypot(x - x0, y - y0);
-      const spread = memory[at + WIDTH] * distance;
-      share = returns * before * likelihood(law_of_end, x, y, distance, spread);
+      const spread = s[s_at + 2] * distance;
+      share = s[s_at + 1] * before * likelihood(law_of_end, x, y, distance, spread);
     }
-    memory[at + NOW + i] = share;
+    s[s_at + i + 68] = share;
     total += share;
   }
   let rest = 1;
   for (let i = 0; i < count; i++) {
-    memory[at + NOW + i] /= total;
-    rest -= memory[at + NOW + i];
+    s[s_at + i + 68] /= total;
+    rest -= s[s_at + i + 68];
   }
-  memory[at + ELSEWHERE] = larger(rest, 0);
+  s[s_at + 132] = larger(rest, 0);
 }
-export function spread_of(memory, at, start, x, y) {
-  return memory[at + WIDTH] * hypot(x - start[0], y - start[1]);
+export function spread_of(s, start, x, y, s_at = 0) {
+  return s[s_at + 2] * hypot(x - start[0], y - start[1]);
 }
-export function candidates(memory, place_memory, at, start, elsewhere, out) {
+export function candidates(s, held, start, elsewhere, out, s_at = 0, held_at = 0) {
   const size2 = 0.5 * (elsewhere[4] * elsewhere[4] + elsewhere[5] * elsewhere[5]);
-  const counts = memory[at + COUNTS];
-  const rest = 1 - counts * (1 - memory[at + ELSEWHERE]);
+  const rest = 1 - s[s_at + 3] * (1 - s[s_at + 132]);
   out[0][0] = rest;
   out[0][1] = elsewhere[0];
   out[0][2] = elsewhere[1];
   out[0][3] = size2;
   let count = 1;
-  for (let i = 0, end_1 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_1; i++) {
-    const share = counts * memory[at + NOW + i];
+  for (let i = 0, end_1 = Math.trunc(held[held_at]); i < end_1; i++) {
+    const share = s[s_at + 3] * s[s_at + i + 68];
     if (share > NEGLIGIBLE) {
-      const place = place_memory + $places.PLACES + $places.WIDTH * i;
-      const x = memory[place + $places.X];
-      const y = memory[place + $places.Y];
-      const spread = spread_of(memory, at, start, x, y);
+      const x = held[held_at + i * 4 + 3];
+      const y = held[held_at + i * 4 + 4];
+      const spread = spread_of(s, start, x, y, s_at);
       out[count][0] = share;
       out[count][1] = x;
       out[count][2] = y;
@@ -177,9 +162,9 @@ export function geometric_median(rows, count) {
   }
   return [x, y];
 }
-export function combine(memory, place_memory, at, start, elsewhere) {
+export function combine(s, held, start, elsewhere, s_at = 0, held_at = 0) {
   const rows = matrix($places.CAPACITY + 1, 4);
-  const count = candidates(memory, place_memory, at, start, elsewhere, rows);
+  const count = candidates(s, held, start, elsewhere, rows, s_at, held_at);
   if (count === 1) {
     return elsewhere;
   }

@@ -13,10 +13,6 @@ export const ARC = 0.5;
 export const LOGISTIC = 1.7;
 export const HALVINGS = 10;
 export const NEGLIGIBLE = 0.0001;
-export const COUNT = 0;
-export const DISTANCES = 1;
-export const BELIEF = 13;
-export const WEIGHTS = 20;
 export const OFF_ONE = 1e-06;
 export const SHORTEST_PX = 1e-06;
 export const LEAST_UNKNOWN = 0.049;
@@ -24,22 +20,22 @@ export const FINE = 0;
 export const TOO_SHORT = 1;
 export const TOO_SURE = 2;
 export const NO_SHARES = 3;
-export function fault(learned) {
-  const count = Math.trunc(learned[COUNT]);
+export function fault(learned, learned_at = 0) {
+  const count = Math.trunc(learned[learned_at]);
   if (count === 0) {
     return [FINE, 0];
   }
   for (let i = 0; i < count; i++) {
-    if (!(learned[DISTANCES + i] >= SHORTEST_PX)) {
-      return [TOO_SHORT, learned[DISTANCES + i]];
+    if (!(learned[learned_at + i + 1] >= SHORTEST_PX)) {
+      return [TOO_SHORT, learned[learned_at + i + 1]];
     }
   }
-  if (!(learned[BELIEF + LAWS] >= LEAST_UNKNOWN)) {
-    return [TOO_SURE, learned[BELIEF + LAWS]];
+  if (!(learned[learned_at + LAWS + 13] >= LEAST_UNKNOWN)) {
+    return [TOO_SURE, learned[learned_at + LAWS + 13]];
   }
   let total = 0;
-  for (let i = BELIEF; i < WEIGHTS; i++) {
-    total += learned[i];
+  for (let i = 0; i < 7; i++) {
+    total += learned[learned_at + i + 13];
   }
   if (!(Math.abs(total - 1) <= OFF_ONE)) {
     return [NO_SHARES, total];
@@ -53,74 +49,73 @@ export function age_weight(age, count, time) {
   }
   return Math.exp(-age / time) / total;
 }
-export function judge(memory, at, distance) {
-  const count = Math.trunc(memory[at + COUNT]);
-  const belief = at + BELIEF;
+export function judge(s, distance, s_at = 0) {
+  const count = Math.trunc(s[s_at]);
   let total = 0;
   for (let k = 0; k < LAWS; k++) {
     const width = WIDTHS[remainder(k, WIDTHS.length)];
     const time = AGES[Math.floor(k / WIDTHS.length)];
     let likely = 0;
     for (let j = 0; j < count; j++) {
-      const off = Math.log(distance / memory[at + DISTANCES + j]) / width;
+      const off = Math.log(distance / s[s_at + j + 1]) / width;
       likely += age_weight(j, count, time) * Math.exp(-0.5 * smaller(off * off, 1000)) / (width * Math.sqrt(2 * Math.PI));
     }
-    memory[belief + k] *= larger(UNKNOWN_LOGS * likely, LEAST_LIKELY);
-    total += memory[belief + k];
+    s[s_at + k + 13] *= larger(UNKNOWN_LOGS * likely, LEAST_LIKELY);
+    total += s[s_at + k + 13];
   }
-  total += memory[belief + LAWS];
+  total += s[s_at + LAWS + 13];
   for (let k = 0; k < LAWS; k++) {
     const first = (1 - UNKNOWN_SHARE) / LAWS;
-    memory[belief + k] = (1 - FORGET) * memory[belief + k] / total + FORGET * first;
+    s[s_at + k + 13] = (1 - FORGET) * s[s_at + k + 13] / total + FORGET * first;
   }
-  memory[belief + LAWS] = (1 - FORGET) * memory[belief + LAWS] / total + FORGET * UNKNOWN_SHARE;
+  s[s_at + LAWS + 13] = (1 - FORGET) * s[s_at + LAWS + 13] / total + FORGET * UNKNOWN_SHARE;
 }
-export function remember(memory, at, distance) {
-  if (memory[at + COUNT] === 0) {
-    memory.fill((1 - UNKNOWN_SHARE) / LAWS, at + BELIEF, at + BELIEF + LAWS);
-    memory[at + BELIEF + LAWS] = UNKNOWN_SHARE;
+export function remember(s, distance, s_at = 0) {
+  if (s[s_at] === 0) {
+    s.fill((1 - UNKNOWN_SHARE) / LAWS, s_at + 13, s_at + LAWS + 13);
+    s[s_at + LAWS + 13] = UNKNOWN_SHARE;
   }
-  if (memory[at + COUNT] >= LEAST) {
-    judge(memory, at, distance);
+  if (s[s_at] >= LEAST) {
+    judge(s, distance, s_at);
   }
   for (let j = CAPACITY - 1; j > 0; j--) {
-    memory[at + DISTANCES + j] = memory[at + DISTANCES + j - 1];
+    s[s_at + j + 1] = s[s_at + (j - 1) + 1];
   }
-  memory[at + DISTANCES] = distance;
-  memory[at + COUNT] = smaller(memory[at + COUNT] + 1, CAPACITY);
-  const count = Math.trunc(memory[at + COUNT]);
+  s[s_at + 1] = distance;
+  s[s_at] = smaller(s[s_at] + 1, CAPACITY);
+  const count = Math.trunc(s[s_at]);
   for (let j = 0; j < count; j++) {
     for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
       let weight = 0;
       for (let a = 0, end_2 = AGES.length; a < end_2; a++) {
-        weight += memory[at + BELIEF + a * WIDTHS.length + w] * age_weight(j, count, AGES[a]);
+        weight += s[s_at + a * WIDTHS.length + w + 13] * age_weight(j, count, AGES[a]);
       }
-      memory[at + WEIGHTS + j * WIDTHS.length + w] = weight;
+      s[s_at + j * 3 + w + 20] = weight;
     }
   }
 }
-export function likelihood(memory, at, distance) {
-  const count = Math.trunc(memory[at + COUNT]);
+export function likelihood(s, distance, s_at = 0) {
+  const count = Math.trunc(s[s_at]);
   if (count < LEAST) {
     return 1;
   }
-  let likely = memory[at + BELIEF + LAWS];
+  let likely = s[s_at + LAWS + 13];
   for (let j = 0; j < count; j++) {
     for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
-      const off = Math.log(distance / memory[at + DISTANCES + j]) / WIDTHS[w];
+      const off = Math.log(distance / s[s_at + j + 1]) / WIDTHS[w];
       const near = Math.exp(-0.5 * smaller(off * off, 1000)) / (WIDTHS[w] * Math.sqrt(2 * Math.PI));
-      likely += memory[at + WEIGHTS + j * WIDTHS.length + w] * UNKNOWN_LOGS * near;
+      likely += s[s_at + j * 3 + w + 20] * UNKNOWN_LOGS * near;
     }
   }
   return likely;
 }
-export function combine(memory, at, reached, predicted) {
+export function combine(s, reached, predicted, s_at = 0) {
   let middle;
   const ahead = predicted[0];
   const wide = predicted[1];
   const broad = predicted[2];
   const tail = predicted[3];
-  const count = Math.trunc(memory[at + COUNT]);
+  const count = Math.trunc(s[s_at]);
   if (count < LEAST) {
     return [ahead, wide, 1];
   }
@@ -128,7 +123,7 @@ export function combine(memory, at, reached, predicted) {
   const weight = new Float64Array(most);
   const shift = new Float64Array(most);
   const width = new Float64Array(most);
-  let total = memory[at + BELIEF + LAWS];
+  let total = s[s_at + LAWS + 13];
   let low = 0;
   let high = 0;
   let parts = 1;
@@ -136,13 +131,13 @@ export function combine(memory, at, reached, predicted) {
   shift[0] = 0;
   width[0] = wide;
   for (let j = 0; j < count; j++) {
-    const distance = memory[at + DISTANCES + j];
+    const distance = s[s_at + j + 1];
     const gap = distance / Math.sqrt(1 + ARC * square(broad / distance)) - reached - ahead;
     for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
       const kernel2 = square(WIDTHS[w] * distance);
       const both2 = wide * wide + kernel2;
       const fits = Math.pow(1 + gap * gap / both2 / tail, -0.5 * (tail + 1)) / Math.sqrt(2 * Math.PI * both2);
-      const part = memory[at + WEIGHTS + j * WIDTHS.length + w] * UNKNOWN_LOGS * distance * fits;
+      const part = s[s_at + j * 3 + w + 20] * UNKNOWN_LOGS * distance * fits;
       if (part > NEGLIGIBLE * total) {
         weight[parts] = part;
         shift[parts] = gap * wide * wide / both2;

@@ -6,82 +6,77 @@ export const KEEP = 0.97;
 export const FIRST = [1, 0.92, 0.88, 0.9, 0.97];
 export const FIRST_OF = 5;
 export const LEAST = 0.05;
-export const COUNT = 0;
-export const DURATIONS = 1;
-export const MEDIAN = 13;
-export const ERRORS = 14;
-export const MOVEMENTS = 19;
-export const BEST = 20;
 export const FINE = 0;
 export const NO_DURATION = 11;
 export const OTHER_MEDIAN = 12;
-export function mixture(memory, at, share, since, left) {
-  const by_clock = larger(memory[at + MEDIAN] - since, 0);
+export function mixture(s, share, since, left, s_at = 0) {
+  const by_clock = larger(s[s_at + 13] - since, 0);
   return larger((1 - share) * left + share * by_clock, LEAST * left);
 }
-export function mix(memory, at, since, left) {
-  if (memory[at + COUNT] === 0) {
+export function mix(s, since, left, s_at = 0) {
+  if (s[s_at] === 0) {
     return left;
   }
-  return mixture(memory, at, memory[at + BEST], since, left);
+  return mixture(s, s[s_at + 20], since, left, s_at);
 }
-export function judge(memory, at, since, predicted, left, duration) {
+export function judge(s, since, predicted, left, duration, s_at = 0) {
   for (let k = 0, end_1 = SHARES.length; k < end_1; k++) {
-    const off = mixture(memory, at, SHARES[k], since, predicted) - left;
-    memory[at + ERRORS + k] += Math.abs(off) / duration;
+    const off = mixture(s, SHARES[k], since, predicted, s_at) - left;
+    s[s_at + k + 14] += Math.abs(off) / duration;
   }
 }
-export function forget(memory, at) {
+export function forget(s, s_at = 0) {
   for (let k = 0, end_1 = SHARES.length; k < end_1; k++) {
-    memory[at + ERRORS + k] *= KEEP;
+    s[s_at + k + 14] *= KEEP;
   }
-  memory[at + MOVEMENTS] = KEEP * memory[at + MOVEMENTS] + 1;
+  s[s_at + 19] = KEEP * s[s_at + 19] + 1;
 }
-export function value_of_rank(values, at, count, rank) {
-  for (let i = at, end_1 = at + count; i < end_1; i++) {
+export function value_of_rank(s, rank, s_at = 0) {
+  const count = Math.trunc(s[s_at]);
+  for (let i = 0; i < count; i++) {
     let before = 0;
-    for (let j = at, end_2 = at + count; j < end_2; j++) {
-      if (values[j] < values[i] || values[j] === values[i] && j < i) {
+    for (let j = 0; j < count; j++) {
+      if (s[s_at + j + 1] < s[s_at + i + 1] || s[s_at + j + 1] === s[s_at + i + 1] && j < i) {
         before += 1;
       }
     }
     if (before === rank) {
-      return values[i];
+      return s[s_at + i + 1];
     }
   }
   return NaN;
 }
-export function median(values, at, count) {
-  const upper = value_of_rank(values, at, count, Math.floor(count / 2));
-  return remainder(count, 2) ? upper : (value_of_rank(values, at, count, Math.floor(count / 2) - 1) + upper) / 2;
+export function median(s, s_at = 0) {
+  const count = Math.trunc(s[s_at]);
+  const upper = value_of_rank(s, Math.floor(count / 2), s_at);
+  return remainder(count, 2) ? upper : (value_of_rank(s, Math.floor(count / 2) - 1, s_at) + upper) / 2;
 }
-export function fault(learned) {
-  const count = Math.trunc(learned[COUNT]);
-  for (let i = 0; i < count; i++) {
-    if (!(learned[DURATIONS + i] > 0)) {
-      return [NO_DURATION, learned[DURATIONS + i]];
+export function fault(learned, learned_at = 0) {
+  for (let i = 0, end_1 = Math.trunc(learned[learned_at]); i < end_1; i++) {
+    if (!(learned[learned_at + i + 1] > 0)) {
+      return [NO_DURATION, learned[learned_at + i + 1]];
     }
   }
-  if (count > 0 && learned[MEDIAN] !== median(learned, DURATIONS, count)) {
-    return [OTHER_MEDIAN, learned[MEDIAN]];
+  if (learned[learned_at] > 0 && learned[learned_at + 13] !== median(learned, learned_at)) {
+    return [OTHER_MEDIAN, learned[learned_at + 13]];
   }
   return [FINE, 0];
 }
-export function remember(memory, at, duration) {
-  const count = Math.trunc(smaller(memory[at + COUNT] + 1, CAPACITY));
+export function remember(s, duration, s_at = 0) {
+  const count = Math.trunc(smaller(s[s_at] + 1, CAPACITY));
   for (let j = count - 1; j > 0; j--) {
-    memory[at + DURATIONS + j] = memory[at + DURATIONS + j - 1];
+    s[s_at + j + 1] = s[s_at + (j - 1) + 1];
   }
-  memory[at + COUNT] = count;
-  memory[at + DURATIONS] = duration;
-  memory[at + MEDIAN] = median(memory, at + DURATIONS, count);
-  const usual = memory[at + ERRORS] / larger(memory[at + MOVEMENTS], 1);
+  s[s_at] = count;
+  s[s_at + 1] = duration;
+  s[s_at + 13] = median(s, s_at);
+  const usual = s[s_at + 14] / larger(s[s_at + 19], 1);
   let least = Infinity;
   for (let k = 0, end_1 = SHARES.length; k < end_1; k++) {
-    const error = memory[at + ERRORS + k] + FIRST_OF * FIRST[k] * usual;
+    const error = s[s_at + k + 14] + FIRST_OF * FIRST[k] * usual;
     if (error < least) {
       least = error;
-      memory[at + BEST] = SHARES[k];
+      s[s_at + 20] = SHARES[k];
     }
   }
 }

@@ -21,12 +21,6 @@ export const LAG_KEEP = 0.95;
 export const AGE = 60;
 export const OFTEN_OF = 0.7;
 export const LEAST_LOG = -200;
-export const KNOWN = 0;
-export const NEW = 1;
-export const RULE = 2;
-export const NARROW = 6;
-export const LAG = 9;
-export const LEARNED = 25;
 export function blend(out, rule, base, count, weight) {
   let total = weight;
   for (let i = 0; i < count; i++) {
@@ -36,13 +30,12 @@ export function blend(out, rule, base, count, weight) {
     out[rule][i] = (out[rule][i] + weight * out[base][i]) / total;
   }
 }
-export function count_often(memory, at, key, out) {
-  const count = Math.trunc(memory[at + $places.COUNT]);
+export function count_often(held, key, out, held_at = 0) {
+  const count = Math.trunc(held[held_at]);
   let total = 0;
   for (let i = 0; i < count; i++) {
-    const place = at + $places.PLACES + $places.WIDTH * i;
-    if (memory[place + $places.KEY] === key) {
-      out[OFTEN][i] = memory[place + $places.WEIGHT];
+    if (held[held_at + i * 4 + 2] === key) {
+      out[OFTEN][i] = held[held_at + i * 4 + 5];
       total += out[OFTEN][i];
     }
   }
@@ -51,49 +44,49 @@ export function count_often(memory, at, key, out) {
   }
   return total;
 }
-export function count_last(memory, at, habits, out) {
+export function count_last(s, held, out, s_at = 0, held_at = 0) {
   let number;
   for (let age = 0; age < $places.MOVEMENTS; age++) {
-    number = $places.visited(memory, at, age);
+    number = $places.visited(held, age, held_at);
     if (number >= 0 && out[OFTEN][number] > 0) {
       out[LATELY][number] += Math.exp(-age / LATE_AGE);
     }
   }
   for (let age = LAGS - 1, end_1 = -1; age > end_1; age--) {
-    number = $places.visited(memory, at, age);
+    number = $places.visited(held, age, held_at);
     if (number >= 0 && out[OFTEN][number] > 0) {
-      out[AFTER_SO_MANY][number] = memory[habits + LAG + age];
+      out[AFTER_SO_MANY][number] = s[s_at + age + 9];
     }
   }
 }
-export function count_following(memory, at, here, out) {
+export function count_following(held, here, out, held_at = 0) {
   for (let age = 0, end_1 = $places.MOVEMENTS - 1; age < end_1; age++) {
-    const after = $places.visited(memory, at, age);
-    const before = $places.visited(memory, at, age + 1);
+    const after = $places.visited(held, age, held_at);
+    const before = $places.visited(held, age + 1, held_at);
     if (before === here && after >= 0 && out[OFTEN][after] > 0) {
       out[FROM_HERE][after] += Math.exp(-age / AGE);
     }
   }
 }
-export function shares(memory, at, habits, key, start, out) {
-  if (count_often(memory, at, key, out) === 0) {
+export function shares(s, held, key, start, out, s_at = 0, held_at = 0) {
+  if (count_often(held, key, out, held_at) === 0) {
     return false;
   }
-  const count = Math.trunc(memory[at + $places.COUNT]);
-  count_last(memory, at, habits, out);
+  const count = Math.trunc(held[held_at]);
+  count_last(s, held, out, s_at, held_at);
   blend(out, LATELY, OFTEN, count, LATE_ELSE);
   blend(out, AFTER_SO_MANY, OFTEN, count, OFTEN_OF);
   const x = start[0];
   const y = start[1];
   const near = start[2];
-  const here = $places.nearest(memory, at, key, [x, y], near);
+  const here = $places.nearest(held, key, [x, y], near, held_at);
   if (here >= 0) {
-    count_following(memory, at, here, out);
+    count_following(held, here, out, held_at);
   }
   blend(out, FROM_HERE, OFTEN, count, OFTEN_OF);
   return true;
 }
-export function rule_weight(memory, habits, rule, with_sequence) {
+export function rule_weight(s, rule, with_sequence, s_at = 0) {
   const most = with_sequence === 1 ? RULES : AFTER_SO_MANY;
   if (rule >= most) {
     return 0;
@@ -101,49 +94,50 @@ export function rule_weight(memory, habits, rule, with_sequence) {
   let total = 0;
   const first = FIRST_RULES_OF / (FIRST_RULES[0] + FIRST_RULES[1] + FIRST_RULES[2] + FIRST_RULES[3]);
   for (let k = 0; k < most; k++) {
-    total += memory[habits + RULE + k] + first * FIRST_RULES[k];
+    total += s[s_at + k + 2] + first * FIRST_RULES[k];
   }
-  return (memory[habits + RULE + rule] + first * FIRST_RULES[rule]) / total;
+  return (s[s_at + rule + 2] + first * FIRST_RULES[rule]) / total;
 }
-export function returns(memory, habits) {
-  const known = memory[habits + KNOWN];
-  const new_ = memory[habits + NEW];
-  return (known + RETURNS * RETURNS_OF) / (known + new_ + RETURNS_OF);
+export function returns(s, s_at = 0) {
+  return (s[s_at] + RETURNS * RETURNS_OF) / (s[s_at] + s[s_at + 1] + RETURNS_OF);
 }
-export function width_weight(memory, habits, width) {
+export function width_weight(s, width, s_at = 0) {
   let total = WIDTHS_OF;
   for (let k = 0, end_1 = WIDTHS.length; k < end_1; k++) {
-    total += memory[habits + NARROW + k];
+    total += s[s_at + k + 6];
   }
-  return (memory[habits + NARROW + width] + WIDTHS_OF / WIDTHS.length) / total;
+  return (s[s_at + width + 6] + WIDTHS_OF / WIDTHS.length) / total;
 }
-export function usual_width(memory, habits) {
+export function usual_width(s, s_at = 0) {
   let log_width = 0;
   for (let k = 0, end_1 = WIDTHS.length; k < end_1; k++) {
-    log_width += width_weight(memory, habits, k) * Math.log(WIDTHS[k]);
+    log_width += width_weight(s, k, s_at) * Math.log(WIDTHS[k]);
   }
   return Math.exp(log_width);
 }
-export function share_visit(memory, habits, likely, with_sequence, elsewhere) {
-  const known = returns(memory, habits);
+export function share_visit(s, likely, with_sequence, elsewhere, s_at = 0) {
+  const known = returns(s, s_at);
   const new_ = (1 - known) * elsewhere;
   let total = new_;
   for (let rule = 0; rule < RULES; rule++) {
     for (let width = 0, end_1 = WIDTHS.length; width < end_1; width++) {
-      const prior = known * rule_weight(memory, habits, rule, with_sequence) * width_weight(memory, habits, width);
+      const prior = known * rule_weight(s, rule, with_sequence, s_at) * width_weight(s, width, s_at);
       likely[rule][width] *= prior;
       total += likely[rule][width];
     }
   }
-  for (let i = 0, end_2 = LEARNED - LAGS; i < end_2; i++) {
-    memory[habits + i] *= KEEP;
+  s[s_at + 1] = KEEP * s[s_at + 1] + new_ / total;
+  s[s_at] = KEEP * s[s_at] + (1 - new_ / total);
+  for (let rule = 0; rule < RULES; rule++) {
+    s[s_at + rule + 2] *= KEEP;
   }
-  memory[habits + NEW] += new_ / total;
-  memory[habits + KNOWN] += 1 - new_ / total;
+  for (let width = 0, end_2 = WIDTHS.length; width < end_2; width++) {
+    s[s_at + width + 6] *= KEEP;
+  }
   for (let rule = 0; rule < RULES; rule++) {
     for (let width = 0, end_3 = WIDTHS.length; width < end_3; width++) {
-      memory[habits + RULE + rule] += likely[rule][width] / total;
-      memory[habits + NARROW + width] += likely[rule][width] / total;
+      s[s_at + rule + 2] += likely[rule][width] / total;
+      s[s_at + width + 6] += likely[rule][width] / total;
     }
   }
 }
@@ -154,7 +148,7 @@ export function density_ratio(far2, distance2, width) {
   const width2 = width * width;
   return Math.exp(larger(-0.5 * far2 / distance2 / width2, LEAST_LOG)) * $distances.UNKNOWN_LOGS / width2;
 }
-export function learn(memory, at, habits, scene, movement, elsewhere) {
+export function learn(s, held, scene, movement, elsewhere, s_at = 0, held_at = 0) {
   const key = scene[0];
   const with_sequence = scene[1];
   const near = scene[2];
@@ -163,14 +157,13 @@ export function learn(memory, at, habits, scene, movement, elsewhere) {
   const x = movement[2];
   const y = movement[3];
   const out = matrix(RULES, $places.CAPACITY);
-  if (!shares(memory, at, habits, key, [x0, y0, near], out)) {
+  if (!shares(s, held, key, [x0, y0, near], out, s_at, held_at)) {
     return;
   }
   const likely = matrix(RULES, WIDTHS.length);
-  for (let i = 0, end_1 = Math.trunc(memory[at + $places.COUNT]); i < end_1; i++) {
-    const place = at + $places.PLACES + $places.WIDTH * i;
-    const px = memory[place + $places.X];
-    const py = memory[place + $places.Y];
+  for (let i = 0, end_1 = Math.trunc(held[held_at]); i < end_1; i++) {
+    const px = held[held_at + i * 4 + 3];
+    const py = held[held_at + i * 4 + 4];
     const distance2 = square(px - x0) + square(py - y0);
     const far2 = square(px - x) + square(py - y);
     for (let width = 0, end_2 = WIDTHS.length; width < end_2; width++) {
@@ -180,14 +173,14 @@ export function learn(memory, at, habits, scene, movement, elsewhere) {
       }
     }
   }
-  share_visit(memory, habits, likely, with_sequence, elsewhere);
-  const number = $places.nearest(memory, at, key, [x, y], $places.NEAR_SHARE * hypot(x - x0, y - y0));
+  share_visit(s, likely, with_sequence, elsewhere, s_at);
+  const number = $places.nearest(held, key, [x, y], $places.NEAR_SHARE * hypot(x - x0, y - y0), held_at);
   for (let age = 0; age < LAGS; age++) {
-    if (number >= 0 && $places.visited(memory, at, age) === number) {
+    if (number >= 0 && $places.visited(held, age, held_at) === number) {
       for (let k = 0; k < LAGS; k++) {
-        memory[habits + LAG + k] *= LAG_KEEP;
+        s[s_at + k + 9] *= LAG_KEEP;
       }
-      memory[habits + LAG + age] += 1;
+      s[s_at + age + 9] += 1;
       return;
     }
   }

@@ -1,50 +1,35 @@
 // Written by `make laws` from moments.py: change that and run it again.
 import * as $records from "../../records.js";
-export const COUNT = 0;
-export const APART = 1;
-export const CURSOR_X = 2;
-export const CURSOR_Y = 3;
-export const FIRST = 4;
-export const T = 0;
 export const APART_S = 0.0071;
-export function new_moment(memory, at, cursor, width, most) {
+export function next_moment(s, last_t, cursor, most, s_at = 0) {
   const t = cursor[0];
   const x = cursor[1];
   const y = cursor[2];
-  let count = Math.trunc(memory[at + COUNT]);
-  let last = at + FIRST + width * (count - 1);
-  if (count === 0 || t !== memory[last + T]) {
+  let count = Math.trunc(s[s_at]);
+  let full = false;
+  if (count === 0 || t !== last_t) {
     if (count === 0) {
-      memory[at + APART] = APART_S;
-    } else if (t - memory[last + T] < memory[at + APART]) {
-      return -1;
+      s[s_at + 1] = APART_S;
+    } else if (t - last_t < s[s_at + 1]) {
+      return [-1, false];
     }
     if (count === most) {
-      if (x === memory[at + CURSOR_X] && y === memory[at + CURSOR_Y]) {
-        return -1;
+      if (x === s[s_at + 2] && y === s[s_at + 3]) {
+        return [-1, false];
       }
       count = Math.floor(most / 2);
-      for (let k = 1, end_1 = count; k < end_1; k++) {
-        for (let i = 0; i < width; i++) {
-          memory[at + FIRST + width * k + i] = memory[at + FIRST + 2 * width * k + i];
-        }
-      }
-      memory[at + APART] *= 2;
+      full = true;
+      s[s_at + 1] *= 2;
     }
-    memory[at + COUNT] = count + 1;
-    last = at + FIRST + width * count;
+    count += 1;
+    s[s_at] = count;
   }
-  memory[at + CURSOR_X] = x;
-  memory[at + CURSOR_Y] = y;
-  memory[last + T] = t;
-  return last;
+  s[s_at + 2] = x;
+  s[s_at + 3] = y;
+  return [count - 1, full];
 }
-export function moment_at(memory, at, k, span, share, width) {
+export function has_come(s, t, span, share, s_at = 0) {
   const start = span[0];
   const end = span[1];
-  const due = share * (end - start) + $records.ROUNDING_S + 0.5 * memory[at + APART];
-  while (k + 1 < memory[at + COUNT] && memory[at + FIRST + width * (k + 1) + T] - start <= due) {
-    k += 1;
-  }
-  return k;
+  return t - start <= share * (end - start) + $records.ROUNDING_S + 0.5 * s[s_at + 1];
 }

@@ -1,25 +1,10 @@
 // Written by `make laws` from predictor.py: change that and run it again.
-import { hypot, larger, view } from "../../arithmetic.js";
+import { hypot, larger } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
 import * as $destination from "./destination.js";
 import * as $places from "./places.js";
-import * as $features from "../kinematic/features.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
-import * as $track from "../kinematic/track.js";
 import * as $stage from "../../stage.js";
-export const ADAPT = 0;
-export const DISTANCES = 1;
-export const SHORTEST_PX = 2;
-export const PLACES = 3;
-export const SEQUENCE = 4;
-export const KEY = 5;
-export const ORIGIN_X = 6;
-export const ORIGIN_Y = 7;
-export const NEXT = 8;
-export const PERSON = 11;
-export const OBSERVATION = 639;
-export const MOVEMENT = 912;
-export const LENGTH = 3949;
 export const X = 0;
 export const Y = 1;
 export const P = 2;
@@ -27,107 +12,101 @@ export const BEFORE = 3;
 export const VISITS = 4;
 export const NUMBER = 5;
 export const SPREAD = 6;
+export const ADAPT_OF = 0;
 export function sizes(values) {
-  const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
-  return [PERSON, learned, LENGTH - PERSON - learned];
+  const learned = values[ADAPT_OF] === 1 ? 628 : 0;
+  return [11, learned, 3949 - 11 - learned];
 }
-export function parts_of(memory) {
-  return [memory[DISTANCES], memory[PLACES], memory[SEQUENCE]];
-}
-export function scene_of(memory) {
-  return [memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y]];
-}
-export function conclude(memory) {
-  if (memory[ADAPT] === 1) {
-    const parts = parts_of(memory);
-    const scene = scene_of(memory);
-    $correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX], parts, scene);
-    const value_1 = memory[NEXT];
-    const value_2 = memory[NEXT + 1];
-    const value_3 = memory[NEXT + 2];
-    memory[KEY] = value_1;
-    memory[ORIGIN_X] = value_2;
-    memory[ORIGIN_Y] = value_3;
+export function conclude(memory, memory_at = 0) {
+  const settings_at = memory_at;
+  if (memory[settings_at] === 1) {
+    $correction.conclude(memory, memory, memory, settings_at + 1, memory_at + 11, memory_at + 912);
+    const scene_at = settings_at + 5;
+    const after_at = settings_at + 8;
+    const value_1 = memory[after_at];
+    const value_2 = memory[after_at + 1];
+    const value_3 = memory[after_at + 2];
+    memory[scene_at] = value_1;
+    memory[scene_at + 1] = value_2;
+    memory[scene_at + 2] = value_3;
   }
 }
-export function adapt(memory, answer, pace) {
-  return $correction.adapt(memory, PERSON, MOVEMENT, parts_of(memory), scene_of(memory), answer, pace);
+export function pace_of(own, m, own_at = 0) {
+  const of_peak = own[own_at + 15] > 0 ? hypot(m[3], m[4]) / own[own_at + 15] : 0;
+  return [of_peak, m[0] - own[own_at + 4] - own[own_at + 35]];
 }
-export function pace_of(own, m) {
-  const peak = own[$features.TRACK + $track.PEAK];
-  const of_peak = peak > 0 ? hypot(m[3], m[4]) / peak : 0;
-  return [of_peak, m[0] - own[4] - own[$features.TRACK + $track.FAST_T]];
-}
-export function step(memory, motion, coefficients) {
+export function step(memory, motion, coefficients, memory_at = 0, coefficients_at = 0) {
   const m = motion;
-  const own = view(memory, OBSERVATION, MOVEMENT);
-  const answer = $kinematic_predictor.step(own, motion, coefficients);
-  if (memory[ADAPT] === 0 || answer[0] !== answer[0]) {
+  const own_at = memory_at + 639;
+  const answer = $kinematic_predictor.step(memory, motion, coefficients, own_at, coefficients_at);
+  if (memory[memory_at] === 0 || answer[0] !== answer[0]) {
     return answer;
   }
   if (m[8] === 1) {
-    conclude(memory);
+    conclude(memory, memory_at);
   }
-  const start = [own[4], own[5], own[6]];
-  $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
-  return adapt(memory, answer, pace_of(own, m));
+  const start = [memory[own_at + 4], memory[own_at + 5], memory[own_at + 6]];
+  $correction.follow(memory, [m[0], m[1], m[2]], start, memory_at + 912);
+  const settings_at = memory_at + 1;
+  const pace = pace_of(memory, m, own_at);
+  return $correction.adapt(memory, memory, memory, answer, pace, settings_at, memory_at + 11, memory_at + 912);
 }
-export function enter_scene(memory, scene) {
-  memory[NEXT] = scene[0];
-  memory[NEXT + 1] = scene[1];
-  memory[NEXT + 2] = scene[2];
-  if (memory[ADAPT] === 0 || memory[MOVEMENT + $correction.STARTED] === 0) {
-    memory[KEY] = scene[0];
-    memory[ORIGIN_X] = scene[1];
-    memory[ORIGIN_Y] = scene[2];
+export function enter_scene(memory, scene, memory_at = 0) {
+  const now_at = memory_at + 5;
+  const after_at = memory_at + 8;
+  memory[after_at] = scene[0];
+  memory[after_at + 1] = scene[1];
+  memory[after_at + 2] = scene[2];
+  if (memory[memory_at] === 0 || memory[memory_at + 912] === 0) {
+    memory[now_at] = scene[0];
+    memory[now_at + 1] = scene[1];
+    memory[now_at + 2] = scene[2];
   }
 }
-export function last_end(memory, known, key) {
+export function last_end(held, key, held_at = 0) {
   for (let age = 0; age < $places.MOVEMENTS; age++) {
-    const number = $places.visited(memory, known, age);
-    const place = known + $places.PLACES + $places.WIDTH * larger(number, 0);
-    if (number >= 0 && memory[place + $places.KEY] === key) {
-      return [memory[place + $places.X], memory[place + $places.Y]];
+    const number = $places.visited(held, age, held_at);
+    const place_at = held_at + larger(number, 0) * 4 + 2;
+    if (number >= 0 && held[place_at] === key) {
+      return [held[place_at + 1], held[place_at + 2]];
     }
   }
   return [0, 0];
 }
-export function list_places(memory, out) {
-  if (memory[ADAPT] === 0 || memory[PLACES] === 0) {
+export function list_places(memory, out, memory_at = 0) {
+  const settings_at = memory_at + 1;
+  const person_at = memory_at + 11;
+  const going_at = memory_at + 3770;
+  if (memory[memory_at] === 0 || memory[settings_at + 2] === 0) {
     return 0;
   }
-  const parts = parts_of(memory);
-  const scene = scene_of(memory);
-  const known = PERSON + $correction.KNOWN;
-  const going = MOVEMENT + $correction.DESTINATION;
-  const waits = memory[going + $destination.READY] === 0;
-  let start = [memory[MOVEMENT + $correction.X0] - scene[1], memory[MOVEMENT + $correction.Y0] - scene[2]];
+  const scene_at = settings_at + 4;
+  const held_at = person_at + 217;
+  const waits = memory[going_at] === 0;
+  let start = [memory[memory_at + 914] - memory[scene_at + 1], memory[memory_at + 915] - memory[scene_at + 2]];
   if (waits) {
-    if (memory[MOVEMENT + $correction.STARTED] === 0) {
-      start = last_end(memory, known, scene[0]);
+    if (memory[memory_at + 912] === 0) {
+      start = last_end(memory, memory[scene_at], held_at);
     }
-    $correction.prepare(memory, PERSON, going, parts, scene, start);
+    $correction.prepare(memory, memory, memory, start, settings_at, person_at, going_at);
   }
   let count = 0;
-  const returns = memory[going + $destination.RETURNS];
-  for (let i = 0, end_1 = Math.trunc(memory[known + $places.COUNT]); i < end_1; i++) {
-    const place = known + $places.PLACES + $places.WIDTH * i;
-    if (memory[place + $places.KEY] === scene[0]) {
-      const x = memory[place + $places.X];
-      const y = memory[place + $places.Y];
-      const before = returns * memory[going + $destination.BEFORE + i];
-      out[count][X] = x + scene[1];
-      out[count][Y] = y + scene[2];
-      out[count][P] = waits ? before : memory[going + $destination.NOW + i];
+  for (let i = 0, end_1 = Math.trunc(memory[held_at]); i < end_1; i++) {
+    const place_at = held_at + i * 4 + 2;
+    if (memory[place_at] === memory[scene_at]) {
+      const before = memory[going_at + 1] * memory[going_at + i + 4];
+      out[count][X] = memory[place_at + 1] + memory[scene_at + 1];
+      out[count][Y] = memory[place_at + 2] + memory[scene_at + 2];
+      out[count][P] = waits ? before : memory[going_at + i + 68];
       out[count][BEFORE] = before;
-      out[count][VISITS] = memory[place + $places.WEIGHT];
+      out[count][VISITS] = memory[place_at + 3];
       out[count][NUMBER] = i;
-      out[count][SPREAD] = $destination.spread_of(memory, going, start, x, y);
+      out[count][SPREAD] = $destination.spread_of(memory, start, memory[place_at + 1], memory[place_at + 2], going_at);
       count += 1;
     }
   }
   if (waits) {
-    memory.fill(0, going, going + $destination.STATES);
+    memory.fill(0, going_at, going_at + 133);
   }
   return count;
 }

@@ -1,35 +1,24 @@
 // Written by `make laws` from region_widening.py: change that and run it again.
-import { larger, smaller, square } from "../../arithmetic.js";
+import { larger, smaller, square, view } from "../../arithmetic.js";
 import * as $levels from "./levels.js";
 import * as $mixed_region from "./mixed_region.js";
 import * as $moments from "./moments.js";
 import * as $mixture from "../mixture.js";
+import * as $stage from "../../stage.js";
 export const JUDGED = 9;
 export const LIGHTEST = 0.02;
 export const HEAVIEST = 4;
 export const HALVINGS = 12;
-export const MOVEMENTS = 0;
-export const OFFSETS = 1;
-export const MIXED = 11;
 export const MOVEMENTS_MOST = 1000000;
-export const X = 1;
-export const Y = 2;
-export const SXX = 3;
-export const SXY = 4;
-export const SYY = 5;
-export const TAIL = 6;
-export const MIXTURE = 7;
-export const MOMENT = 45;
 export const MOST = 48;
-export function widen(memory, at, share, tail) {
+export function widen(s, share, tail, s_at = 0) {
   let heavy;
-  if (memory[at + MOVEMENTS] === 0) {
+  if (s[s_at] === 0) {
     return [1, tail];
   }
   const heavy_now = $mixture.heaviness(tail);
-  const own = at + OFFSETS;
-  const first = $levels.offset(memory, own, share, 0);
-  const second = $levels.offset(memory, own, share, 1);
+  const first = $levels.offset(s, share, 0, s_at + 1);
+  const second = $levels.offset(s, share, 1, s_at + 1);
   const near = Math.log($mixture.corrected_radius($mixture.LEVELS[0], heavy_now, first) * 2 / heavy_now);
   const far = Math.log($mixture.corrected_radius($mixture.LEVELS[1], heavy_now, second) * 2 / heavy_now);
   const ratio = Math.exp(far - near);
@@ -49,47 +38,58 @@ export function widen(memory, at, share, tail) {
   const both = half * most * square(2 / heavy);
   return [Math.exp(0.5 * (near + far - Math.log(both))), 2 / heavy];
 }
-export function record(memory, at, t, cursor_x, cursor_y, stated) {
-  const last = $moments.new_moment(memory, at, [t, cursor_x, cursor_y], MOMENT, MOST);
-  if (last < 0) {
+export function record(stated, cursor, region, stated_at = 0) {
+  const last_at = stated_at + larger(Math.trunc(stated[stated_at]) - 1, 0) * 45 + 4;
+  const values_1 = $moments.next_moment(stated, stated[last_at], cursor, MOST, stated_at);
+  const number = values_1[0];
+  const full = values_1[1];
+  if (number < 0) {
     return -1;
   }
-  for (let i = 0, end_1 = stated.length; i < end_1; i++) {
-    memory[last + X + i] = stated[i];
+  if (full) {
+    for (let k = 1; k < number; k++) {
+      $stage.copy_values(view(stated, stated_at + 2 * k * 45 + 4, stated_at + 2 * k * 45 + 49), view(stated, stated_at + k * 45 + 4, stated_at + k * 45 + 49));
+    }
   }
-  return last + MIXTURE;
+  const m_at = stated_at + number * 45 + 4;
+  stated[m_at] = cursor[0];
+  stated[m_at + 1] = region[0];
+  stated[m_at + 2] = region[1];
+  stated[m_at + 3] = region[2];
+  stated[m_at + 4] = region[3];
+  stated[m_at + 5] = region[4];
+  stated[m_at + 6] = region[5];
+  return number;
 }
-export function probability_within(memory, moment, x, y) {
-  const dx = x - memory[moment + X];
-  const dy = y - memory[moment + Y];
-  const sxx = memory[moment + SXX];
-  const sxy = memory[moment + SXY];
-  const syy = memory[moment + SYY];
-  const determinant = sxx * syy - sxy * sxy;
-  const tail = memory[moment + TAIL];
+export function probability_within(m, x, y, m_at = 0) {
+  const dx = x - m[m_at + 1];
+  const dy = y - m[m_at + 2];
+  const determinant = m[m_at + 3] * m[m_at + 5] - m[m_at + 4] * m[m_at + 4];
   if (!(determinant > 0)) {
     return 1;
   }
-  const far = (syy * dx * dx - 2 * sxy * dx * dy + sxx * dy * dy) / determinant;
-  return 1 - Math.exp(-0.5 * tail * Math.log(1 + larger(far, 0) / tail));
+  const far = (m[m_at + 5] * dx * dx - 2 * m[m_at + 4] * dx * dy + m[m_at + 3] * dy * dy) / determinant;
+  return 1 - Math.exp(-0.5 * m[m_at + 6] * Math.log(1 + larger(far, 0) / m[m_at + 6]));
 }
-export function learn(memory, person, at, place_of_end, span) {
-  if (memory[at + $moments.COUNT] === 0) {
+export function learn(s, stated, place_of_end, span, s_at = 0, stated_at = 0) {
+  if (stated[stated_at] === 0) {
     return;
   }
   const x = place_of_end[0];
   const y = place_of_end[1];
-  memory[person + MOVEMENTS] = smaller(memory[person + MOVEMENTS] + 1, MOVEMENTS_MOST);
-  const step = $levels.step_after(memory[person + MOVEMENTS]);
+  s[s_at] = smaller(s[s_at] + 1, MOVEMENTS_MOST);
+  const step = $levels.step_after(s[s_at]);
   let k = 0;
   for (let judged = 1, end_1 = JUDGED + 1; judged < end_1; judged++) {
     const share = judged / (JUDGED + 1);
-    k = $moments.moment_at(memory, at, k, span, share, MOMENT);
-    const moment = at + $moments.FIRST + MOMENT * k;
-    const within = probability_within(memory, moment, x, y);
-    for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
-      $levels.learn(memory, person + OFFSETS, share, which, within <= $mixture.LEVELS[which], step);
+    while (k + 1 < stated[stated_at] && $moments.has_come(stated, stated[stated_at + (k + 1) * 45 + 4], span, share, stated_at)) {
+      k += 1;
     }
-    $mixed_region.judge(memory, person + MIXED, moment + MIXTURE, place_of_end, share, step);
+    const m_at = stated_at + k * 45 + 4;
+    const within = probability_within(stated, x, y, m_at);
+    for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
+      $levels.learn(s, share, which, within <= $mixture.LEVELS[which], step, s_at + 1);
+    }
+    $mixed_region.judge(s, stated, place_of_end, share, step, s_at + 11, m_at + 7);
   }
 }

@@ -9,28 +9,7 @@ export const TEMPO_OF = 10;
 export const FURTHEST = 4;
 export const TEMPO_MOST = 0.4;
 export const TEMPO_OFF = 0.3;
-export const G00 = 0;
-export const G01 = 1;
-export const G11 = 2;
-export const R0 = 3;
-export const R1 = 4;
-export const TOTAL = 5;
-export const AHEAD = 6;
-export const BIAS_PAID = 7;
-export const BIAS_SIZE = 8;
-export const COUNT = 9;
-export const WIDE = 10;
-export const BROAD = 11;
-export const TEMPO = 12;
-export const TIMED = 13;
-export const TEMPO_PAID = 14;
-export const TEMPO_SIZE = 15;
-export const WIDTH = 16;
 export const MOST_SHARE = 1000;
-export const PRESENT = 0;
-export const PARTS = 1;
-export const MOMENT = 13;
-export const T = 1;
 export function interpolation_among(share, count) {
   const spot = smaller(larger(share * count - 0.5, 0), count - 1);
   const stage = smaller(Math.floor(spot), count - 2);
@@ -39,22 +18,22 @@ export function interpolation_among(share, count) {
 export function interpolation(share) {
   return interpolation_among(share, STAGES);
 }
-export function belief(memory, at, paid) {
-  return smaller(larger(memory[at + paid] / (memory[at + paid + 1] + DOUBT), 0), 1);
+export function belief(paid, size) {
+  return smaller(larger(paid / (size + DOUBT), 0), 1);
 }
-export function bias(memory, at, total, along) {
-  return memory[at + TOTAL] * total + memory[at + AHEAD] * along;
+export function bias(s, total, along, s_at = 0) {
+  return s[s_at + 5] * total + s[s_at + 6] * along;
 }
-export function width_log(memory, at, which) {
-  return 0.5 * Math.log((memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF));
+export function width_log(s, squares, s_at = 0) {
+  return 0.5 * Math.log((squares + WIDTHS_OF) / (s[s_at + 9] + WIDTHS_OF));
 }
-export function tempo(memory, at) {
-  return memory[at + TEMPO] / (memory[at + TIMED] + TEMPO_OF);
+export function tempo(s, s_at = 0) {
+  return s[s_at + 12] / (s[s_at + 13] + TEMPO_OF);
 }
-export function tempo_factor(memory, at) {
-  return Math.exp(tempo(memory, at) * belief(memory, at, TEMPO_PAID));
+export function tempo_factor(s, s_at = 0) {
+  return Math.exp(tempo(s, s_at) * belief(s[s_at + 14], s[s_at + 15]));
 }
-export function correct(memory, at, share, total, along) {
+export function correct(known, share, total, along, known_at = 0) {
   const values_1 = interpolation(share);
   const stage = values_1[0];
   const part = values_1[1];
@@ -63,77 +42,73 @@ export function correct(memory, at, share, total, along) {
   let broad = 0;
   let slow = 0;
   for (let side = 0; side < 2; side++) {
-    const a = at + (stage + side) * WIDTH;
+    const s_at = known_at + (stage + side) * 16;
     const weight = side === 1 ? part : 1 - part;
-    shift += weight * bias(memory, a, total, along) * belief(memory, a, BIAS_PAID);
-    wide += weight * width_log(memory, a, WIDE);
-    broad += weight * width_log(memory, a, BROAD);
-    slow += weight * tempo(memory, a) * belief(memory, a, TEMPO_PAID);
+    shift += weight * bias(known, total, along, s_at) * belief(known[s_at + 7], known[s_at + 8]);
+    wide += weight * width_log(known, known[s_at + 10], s_at);
+    broad += weight * width_log(known, known[s_at + 11], s_at);
+    slow += weight * tempo(known, s_at) * belief(known[s_at + 14], known[s_at + 15]);
   }
   return [shift, Math.exp(wide), Math.exp(broad), Math.exp(slow)];
 }
 export function bounded(value, most) {
   return smaller(larger(value, -most), most);
 }
-export function solve(memory, at) {
-  const g00 = memory[at + G00] + RIDGE;
-  const g01 = memory[at + G01];
-  const g11 = memory[at + G11] + RIDGE;
+export function solve(s, s_at = 0) {
+  const g00 = s[s_at] + RIDGE;
+  const g01 = s[s_at + 1];
+  const g11 = s[s_at + 2] + RIDGE;
   const determinant = larger(g00 * g11 - g01 * g01, RIDGE * RIDGE);
-  const by_total = (g11 * memory[at + R0] - g01 * memory[at + R1]) / determinant;
-  const by_ahead = (g00 * memory[at + R1] - g01 * memory[at + R0]) / determinant;
-  memory[at + TOTAL] = bounded(by_total, MOST_SHARE);
-  memory[at + AHEAD] = bounded(by_ahead, MOST_SHARE);
+  const by_total = (g11 * s[s_at + 3] - g01 * s[s_at + 4]) / determinant;
+  const by_ahead = (g00 * s[s_at + 4] - g01 * s[s_at + 3]) / determinant;
+  s[s_at + 5] = bounded(by_total, MOST_SHARE);
+  s[s_at + 6] = bounded(by_ahead, MOST_SHARE);
 }
-export function scale(memory, at, which, off, tail) {
-  const before = (memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF);
-  memory[at + which] += (tail + 1) / (tail + off * off / before) * off * off;
+export function scale(s, squares, off, tail, s_at = 0) {
+  const before = (squares + WIDTHS_OF) / (s[s_at + 9] + WIDTHS_OF);
+  return (tail + 1) / (tail + off * off / before) * off * off;
 }
-export function record(memory, place, moment) {
-  memory[place + PRESENT] = 1;
-  for (let i = 0, end_1 = moment.length; i < end_1; i++) {
-    memory[place + PARTS + i] = moment[i];
+export function forget(s, s_at = 0) {
+  const total = s[s_at + 5];
+  const ahead = s[s_at + 6];
+  const sums = s_at;
+  for (let i = 0; i < 16; i++) {
+    s[sums + i] *= KEEP;
   }
+  s[s_at + 5] = total;
+  s[s_at + 6] = ahead;
 }
-export function moment_at(memory, place) {
-  const p = place + PARTS;
-  return [memory[p + 0], memory[p + 1], memory[p + 2], memory[p + 3], memory[p + 4], memory[p + 5], memory[p + 6], memory[p + 7], memory[p + 8], memory[p + 9], memory[p + 10], memory[p + 11]];
-}
-export function learn(memory, at, m, x, y, t) {
-  for (let i = 0; i < WIDTH; i++) {
-    if (i !== TOTAL && i !== AHEAD) {
-      memory[at + i] *= KEEP;
-    }
-  }
-  const dx = x - m[1];
-  const dy = y - m[2];
-  const off = (dx * m[3] + dy * m[4] - m[5]) / m[7];
-  const aside = (dy * m[3] - dx * m[4] - m[6]) / m[8];
-  const total = Math.sqrt(square(m[11] + m[5]) + m[6] * m[6]);
-  const shift = bias(memory, at, total, m[5]) / m[7];
+export function learn(s, m, x, y, t, s_at = 0, m_at = 0) {
+  forget(s, s_at);
+  const dx = x - m[m_at + 2];
+  const dy = y - m[m_at + 3];
+  const off = (dx * m[m_at + 4] + dy * m[m_at + 5] - m[m_at + 6]) / m[m_at + 8];
+  const aside = (dy * m[m_at + 4] - dx * m[m_at + 5] - m[m_at + 7]) / m[m_at + 9];
+  const total = Math.sqrt(square(m[m_at + 12] + m[m_at + 6]) + square(m[m_at + 7]));
+  const shift = bias(s, total, m[m_at + 6], s_at) / m[m_at + 8];
   const rest = off - shift;
   const paid = bounded(shift, FURTHEST);
-  memory[at + BIAS_PAID] += paid * bounded(off, FURTHEST);
-  memory[at + BIAS_SIZE] += paid * paid;
-  const weight = (m[9] + 1) / (m[9] + rest * rest);
-  const f0 = total / m[7];
-  const f1 = m[5] / m[7];
-  memory[at + G00] += weight * f0 * f0;
-  memory[at + G01] += weight * f0 * f1;
-  memory[at + G11] += weight * f1 * f1;
-  memory[at + R0] += weight * f0 * off;
-  memory[at + R1] += weight * f1 * off;
-  solve(memory, at);
-  scale(memory, at, WIDE, rest, m[9]);
-  scale(memory, at, BROAD, aside, m[9]);
-  const left = t - m[0];
+  s[s_at + 7] += paid * bounded(off, FURTHEST);
+  s[s_at + 8] += paid * paid;
+  const weight = (m[m_at + 10] + 1) / (m[m_at + 10] + rest * rest);
+  const f0 = total / m[m_at + 8];
+  const f1 = m[m_at + 6] / m[m_at + 8];
+  s[s_at] += weight * f0 * f0;
+  s[s_at + 1] += weight * f0 * f1;
+  s[s_at + 2] += weight * f1 * f1;
+  s[s_at + 3] += weight * f0 * off;
+  s[s_at + 4] += weight * f1 * off;
+  solve(s, s_at);
+  s[s_at + 10] += scale(s, s[s_at + 10], rest, m[m_at + 10], s_at);
+  s[s_at + 11] += scale(s, s[s_at + 11], aside, m[m_at + 10], s_at);
+  const left = t - m[m_at + 1];
   if (left > 0) {
-    const late = bounded(Math.log(left / m[10]), TEMPO_MOST);
-    const slow = tempo(memory, at);
-    memory[at + TEMPO_PAID] += slow * late / (TEMPO_OFF * TEMPO_OFF);
-    memory[at + TEMPO_SIZE] += slow * slow / (TEMPO_OFF * TEMPO_OFF);
-    memory[at + TEMPO] += late;
-    memory[at + TIMED] += 1;
+    const late = bounded(Math.log(left / m[m_at + 11]), TEMPO_MOST);
+    const slow = tempo(s, s_at);
+    s[s_at + 14] += slow * late / (TEMPO_OFF * TEMPO_OFF);
+    s[s_at + 15] += slow * slow / (TEMPO_OFF * TEMPO_OFF);
+    s[s_at + 12] += late;
+    s[s_at + 13] += 1;
   }
-  memory[at + COUNT] += 1;
+  s[s_at + 9] += 1;
 }

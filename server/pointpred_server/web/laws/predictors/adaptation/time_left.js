@@ -3,6 +3,7 @@ import { larger, smaller, view } from "../../arithmetic.js";
 import * as $arrival_intervals from "./arrival_intervals.js";
 import * as $moments from "./moments.js";
 import * as $time_left_prior from "./time_left_prior.js";
+import * as $stage from "../../stage.js";
 export const TERMS = 7;
 export const SUMS = 28;
 export const KEEP = 0.98;
@@ -14,18 +15,8 @@ export const LONGEST = 4;
 export const NEAR = 0.04;
 export const SHORTEST_S = 1e-06;
 export const START = 0.1;
-export const PRODUCTS = 0;
-export const RESIDUALS = 28;
-export const LEARNED = 35;
 export const LEAST_PIVOT = 0.01;
-export const LEFT = 1;
-export const SPREAD = 2;
-export const FIRST_TERM = 3;
-export const MOMENT = 10;
 export const MOST = 32;
-export const READY = 0;
-export const WEIGHTS = 1;
-export const MOMENTS = 8;
 export const FINE = 0;
 export const NOT_POSITIVE = 31;
 export function terms(estimates, way, pace, since, median) {
@@ -36,10 +27,10 @@ export function terms(estimates, way, pace, since, median) {
   const near = NEAR * NEAR / (NEAR * NEAR + share * share);
   return [mixed, predicted, 1, share, pace[0] * predicted, slow, near];
 }
-export function factor(memory, person, prior, out) {
+export function factor(s, prior, out, s_at = 0) {
   let least = Infinity;
   for (let i = 0; i < SUMS; i++) {
-    out[i] = memory[person + PRODUCTS + i] + prior[TERMS + i];
+    out[i] = s[s_at + i] + prior[TERMS + i];
   }
   for (let i = 0; i < TERMS; i++) {
     const row = Math.floor(i * (i + 1) / 2);
@@ -58,11 +49,11 @@ export function factor(memory, person, prior, out) {
   }
   return least;
 }
-export function solve(memory, person, prior, weights) {
+export function solve(s, prior, weights, s_at = 0) {
   const factors = new Float64Array(SUMS);
-  factor(memory, person, prior, factors);
+  factor(s, prior, factors, s_at);
   for (let i = 0; i < TERMS; i++) {
-    weights[i] = memory[person + RESIDUALS + i];
+    weights[i] = s[s_at + i + 28];
     for (let j = 0, end_1 = i; j < end_1; j++) {
       weights[i] -= factors[Math.floor(i * (i + 1) / 2) + j] * weights[j];
     }
@@ -79,67 +70,80 @@ export function solve(memory, person, prior, weights) {
     weights[i] += prior[i];
   }
 }
-export function stated(memory, place, cursor, since, median, estimates, way, pace) {
-  const person = place[0];
-  const intervals = place[1];
-  const at = place[2];
-  if (memory[at + READY] === 0) {
-    solve(memory, person, $time_left_prior.PRIOR, view(memory, at + WEIGHTS, at + MOMENTS));
-    memory[at + READY] = 1;
+export function stated(s, intervals, movement, cursor, since, median, estimates, way, pace, s_at = 0, intervals_at = 0, movement_at = 0) {
+  if (movement[movement_at] === 0) {
+    solve(s, $time_left_prior.PRIOR, view(movement, movement_at + 1, movement_at + 8), s_at);
+    movement[movement_at] = 1;
   }
   const known = terms(estimates, way, pace, since, median);
   let total = 0;
   for (let i = 0; i < TERMS; i++) {
-    total += memory[at + WEIGHTS + i] * known[i];
+    total += movement[movement_at + i + 1] * known[i];
   }
   const left = larger(smaller(total, FURTHEST) * median, LEAST * smaller(estimates[1], median));
-  const spread = $arrival_intervals.spread(memory, intervals, since / (since + left));
-  const moment = $moments.new_moment(memory, at + MOMENTS, cursor, MOMENT, MOST);
-  if (moment >= 0) {
-    memory[moment + LEFT] = left;
-    memory[moment + SPREAD] = spread;
+  const spread = $arrival_intervals.spread(intervals, since / (since + left), intervals_at);
+  const last_at = movement_at + larger(Math.trunc(movement[movement_at + 8]) - 1, 0) * 10 + 12;
+  const values_1 = $moments.next_moment(movement, movement[last_at], cursor, MOST, movement_at + 8);
+  const number = values_1[0];
+  const full = values_1[1];
+  if (full) {
+    for (let k = 1; k < number; k++) {
+      $stage.copy_values(view(movement, movement_at + 2 * k * 10 + 12, movement_at + 2 * k * 10 + 22), view(movement, movement_at + k * 10 + 12, movement_at + k * 10 + 22));
+    }
+  }
+  if (number >= 0) {
+    const m_at = movement_at + number * 10 + 12;
+    movement[m_at] = cursor[0];
+    movement[m_at + 1] = left;
+    movement[m_at + 2] = spread;
     for (let i = 0; i < TERMS; i++) {
-      memory[moment + FIRST_TERM + i] = known[i];
+      movement[m_at + i + 3] = known[i];
     }
   }
   return [left, spread];
 }
-export function learn(memory, place, span, median, prior) {
-  const person = place[0];
-  const intervals = place[1];
-  const at = place[2];
-  if (memory[at + READY] === 0) {
+export function moment_at(movement, k, span, share, movement_at = 0) {
+  while (k + 1 < movement[movement_at + 8] && $moments.has_come(movement, movement[movement_at + (k + 1) * 10 + 12], span, share, movement_at + 8)) {
+    k += 1;
+  }
+  return k;
+}
+export function learn(s, intervals, movement, span, median, prior, s_at = 0, intervals_at = 0, movement_at = 0) {
+  if (movement[movement_at] === 0) {
     return;
   }
-  const step = $arrival_intervals.next_step(memory, intervals) / JUDGED;
-  for (let i = 0; i < LEARNED; i++) {
-    memory[person + i] *= KEEP;
+  const step = $arrival_intervals.next_step(intervals, intervals_at) / JUDGED;
+  for (let i = 0; i < SUMS; i++) {
+    s[s_at + i] *= KEEP;
+  }
+  for (let i = 0; i < TERMS; i++) {
+    s[s_at + i + 28] *= KEEP;
   }
   let k = 0;
   for (let judged = 0; judged < JUDGED; judged++) {
     const share = (judged + 0.5) / JUDGED;
-    k = $moments.moment_at(memory, at + MOMENTS, k, span, share, MOMENT);
-    const moment = at + MOMENTS + $moments.FIRST + MOMENT * k;
-    const seconds = larger(span[1] - memory[moment + $moments.T], SHORTEST_S);
-    $arrival_intervals.judge(memory, intervals, share, step, [memory[moment + LEFT], memory[moment + SPREAD]], seconds);
+    k = moment_at(movement, k, span, share, movement_at);
+    const m_at = movement_at + k * 10 + 12;
+    const seconds = larger(span[1] - movement[m_at], SHORTEST_S);
+    $arrival_intervals.judge(intervals, share, step, [movement[m_at + 1], movement[m_at + 2]], seconds, intervals_at);
     const left = smaller(seconds / median, FURTHEST);
     let off = left;
     let off_prior = left;
     for (let i = 0; i < TERMS; i++) {
-      off -= memory[at + WEIGHTS + i] * memory[moment + FIRST_TERM + i];
-      off_prior -= prior[i] * memory[moment + FIRST_TERM + i];
+      off -= movement[movement_at + i + 1] * movement[m_at + i + 3];
+      off_prior -= prior[i] * movement[m_at + i + 3];
     }
     const weight = 1 / (larger(Math.abs(off), SMALL) * JUDGED);
     for (let i = 0; i < TERMS; i++) {
-      const term = weight * memory[moment + FIRST_TERM + i];
-      memory[person + RESIDUALS + i] += term * off_prior;
+      const term = weight * movement[m_at + i + 3];
+      s[s_at + i + 28] += term * off_prior;
       for (let j = 0, end_1 = i + 1; j < end_1; j++) {
-        memory[person + PRODUCTS + Math.floor(i * (i + 1) / 2) + j] += term * memory[moment + FIRST_TERM + j];
+        s[s_at + Math.floor(i * (i + 1) / 2) + j] += term * movement[m_at + j + 3];
       }
     }
   }
 }
-export function fault(learned) {
-  const least = factor(learned, 0, $time_left_prior.PRIOR, new Float64Array(SUMS));
+export function fault(learned, learned_at = 0) {
+  const least = factor(learned, $time_left_prior.PRIOR, new Float64Array(SUMS), learned_at);
   return least >= LEAST_PIVOT ? [FINE, 0] : [NOT_POSITIVE, least];
 }

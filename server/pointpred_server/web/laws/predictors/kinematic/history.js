@@ -3,73 +3,63 @@ import { hypot, larger, remainder, smaller } from "../../arithmetic.js";
 export const TICK_S = 0.008;
 export const TICKS = 66;
 export const STILL_GAP_S = 0.1;
-export const COUNT = 0;
-export const LAST_X = 1;
-export const LAST_Y = 2;
-export const LAST_PATH = 3;
-export const RING = 4;
-export const HEAD = 4;
-export function begin(memory, at) {
-  memory[at + COUNT] = 1;
-  memory.fill(0, at + LAST_X, at + RING + 3);
+export function begin(s, s_at = 0) {
+  s[s_at] = 1;
+  s.fill(0, s_at + 1, s_at + 4);
+  s.fill(0, s_at + 4, s_at + 7);
 }
-export function extend(memory, at, last, now) {
+export function extend(s, last, now, s_at = 0) {
   const last_t = last[0];
   const last_x = last[1];
   const last_y = last[2];
   const t = now[0];
   const x = now[1];
   const y = now[2];
-  const count = Math.trunc(memory[at + COUNT]);
+  const count = Math.trunc(s[s_at]);
   const newest = Math.floor(t / TICK_S);
-  let old_x = memory[at + LAST_X];
-  let old_y = memory[at + LAST_Y];
-  let path = memory[at + LAST_PATH];
-  for (let tick = larger(count, newest + 1 - TICKS), end_1 = newest + 1; tick < end_1; tick++) {
+  const old_at = s_at + 1;
+  for (let number = larger(count, newest + 1 - TICKS), end_1 = newest + 1; number < end_1; number++) {
     let share = 0;
     if (t - last_t <= STILL_GAP_S) {
-      share = smaller(larger((tick * TICK_S - last_t) / (t - last_t), 0), 1);
+      share = smaller(larger((number * TICK_S - last_t) / (t - last_t), 0), 1);
     }
-    const new_x = last_x + share * (x - last_x);
-    const new_y = last_y + share * (y - last_y);
-    path += hypot(new_x - old_x, new_y - old_y);
-    const slot = at + RING + 3 * remainder(tick, TICKS);
-    memory[slot] = new_x;
-    memory[slot + 1] = new_y;
-    memory[slot + 2] = path;
-    old_x = new_x;
-    old_y = new_y;
+    const tick_at = s_at + remainder(number, TICKS) * 3 + 4;
+    s[tick_at] = last_x + share * (x - last_x);
+    s[tick_at + 1] = last_y + share * (y - last_y);
+    s[old_at + 2] += hypot(s[tick_at] - s[old_at], s[tick_at + 1] - s[old_at + 1]);
+    s[tick_at + 2] = s[old_at + 2];
+    const value_2 = s[tick_at];
+    const value_3 = s[tick_at + 1];
+    s[old_at] = value_2;
+    s[old_at + 1] = value_3;
   }
-  memory[at + COUNT] = larger(count, newest + 1);
-  memory[at + LAST_X] = old_x;
-  memory[at + LAST_Y] = old_y;
-  memory[at + LAST_PATH] = path;
-  return [t, x, y, path + hypot(x - old_x, y - old_y)];
+  s[s_at] = larger(count, newest + 1);
+  return [t, x, y, s[old_at + 2] + hypot(x - s[old_at], y - s[old_at + 1])];
 }
-export function past(memory, at, now, ago) {
+export function past(s, now, ago, s_at = 0) {
   let after_path, after_x, after_y, share;
   const then = now[0] - ago;
   if (then <= 0) {
     return [0, 0, 0];
   }
-  const count = Math.trunc(memory[at + COUNT]);
-  const tick = Math.floor(then / TICK_S);
-  if (tick > count - 1) {
+  const count = Math.trunc(s[s_at]);
+  const number = Math.floor(then / TICK_S);
+  if (number > count - 1) {
     return [now[1], now[2], now[3]];
   }
-  const slot = at + RING + 3 * remainder(tick, TICKS);
-  if (tick === count - 1) {
-    const span = now[0] - tick * TICK_S;
-    share = span > 0 ? (then - tick * TICK_S) / span : 1;
+  const before_at = s_at + remainder(number, TICKS) * 3 + 4;
+  if (number === count - 1) {
+    const span = now[0] - number * TICK_S;
+    share = span > 0 ? (then - number * TICK_S) / span : 1;
     after_x = now[1];
     after_y = now[2];
     after_path = now[3];
   } else {
-    share = (then - tick * TICK_S) / TICK_S;
-    const after = at + RING + 3 * remainder(tick + 1, TICKS);
-    after_x = memory[after];
-    after_y = memory[after + 1];
-    after_path = memory[after + 2];
+    share = (then - number * TICK_S) / TICK_S;
+    const after_at = s_at + remainder(number + 1, TICKS) * 3 + 4;
+    after_x = s[after_at];
+    after_y = s[after_at + 1];
+    after_path = s[after_at + 2];
   }
-  return [memory[slot] + share * (after_x - memory[slot]), memory[slot + 1] + share * (after_y - memory[slot + 1]), memory[slot + 2] + share * (after_path - memory[slot + 2])];
+  return [s[before_at] + share * (after_x - s[before_at]), s[before_at + 1] + share * (after_y - s[before_at + 1]), s[before_at + 2] + share * (after_path - s[before_at + 2])];
 }
