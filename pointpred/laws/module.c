@@ -168,27 +168,18 @@ static PyObject *give_T3d(T3d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   return tuple;
 }
+static PyObject *give_Tqb(Tqb value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyBool_FromLong(value.f1));
+  return tuple;
+}
 static PyObject *give_predictors_adaptation_time_left_Pace(predictors_adaptation_time_left_Pace value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.of_peak));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.slow_s));
-  return tuple;
-}
-static PyObject *give_predictors_adaptation_correction_Parts(predictors_adaptation_correction_Parts value) {
-  PyObject *tuple = PyTuple_New(3);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.distances));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.places));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.sequence));
-  return tuple;
-}
-static PyObject *give_scene_Scene(scene_Scene value) {
-  PyObject *tuple = PyTuple_New(3);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.key));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
   return tuple;
 }
 static PyObject *give_T3q(T3q value) {
@@ -206,23 +197,6 @@ static PyObject *give_T4d(T4d value) {
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  return tuple;
-}
-static PyObject *give_predictors_adaptation_stages_Moment(predictors_adaptation_stages_Moment value) {
-  PyObject *tuple = PyTuple_New(12);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.t));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.x));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.y));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.ux));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.uy));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.along));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.across));
-  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.wide));
-  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.broad));
-  PyTuple_SetItem(tuple, 9, PyFloat_FromDouble(value.tail));
-  PyTuple_SetItem(tuple, 10, PyFloat_FromDouble(value.left));
-  PyTuple_SetItem(tuple, 11, PyFloat_FromDouble(value.reached));
   return tuple;
 }
 static PyObject *give_T7d(T7d value) {
@@ -3196,26 +3170,24 @@ static PyObject *py_predictors_adaptation_arrival_intervals_judge(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_arrival_intervals_Intervals * a0;
+  double a1;
   double a2;
-  double a3;
-  T2d a4;
-  double a5;
+  T2d a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 4, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "claim", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(args[5], &a5)))
+        && take_tuple(args[3], law, "claim", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_arrival_intervals_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3223,17 +3195,15 @@ static PyObject *py_predictors_adaptation_arrival_intervals_next_step(PyObject *
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:next_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_arrival_intervals_Intervals * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 4, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_arrival_intervals_next_step(a0, a1);
+  result = predictors_adaptation_arrival_intervals_next_step(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -3241,19 +3211,17 @@ static PyObject *py_predictors_adaptation_arrival_intervals_spread(PyObject *sel
   static const char law[] = "pointpred.predictors.adaptation.arrival_intervals:spread";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_arrival_intervals_Intervals * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 4, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_arrival_intervals_spread(a0, a1, a2);
+  result = predictors_adaptation_arrival_intervals_spread(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -3261,45 +3229,37 @@ static PyObject *py_predictors_adaptation_correction_adapt(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:adapt";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_correction_Parts a3;
-  scene_Scene a4;
-  T10d a5;
-  predictors_adaptation_time_left_Pace a6;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
+  T10d a3;
+  predictors_adaptation_time_left_Pace a4;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)
-        && take_double(PyTuple_GetItem(args[5], 6), &a5.f6)
-        && take_double(PyTuple_GetItem(args[5], 7), &a5.f7)
-        && take_double(PyTuple_GetItem(args[5], 8), &a5.f8)
-        && take_double(PyTuple_GetItem(args[5], 9), &a5.f9)
-        && take_tuple(args[6], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.of_peak)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.slow_s)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 3037, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.f6)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.f7)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.f8)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.f9)
+        && take_tuple(args[4], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.of_peak)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.slow_s)))
     return let_go(&held);
-  result = predictors_adaptation_correction_adapt(a0, a1, a2, a3, a4, a5, a6);
+  result = predictors_adaptation_correction_adapt(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T10d(result);
 }
@@ -3307,107 +3267,21 @@ static PyObject *py_predictors_adaptation_correction_adapted_end(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.correction:adapted_end";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_correction_Parts a3;
-  scene_Scene a4;
-  predictors_adaptation_destination_Heading a5;
-  double a6;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
+  predictors_adaptation_destination_Heading a3;
+  double a4;
   T2_predictors_adaptation_destination_Heading_ result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "own", 7)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.x)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.y)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.ux)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.uy)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.wide)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.broad)
-        && take_double(PyTuple_GetItem(args[5], 6), &a5.tail)
-        && take_double(args[6], &a6)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4, a5, a6);
-  let_go(&held);
-  return give_T2_predictors_adaptation_destination_Heading_(result);
-}
-static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_adaptation_destination_Heading a2;
-  T2d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "heading", 7)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_ahead_of(a0, a1, a2);
-  let_go(&held);
-  return give_T2d(result);
-}
-static PyObject *py_predictors_adaptation_correction_arrival(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:arrival";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  result = predictors_adaptation_correction_arrival(a0, a1, a2);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:by_distances";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_destination_Heading a3;
-  double a4;
-  T_predictors_adaptation_destination_Heading_d result;
-  (void)self, (void)view;
-  held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 3037, &view)
+        && (a2 = view->buf, true)
         && take_tuple(args[3], law, "own", 7)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
@@ -3418,7 +3292,80 @@ static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self
         && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
         && take_double(args[4], &a4)))
     return let_go(&held);
-  result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_correction_adapted_end(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T2_predictors_adaptation_destination_Heading_(result);
+}
+static PyObject *py_predictors_adaptation_correction_ahead_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:ahead_of";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_correction_Movement * a0;
+  predictors_adaptation_destination_Heading a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "movement", false, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.ux)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.uy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.wide)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.broad)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.tail)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_ahead_of(a0, a1);
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_predictors_adaptation_correction_arrival(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:arrival";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_correction_Movement * a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "movement", false, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_arrival(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_predictors_adaptation_correction_by_distances(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:by_distances";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_correction_Person * a0;
+  predictors_adaptation_correction_Movement * a1;
+  predictors_adaptation_destination_Heading a2;
+  double a3;
+  T_predictors_adaptation_destination_Heading_d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "person", false, 628, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "movement", false, 3037, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "own", 7)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_by_distances(a0, a1, a2, a3);
   let_go(&held);
   return give_T_predictors_adaptation_destination_Heading_d(result);
 }
@@ -3426,51 +3373,43 @@ static PyObject *py_predictors_adaptation_correction_by_places(PyObject *self, P
   static const char law[] = "pointpred.predictors.adaptation.correction:by_places";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_correction_Parts a3;
-  scene_Scene a4;
-  T2_predictors_adaptation_destination_Heading_ a5;
-  T2d a6;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
+  T2_predictors_adaptation_destination_Heading_ a3;
+  T2d a4;
   predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "laws", 2)
-        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 7)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.x)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.y)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.ux)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.uy)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.wide)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.broad)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 6), &a5.f0.tail)
-        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 7)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.x)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.y)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.ux)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.uy)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.wide)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.broad)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 6), &a5.f1.tail)
-        && take_tuple(args[6], law, "weights", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.f0)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.f1)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 3037, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[3], 0), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 0), &a3.f0.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 1), &a3.f0.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 2), &a3.f0.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 3), &a3.f0.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 4), &a3.f0.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 5), &a3.f0.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 0), 6), &a3.f0.tail)
+        && take_tuple(PyTuple_GetItem(args[3], 1), law, "laws", 7)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 0), &a3.f1.x)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 1), &a3.f1.y)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 2), &a3.f1.ux)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 3), &a3.f1.uy)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 4), &a3.f1.wide)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 5), &a3.f1.broad)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[3], 1), 6), &a3.f1.tail)
+        && take_tuple(args[4], law, "weights", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
     return let_go(&held);
-  result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4, a5, a6);
+  result = predictors_adaptation_correction_by_places(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_predictors_adaptation_destination_Heading(result);
 }
@@ -3478,30 +3417,20 @@ static PyObject *py_predictors_adaptation_correction_conclude(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.correction:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  predictors_adaptation_correction_Parts a4;
-  scene_Scene a5;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.distances)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.places)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.sequence)
-        && take_tuple(args[5], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.key)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.x)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.y)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", true, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 3037, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_conclude(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_correction_conclude(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3526,13 +3455,13 @@ static PyObject *py_predictors_adaptation_correction_fault(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_correction_Person * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "learned", false, 628, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_correction_fault(a0);
   let_go(&held);
@@ -3542,26 +3471,24 @@ static PyObject *py_predictors_adaptation_correction_follow(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.correction:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_correction_Movement * a0;
+  T3d a1;
   T3d a2;
-  T3d a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "now", 3)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "movement", true, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "now", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "start", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_tuple(args[3], law, "start", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  predictors_adaptation_correction_follow(a0, a1, a2, a3);
+  predictors_adaptation_correction_follow(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3569,29 +3496,27 @@ static PyObject *py_predictors_adaptation_correction_heading_of(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.correction:heading_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  T10d a2;
+  predictors_adaptation_correction_Movement * a0;
+  T10d a1;
   predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "movement", false, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
     return let_go(&held);
-  result = predictors_adaptation_correction_heading_of(a0, a1, a2);
+  result = predictors_adaptation_correction_heading_of(a0, a1);
   let_go(&held);
   return give_predictors_adaptation_destination_Heading(result);
 }
@@ -3599,22 +3524,21 @@ static PyObject *py_predictors_adaptation_correction_learn(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.correction:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  predictors_adaptation_correction_Person * a0;
+  predictors_adaptation_correction_Movement * a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "person", true, 628, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "movement", false, 3037, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_correction_learn(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_learn(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3622,28 +3546,20 @@ static PyObject *py_predictors_adaptation_correction_learn_place(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.correction:learn_place";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_correction_Parts a3;
-  scene_Scene a4;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", true, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", false, 3037, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_learn_place(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_learn_place(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3651,107 +3567,81 @@ static PyObject *py_predictors_adaptation_correction_prepare(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.correction:prepare";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  predictors_adaptation_correction_Parts a3;
-  scene_Scene a4;
-  T2d a5;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "parts", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.distances)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.places)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.sequence)
-        && take_tuple(args[4], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.key)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.y)
-        && take_tuple(args[5], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
-    return let_go(&held);
-  predictors_adaptation_correction_prepare(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_predictors_adaptation_correction_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.correction:record";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  predictors_adaptation_stages_Moment a3;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_destination_Movement * a2;
+  T2d a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "moment", 12)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.uy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.along)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.across)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.wide)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.broad)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.tail)
-        && take_double(PyTuple_GetItem(args[3], 10), &a3.left)
-        && take_double(PyTuple_GetItem(args[3], 11), &a3.reached)))
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "going", true, 133, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)))
     return let_go(&held);
-  predictors_adaptation_correction_record(a0, a1, a2, a3);
+  predictors_adaptation_correction_prepare(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_predictors_adaptation_correction_stage_begun(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.correction:stage_begun";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_correction_Movement * a0;
+  double a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "movement", false, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_adaptation_correction_stage_begun(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_predictors_adaptation_correction_state(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.correction:state";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  scene_Scene a3;
-  double a4;
-  T2_T6d_ a5;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
+  double a3;
+  T2_T6d_ a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "laws", 2)
-        && take_tuple(PyTuple_GetItem(args[5], 0), law, "laws", 6)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 0), &a5.f0.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 1), &a5.f0.f1)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 2), &a5.f0.f2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 3), &a5.f0.f3)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 4), &a5.f0.f4)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 0), 5), &a5.f0.f5)
-        && take_tuple(PyTuple_GetItem(args[5], 1), law, "laws", 6)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 0), &a5.f1.f0)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 1), &a5.f1.f1)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 2), &a5.f1.f2)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 3), &a5.f1.f3)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 4), &a5.f1.f4)
-        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[5], 1), 5), &a5.f1.f5)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 3037, &view)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "laws", 2)
+        && take_tuple(PyTuple_GetItem(args[4], 0), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 0), &a4.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 1), &a4.f0.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 2), &a4.f0.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 3), &a4.f0.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 4), &a4.f0.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 5), &a4.f0.f5)
+        && take_tuple(PyTuple_GetItem(args[4], 1), law, "laws", 6)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 0), &a4.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 1), &a4.f1.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 2), &a4.f1.f2)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 3), &a4.f1.f3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 4), &a4.f1.f4)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 5), &a4.f1.f5)))
     return let_go(&held);
-  predictors_adaptation_correction_state(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_correction_state(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3759,30 +3649,28 @@ static PyObject *py_predictors_adaptation_correction_with_centre_ahead(PyObject 
   static const char law[] = "pointpred.predictors.adaptation.correction:with_centre_ahead";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_adaptation_destination_Heading a2;
+  predictors_adaptation_correction_Movement * a0;
+  predictors_adaptation_destination_Heading a1;
+  double a2;
   double a3;
-  double a4;
   predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "heading", 7)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.tail)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "movement", false, 3037, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "heading", 7)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.ux)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.uy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.wide)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.broad)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.tail)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_correction_with_centre_ahead(a0, a1, a2, a3);
   let_go(&held);
   return give_predictors_adaptation_destination_Heading(result);
 }
@@ -3790,25 +3678,23 @@ static PyObject *py_predictors_adaptation_correction_write_mixture(PyObject *sel
   static const char law[] = "pointpred.predictors.adaptation.correction:write_mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  scene_Scene a3;
-  int64_t a4;
+  predictors_adaptation_correction_Settings * a0;
+  predictors_adaptation_correction_Person * a1;
+  predictors_adaptation_correction_Movement * a2;
+  predictors_adaptation_mixed_region_Mixture * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.key)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_int64_t(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "settings", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "person", false, 628, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", false, 3037, &view)
+        && (a2 = view->buf, true)
+        && take_memory(&held, args[3], law, "to", true, 38, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_correction_write_mixture(a0, a1, a2, a3, a4);
+  predictors_adaptation_correction_write_mixture(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3816,35 +3702,34 @@ static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.destination:candidates";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  predictors_adaptation_destination_Heading a4;
-  Table a5;
+  predictors_adaptation_destination_Movement * a0;
+  predictors_adaptation_places_Places * a1;
+  T2d a2;
+  predictors_adaptation_destination_Heading a3;
+  Table a4;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "elsewhere", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
-        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
-        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", false, 133, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -3852,32 +3737,31 @@ static PyObject *py_predictors_adaptation_destination_combine(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.destination:combine";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  predictors_adaptation_destination_Heading a4;
+  predictors_adaptation_destination_Movement * a0;
+  predictors_adaptation_places_Places * a1;
+  T2d a2;
+  predictors_adaptation_destination_Heading a3;
   predictors_adaptation_destination_Heading result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "elsewhere", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 133, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "elsewhere", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)))
     return let_go(&held);
-  result = predictors_adaptation_destination_combine(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_destination_combine(a0, a1, a2, a3);
   let_go(&held);
   return give_predictors_adaptation_destination_Heading(result);
 }
@@ -3885,24 +3769,23 @@ static PyObject *py_predictors_adaptation_destination_favour_near(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.destination:favour_near";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  double a4;
+  predictors_adaptation_destination_Movement * a0;
+  predictors_adaptation_places_Places * a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 133, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_destination_favour_near(a0, a1, a2, a3, a4);
+  predictors_adaptation_destination_favour_near(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -3958,20 +3841,20 @@ static PyObject *py_predictors_adaptation_destination_prepare(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.destination:prepare";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T2q a1;
-  int64_t a2;
+  predictors_adaptation_destination_Movement * a0;
+  predictors_adaptation_places_Places * a1;
+  predictors_adaptation_habits_Habits * a2;
   T3d a3;
   T2d a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "known", 2)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(args[2], &a2)
+        && take_memory(&held, args[0], law, "s", true, 133, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "known", false, 25, &view)
+        && (a2 = view->buf, true)
         && take_tuple(args[3], law, "scene", 3)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
@@ -4042,25 +3925,23 @@ static PyObject *py_predictors_adaptation_destination_spread_of(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.destination:spread_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  T2d a2;
+  predictors_adaptation_destination_Movement * a0;
+  T2d a1;
+  double a2;
   double a3;
-  double a4;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 133, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_destination_spread_of(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_destination_spread_of(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4068,35 +3949,34 @@ static PyObject *py_predictors_adaptation_destination_weigh(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.destination:weigh";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  predictors_adaptation_destination_Heading a4;
-  T2d a5;
+  predictors_adaptation_destination_Movement * a0;
+  predictors_adaptation_places_Places * a1;
+  T2d a2;
+  predictors_adaptation_destination_Heading a3;
+  T2d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "start", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "law_of_end", 7)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.x)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.y)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.wide)
-        && take_double(PyTuple_GetItem(args[4], 5), &a4.broad)
-        && take_double(PyTuple_GetItem(args[4], 6), &a4.tail)
-        && take_tuple(args[5], law, "elsewhere", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 133, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "law_of_end", 7)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.x)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.y)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.wide)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
+        && take_tuple(args[4], law, "elsewhere", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
     return let_go(&held);
-  predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_destination_weigh(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4123,25 +4003,23 @@ static PyObject *py_predictors_adaptation_distances_combine(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.distances:combine";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  predictors_adaptation_distances_Ahead a3;
+  predictors_adaptation_distances_Distances * a0;
+  double a1;
+  predictors_adaptation_distances_Ahead a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "predicted", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.ahead)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.wide)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.broad)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.tail)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 56, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "predicted", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.ahead)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.wide)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.broad)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.tail)))
     return let_go(&held);
-  result = predictors_adaptation_distances_combine(a0, a1, a2, a3);
+  result = predictors_adaptation_distances_combine(a0, a1, a2);
   let_go(&held);
   return give_T3d(result);
 }
@@ -4149,13 +4027,13 @@ static PyObject *py_predictors_adaptation_distances_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.distances:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_distances_Distances * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "learned", false, 56, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_distances_fault(a0);
   let_go(&held);
@@ -4165,18 +4043,16 @@ static PyObject *py_predictors_adaptation_distances_judge(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.distances:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_distances_Distances * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 56, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_distances_judge(a0, a1, a2);
+  predictors_adaptation_distances_judge(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4184,19 +4060,17 @@ static PyObject *py_predictors_adaptation_distances_likelihood(PyObject *self, P
   static const char law[] = "pointpred.predictors.adaptation.distances:likelihood";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_distances_Distances * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 56, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_distances_likelihood(a0, a1, a2);
+  result = predictors_adaptation_distances_likelihood(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4204,18 +4078,16 @@ static PyObject *py_predictors_adaptation_distances_remember(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.distances:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_distances_Distances * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 56, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_distances_remember(a0, a1, a2);
+  predictors_adaptation_distances_remember(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4223,13 +4095,13 @@ static PyObject *py_predictors_adaptation_durations_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.durations:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_durations_Durations * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "learned", false, 21, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_durations_fault(a0);
   let_go(&held);
@@ -4239,16 +4111,14 @@ static PyObject *py_predictors_adaptation_durations_forget(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.durations:forget";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_durations_Durations * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 21, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_durations_forget(a0, a1);
+  predictors_adaptation_durations_forget(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4256,24 +4126,22 @@ static PyObject *py_predictors_adaptation_durations_judge(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.durations:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_durations_Durations * a0;
+  double a1;
   double a2;
   double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 21, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_durations_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_durations_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4281,19 +4149,15 @@ static PyObject *py_predictors_adaptation_durations_median(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.durations:median";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  predictors_adaptation_durations_Durations * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 21, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_durations_median(a0, a1, a2);
+  result = predictors_adaptation_durations_median(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4301,21 +4165,19 @@ static PyObject *py_predictors_adaptation_durations_mix(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.durations:mix";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_durations_Durations * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 21, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_durations_mix(a0, a1, a2, a3);
+  result = predictors_adaptation_durations_mix(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4323,23 +4185,21 @@ static PyObject *py_predictors_adaptation_durations_mixture(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.durations:mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_durations_Durations * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 21, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_durations_mixture(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_durations_mixture(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4347,18 +4207,16 @@ static PyObject *py_predictors_adaptation_durations_remember(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.durations:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_durations_Durations * a0;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 21, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  predictors_adaptation_durations_remember(a0, a1, a2);
+  predictors_adaptation_durations_remember(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4366,21 +4224,17 @@ static PyObject *py_predictors_adaptation_durations_value_of_rank(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.durations:value_of_rank";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_durations_Durations * a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 21, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_durations_value_of_rank(a0, a1, a2, a3);
+  result = predictors_adaptation_durations_value_of_rank(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4411,21 +4265,19 @@ static PyObject *py_predictors_adaptation_habits_count_following(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.habits:count_following";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_places_Places * a0;
   int64_t a1;
-  int64_t a2;
-  Table a3;
+  Table a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "held", false, 386, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_following(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4433,21 +4285,20 @@ static PyObject *py_predictors_adaptation_habits_count_last(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.habits:count_last";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  Table a3;
+  predictors_adaptation_habits_Habits * a0;
+  predictors_adaptation_places_Places * a1;
+  Table a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_count_last(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4455,22 +4306,20 @@ static PyObject *py_predictors_adaptation_habits_count_often(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:count_often";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  Table a3;
+  predictors_adaptation_places_Places * a0;
+  double a1;
+  Table a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "held", false, 386, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_count_often(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_count_often(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4497,31 +4346,30 @@ static PyObject *py_predictors_adaptation_habits_learn(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.habits:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T3d a3;
-  T4d a4;
-  double a5;
+  predictors_adaptation_habits_Habits * a0;
+  predictors_adaptation_places_Places * a1;
+  T3d a2;
+  T4d a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "scene", 3)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 25, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "scene", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "movement", 4)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
         && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_tuple(args[4], law, "movement", 4)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
-        && take_double(args[5], &a5)))
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_habits_learn(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_habits_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4529,17 +4377,15 @@ static PyObject *py_predictors_adaptation_habits_returns(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.habits:returns";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_habits_Habits * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_habits_returns(a0, a1);
+  result = predictors_adaptation_habits_returns(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4547,21 +4393,19 @@ static PyObject *py_predictors_adaptation_habits_rule_weight(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:rule_weight";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_habits_Habits * a0;
   int64_t a1;
-  int64_t a2;
-  double a3;
+  double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_habits_rule_weight(a0, a1, a2, a3);
+  result = predictors_adaptation_habits_rule_weight(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4569,23 +4413,21 @@ static PyObject *py_predictors_adaptation_habits_share_visit(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:share_visit";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  Table a2;
+  predictors_adaptation_habits_Habits * a0;
+  Table a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "likely", 'd', 2, true, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 25, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "likely", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS predictors_adaptation_habits_share_visit(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4593,29 +4435,28 @@ static PyObject *py_predictors_adaptation_habits_shares(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.habits:shares";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  T3d a4;
-  Table a5;
+  predictors_adaptation_habits_Habits * a0;
+  predictors_adaptation_places_Places * a1;
+  double a2;
+  T3d a3;
+  Table a4;
   bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "start", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
-        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "start", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_habits_shares(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -4623,17 +4464,15 @@ static PyObject *py_predictors_adaptation_habits_usual_width(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.habits:usual_width";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_habits_Habits * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_habits_usual_width(a0, a1);
+  result = predictors_adaptation_habits_usual_width(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4641,63 +4480,40 @@ static PyObject *py_predictors_adaptation_habits_width_weight(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.habits:width_weight";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_habits_Habits * a0;
   int64_t a1;
-  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 25, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_habits_width_weight(a0, a1, a2);
+  result = predictors_adaptation_habits_width_weight(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
-}
-static PyObject *py_predictors_adaptation_levels_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.levels:add";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  predictors_adaptation_levels_add(a0, a1, a2);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_levels_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.levels:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
-  bool a4;
-  double a5;
+  predictors_adaptation_levels_Offsets * a0;
+  double a1;
+  int64_t a2;
+  bool a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_bool(args[4], &a4)
-        && take_double(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 10, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_bool(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_levels_learn(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_levels_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4705,21 +4521,19 @@ static PyObject *py_predictors_adaptation_levels_offset(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.levels:offset";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
+  predictors_adaptation_levels_Offsets * a0;
+  double a1;
+  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 10, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_levels_offset(a0, a1, a2, a3);
+  result = predictors_adaptation_levels_offset(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -4742,26 +4556,24 @@ static PyObject *py_predictors_adaptation_mixed_region_claim(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:claim";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T6d a3;
+  predictors_adaptation_mixed_region_Movement * a0;
+  double a1;
+  T6d a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "elsewhere", 6)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 46, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "elsewhere", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_claim(a0, a1, a2, a3);
+  predictors_adaptation_mixed_region_claim(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4769,26 +4581,25 @@ static PyObject *py_predictors_adaptation_mixed_region_judge(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
+  predictors_adaptation_levels_Offsets * a0;
+  predictors_adaptation_mixed_region_Mixture * a1;
+  T2d a2;
+  double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "end", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "offsets", true, 10, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "stated", false, 38, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_mixed_region_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4796,21 +4607,20 @@ static PyObject *py_predictors_adaptation_mixed_region_likeliest(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:likeliest";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
+  predictors_adaptation_places_Places * a0;
+  predictors_adaptation_destination_Movement * a1;
+  double a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "held", false, 386, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "going", false, 133, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_mixed_region_likeliest(a0, a1, a2, a3);
+  result = predictors_adaptation_mixed_region_likeliest(a0, a1, a2);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -4818,31 +4628,34 @@ static PyObject *py_predictors_adaptation_mixed_region_write(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  int64_t a2;
-  int64_t a3;
-  T2d a4;
+  predictors_adaptation_levels_Offsets * a0;
+  predictors_adaptation_places_Places * a1;
+  predictors_adaptation_destination_Movement * a2;
+  predictors_adaptation_mixed_region_Movement * a3;
+  predictors_adaptation_mixed_region_Mixture * a4;
   T2d a5;
+  T2d a6;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "known", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_tuple(args[4], law, "origin", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_tuple(args[5], law, "start", 2)
+  if (!(counted(law, count, 7)
+        && take_memory(&held, args[0], law, "offsets", false, 10, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "held", false, 386, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "going", false, 133, &view)
+        && (a2 = view->buf, true)
+        && take_memory(&held, args[3], law, "now", false, 46, &view)
+        && (a3 = view->buf, true)
+        && take_memory(&held, args[4], law, "to", true, 38, &view)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "origin", 2)
         && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
+        && take_tuple(args[6], law, "start", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.f0)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.f1)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5);
+  predictors_adaptation_mixed_region_write(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -4850,93 +4663,85 @@ static PyObject *py_predictors_adaptation_mixed_region_write_part(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.mixed_region:write_part";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  predictors_mixture_PartRow * a0;
+  double a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "centre", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "part", true, 7, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "centre", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3, a4);
+  predictors_adaptation_mixed_region_write_part(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_predictors_adaptation_moments_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.moments:moment_at";
+static PyObject *py_predictors_adaptation_moments_has_come(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:has_come";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  T2d a3;
-  double a4;
-  int64_t a5;
-  int64_t result;
+  predictors_adaptation_moments_Series * a0;
+  double a1;
+  T2d a2;
+  double a3;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "span", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 4, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_moments_moment_at(a0, a1, a2, a3, a4, a5);
+  result = predictors_adaptation_moments_has_come(a0, a1, a2, a3);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return PyBool_FromLong(result);
 }
-static PyObject *py_predictors_adaptation_moments_new_moment(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.moments:new_moment";
+static PyObject *py_predictors_adaptation_moments_next_moment(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.moments:next_moment";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_moments_Series * a0;
+  double a1;
   T3d a2;
   int64_t a3;
-  int64_t a4;
-  int64_t result;
+  Tqb result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 4, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_tuple(args[2], law, "cursor", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
+        && take_int64_t(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_moments_new_moment(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_moments_next_moment(a0, a1, a2, a3);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return give_Tqb(result);
 }
 static PyObject *py_predictors_adaptation_places_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.places:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_places_Places * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "learned", false, 386, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_places_fault(a0);
   let_go(&held);
@@ -4946,25 +4751,23 @@ static PyObject *py_predictors_adaptation_places_nearest(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.places:nearest";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  predictors_adaptation_places_Places * a0;
+  double a1;
+  T2d a2;
+  double a3;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "point", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 386, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "point", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_places_nearest(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_places_nearest(a0, a1, a2, a3);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -4972,17 +4775,15 @@ static PyObject *py_predictors_adaptation_places_new_place(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.places:new_place";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_places_Places * a0;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 386, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_places_new_place(a0, a1);
+  result = predictors_adaptation_places_new_place(a0);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -4990,24 +4791,22 @@ static PyObject *py_predictors_adaptation_places_visit(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.places:visit";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  double a4;
+  predictors_adaptation_places_Places * a0;
+  double a1;
+  T2d a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "end", 2)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 386, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_places_visit(a0, a1, a2, a3, a4);
+  predictors_adaptation_places_visit(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5015,64 +4814,30 @@ static PyObject *py_predictors_adaptation_places_visited(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.places:visited";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_places_Places * a0;
   int64_t a1;
-  int64_t a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 386, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_places_visited(a0, a1, a2);
+  result = predictors_adaptation_places_visited(a0, a1);
   let_go(&held);
   return PyLong_FromLongLong(result);
-}
-static PyObject *py_predictors_adaptation_predictor_adapt(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:adapt";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  T10d a1;
-  predictors_adaptation_time_left_Pace a2;
-  T10d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
-        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
-        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
-        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_tuple(args[2], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.of_peak)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.slow_s)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_adapt(a0, a1, a2);
-  let_go(&held);
-  return give_T10d(result);
 }
 static PyObject *py_predictors_adaptation_predictor_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_predictor_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   predictors_adaptation_predictor_conclude(a0);
   let_go(&held);
@@ -5082,13 +4847,13 @@ static PyObject *py_predictors_adaptation_predictor_enter_scene(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.predictor:enter_scene";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_predictor_Memory * a0;
   scene_Scene a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "scene", 3)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.key)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -5102,19 +4867,17 @@ static PyObject *py_predictors_adaptation_predictor_last_end(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.adaptation.predictor:last_end";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  predictors_adaptation_places_Places * a0;
+  double a1;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "held", false, 386, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_predictor_last_end(a0, a1, a2);
+  result = predictors_adaptation_predictor_last_end(a0, a1);
   let_go(&held);
   return give_T2d(result);
 }
@@ -5122,14 +4885,14 @@ static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.predictor:list_places";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_predictor_Memory * a0;
   Table a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -5141,14 +4904,14 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.adaptation.predictor:pace_of";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_features_State * a0;
   records_MotionRow a1;
   predictors_adaptation_time_left_Pace result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "own", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "own", false, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
@@ -5164,38 +4927,6 @@ static PyObject *py_predictors_adaptation_predictor_pace_of(PyObject *self, PyOb
   result = predictors_adaptation_predictor_pace_of(a0, a1);
   let_go(&held);
   return give_predictors_adaptation_time_left_Pace(result);
-}
-static PyObject *py_predictors_adaptation_predictor_parts_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:parts_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  predictors_adaptation_correction_Parts result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_parts_of(a0);
-  let_go(&held);
-  return give_predictors_adaptation_correction_Parts(result);
-}
-static PyObject *py_predictors_adaptation_predictor_scene_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.predictor:scene_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  scene_Scene result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_adaptation_predictor_scene_of(a0);
-  let_go(&held);
-  return give_scene_Scene(result);
 }
 static PyObject *py_predictors_adaptation_predictor_sizes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:sizes";
@@ -5217,15 +4948,15 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.predictor:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_predictor_Memory * a0;
   T10d a1;
-  Vector a2;
+  predictors_kinematic_network_Coefficients * a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -5237,8 +4968,8 @@ static PyObject *py_predictors_adaptation_predictor_step(PyObject *self, PyObjec
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_predictor_step(a0, a1, a2);
   let_go(&held);
@@ -5248,42 +4979,41 @@ static PyObject *py_predictors_adaptation_predictor_write_mixture(PyObject *self
   static const char law[] = "pointpred.predictors.adaptation.predictor:write_mixture";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t result;
+  predictors_adaptation_predictor_Memory * a0;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_predictor_write_mixture(a0);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return PyBool_FromLong(result);
 }
 static PyObject *py_predictors_adaptation_region_widening_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.region_widening:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  predictors_adaptation_region_widening_Radii * a0;
+  predictors_adaptation_region_widening_Movement * a1;
+  T2d a2;
   T2d a3;
-  T2d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "place_of_end", 2)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 21, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "stated", false, 2164, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "place_of_end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "span", 2)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "span", 2)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)))
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)))
     return let_go(&held);
-  predictors_adaptation_region_widening_learn(a0, a1, a2, a3, a4);
+  predictors_adaptation_region_widening_learn(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5291,21 +5021,19 @@ static PyObject *py_predictors_adaptation_region_widening_probability_within(PyO
   static const char law[] = "pointpred.predictors.adaptation.region_widening:probability_within";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_region_widening_Moment * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "m", false, 45, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_probability_within(a0, a1, a2, a3);
+  result = predictors_adaptation_region_widening_probability_within(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5313,31 +5041,28 @@ static PyObject *py_predictors_adaptation_region_widening_record(PyObject *self,
   static const char law[] = "pointpred.predictors.adaptation.region_widening:record";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  double a3;
-  double a4;
-  T6d a5;
+  predictors_adaptation_region_widening_Movement * a0;
+  T3d a1;
+  T6d a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "stated", 6)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)
-        && take_double(PyTuple_GetItem(args[5], 5), &a5.f5)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "stated", true, 2164, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "region", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_record(a0, a1, a2, a3, a4, a5);
+  result = predictors_adaptation_region_widening_record(a0, a1, a2);
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
@@ -5345,21 +5070,19 @@ static PyObject *py_predictors_adaptation_region_widening_widen(PyObject *self, 
   static const char law[] = "pointpred.predictors.adaptation.region_widening:widen";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_region_widening_Radii * a0;
+  double a1;
   double a2;
-  double a3;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 21, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_region_widening_widen(a0, a1, a2, a3);
+  result = predictors_adaptation_region_widening_widen(a0, a1, a2);
   let_go(&held);
   return give_T2d(result);
 }
@@ -5367,19 +5090,16 @@ static PyObject *py_predictors_adaptation_stages_belief(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.adaptation.stages:belief";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  double a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_stages_belief(a0, a1, a2);
+  result = predictors_adaptation_stages_belief(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5387,21 +5107,19 @@ static PyObject *py_predictors_adaptation_stages_bias(PyObject *self, PyObject *
   static const char law[] = "pointpred.predictors.adaptation.stages:bias";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_stages_Stage * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 16, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_adaptation_stages_bias(a0, a1, a2, a3);
+  result = predictors_adaptation_stages_bias(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5426,25 +5144,38 @@ static PyObject *py_predictors_adaptation_stages_correct(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.adaptation.stages:correct";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_stages_Stages * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   T4d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "known", false, 80, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_adaptation_stages_correct(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_stages_correct(a0, a1, a2, a3);
   let_go(&held);
   return give_T4d(result);
+}
+static PyObject *py_predictors_adaptation_stages_forget(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.stages:forget";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_stages_Stage * a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  predictors_adaptation_stages_forget(a0);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_predictors_adaptation_stages_interpolation(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:interpolation";
@@ -5482,85 +5213,23 @@ static PyObject *py_predictors_adaptation_stages_learn(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_adaptation_stages_Moment a2;
+  predictors_adaptation_stages_Stage * a0;
+  predictors_adaptation_stages_Moment * a1;
+  double a2;
   double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 12)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
-        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
-        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "m", false, 13, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_adaptation_stages_learn(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_predictors_adaptation_stages_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.stages:moment_at";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_adaptation_stages_Moment result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = predictors_adaptation_stages_moment_at(a0, a1);
-  let_go(&held);
-  return give_predictors_adaptation_stages_Moment(result);
-}
-static PyObject *py_predictors_adaptation_stages_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.adaptation.stages:record";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_adaptation_stages_Moment a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "moment", 12)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.ux)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.uy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.along)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.across)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.wide)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.broad)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.tail)
-        && take_double(PyTuple_GetItem(args[2], 10), &a2.left)
-        && take_double(PyTuple_GetItem(args[2], 11), &a2.reached)))
-    return let_go(&held);
-  predictors_adaptation_stages_record(a0, a1, a2);
+  predictors_adaptation_stages_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5568,39 +5237,36 @@ static PyObject *py_predictors_adaptation_stages_scale(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:scale";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  predictors_adaptation_stages_Stage * a0;
+  double a1;
+  double a2;
   double a3;
-  double a4;
+  double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 16, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_stages_scale(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_stages_scale(a0, a1, a2, a3);
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return PyFloat_FromDouble(result);
 }
 static PyObject *py_predictors_adaptation_stages_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.stages:solve";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_stages_Stage * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_adaptation_stages_solve(a0, a1);
+  predictors_adaptation_stages_solve(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5608,17 +5274,15 @@ static PyObject *py_predictors_adaptation_stages_tempo(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.adaptation.stages:tempo";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_stages_Stage * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 16, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_stages_tempo(a0, a1);
+  result = predictors_adaptation_stages_tempo(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5626,17 +5290,15 @@ static PyObject *py_predictors_adaptation_stages_tempo_factor(PyObject *self, Py
   static const char law[] = "pointpred.predictors.adaptation.stages:tempo_factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_stages_Stage * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 16, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_adaptation_stages_tempo_factor(a0, a1);
+  result = predictors_adaptation_stages_tempo_factor(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5644,19 +5306,17 @@ static PyObject *py_predictors_adaptation_stages_width_log(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.stages:width_log";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  predictors_adaptation_stages_Stage * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 16, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = predictors_adaptation_stages_width_log(a0, a1, a2);
+  result = predictors_adaptation_stages_width_log(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5664,23 +5324,21 @@ static PyObject *py_predictors_adaptation_time_left_factor(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.time_left:factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_time_left_Sums * a0;
+  Vector a1;
   Vector a2;
-  Vector a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 35, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "prior", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = predictors_adaptation_time_left_factor(a0, a1, a2, a3);
+  result = predictors_adaptation_time_left_factor(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5688,13 +5346,13 @@ static PyObject *py_predictors_adaptation_time_left_fault(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.time_left:fault";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_adaptation_time_left_Sums * a0;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "learned", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "learned", false, 35, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_adaptation_time_left_fault(a0);
   let_go(&held);
@@ -5704,51 +5362,74 @@ static PyObject *py_predictors_adaptation_time_left_learn(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.adaptation.time_left:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  T2d a2;
-  double a3;
-  Vector a4;
+  predictors_adaptation_time_left_Sums * a0;
+  predictors_adaptation_arrival_intervals_Intervals * a1;
+  predictors_adaptation_time_left_Movement * a2;
+  T2d a3;
+  double a4;
+  Vector a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "place", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "s", true, 35, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "intervals", true, 4, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", false, 332, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(args[4], &a4)
+        && take_array(&held, args[5], law, "prior", 'd', 1, false, &view)
+        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_predictors_adaptation_time_left_moment_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:moment_at";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_time_left_Movement * a0;
+  int64_t a1;
+  T2d a2;
+  double a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "movement", false, 332, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
         && take_tuple(args[2], law, "span", 2)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(args[3], &a3)
-        && take_array(&held, args[4], law, "prior", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_adaptation_time_left_learn(a0, a1, a2, a3, a4);
+  result = predictors_adaptation_time_left_moment_at(a0, a1, a2, a3);
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_predictors_adaptation_time_left_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.time_left:solve";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_adaptation_time_left_Sums * a0;
+  Vector a1;
   Vector a2;
-  Vector a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "prior", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 35, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "prior", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  predictors_adaptation_time_left_solve(a0, a1, a2, a3);
+  predictors_adaptation_time_left_solve(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5756,41 +5437,42 @@ static PyObject *py_predictors_adaptation_time_left_stated(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.adaptation.time_left:stated";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  T3q a1;
-  T3d a2;
-  double a3;
+  predictors_adaptation_time_left_Sums * a0;
+  predictors_adaptation_arrival_intervals_Intervals * a1;
+  predictors_adaptation_time_left_Movement * a2;
+  T3d a3;
   double a4;
-  predictors_adaptation_time_left_Estimates a5;
-  predictors_adaptation_time_left_Way a6;
-  predictors_adaptation_time_left_Pace a7;
+  double a5;
+  predictors_adaptation_time_left_Estimates a6;
+  predictors_adaptation_time_left_Way a7;
+  predictors_adaptation_time_left_Pace a8;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 8)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "place", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_tuple(args[2], law, "cursor", 3)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_double(args[3], &a3)
+  if (!(counted(law, count, 9)
+        && take_memory(&held, args[0], law, "s", false, 35, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "intervals", false, 4, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 332, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
         && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "estimates", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.mixed)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.predicted)
-        && take_tuple(args[6], law, "way", 2)
-        && take_double(PyTuple_GetItem(args[6], 0), &a6.done)
-        && take_double(PyTuple_GetItem(args[6], 1), &a6.left)
-        && take_tuple(args[7], law, "pace", 2)
-        && take_double(PyTuple_GetItem(args[7], 0), &a7.of_peak)
-        && take_double(PyTuple_GetItem(args[7], 1), &a7.slow_s)))
+        && take_double(args[5], &a5)
+        && take_tuple(args[6], law, "estimates", 2)
+        && take_double(PyTuple_GetItem(args[6], 0), &a6.mixed)
+        && take_double(PyTuple_GetItem(args[6], 1), &a6.predicted)
+        && take_tuple(args[7], law, "way", 2)
+        && take_double(PyTuple_GetItem(args[7], 0), &a7.done)
+        && take_double(PyTuple_GetItem(args[7], 1), &a7.left)
+        && take_tuple(args[8], law, "pace", 2)
+        && take_double(PyTuple_GetItem(args[8], 0), &a8.of_peak)
+        && take_double(PyTuple_GetItem(args[8], 1), &a8.slow_s)))
     return let_go(&held);
-  result = predictors_adaptation_time_left_stated(a0, a1, a2, a3, a4, a5, a6, a7);
+  result = predictors_adaptation_time_left_stated(a0, a1, a2, a3, a4, a5, a6, a7, a8);
   let_go(&held);
   return give_T2d(result);
 }
@@ -6203,31 +5885,29 @@ static PyObject *py_predictors_kinematic_features_fill_lags(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.kinematic.features:fill_lags";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  predictors_kinematic_features_Frame a3;
-  Vector a4;
+  predictors_kinematic_history_State * a0;
+  predictors_kinematic_history_Point a1;
+  predictors_kinematic_features_Frame a2;
+  predictors_kinematic_features_Values * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
-        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.reach)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.hand)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_memory(&held, args[3], law, "out", true, 65, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_lags(a0, a1, a2, a3, a4);
+  predictors_kinematic_features_fill_lags(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6235,43 +5915,41 @@ static PyObject *py_predictors_kinematic_features_fill_pace(PyObject *self, PyOb
   static const char law[] = "pointpred.predictors.kinematic.features:fill_pace";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  records_MotionRow a3;
-  predictors_kinematic_features_Frame a4;
-  Vector a5;
+  predictors_kinematic_track_State * a0;
+  predictors_kinematic_history_Point a1;
+  records_MotionRow a2;
+  predictors_kinematic_features_Frame a3;
+  predictors_kinematic_features_Values * a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "m", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
-        && take_tuple(args[4], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.reach)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.hand)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.ux)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.uy)
-        && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_tuple(args[3], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
+        && take_memory(&held, args[4], law, "out", true, 65, &view)
+        && (a4 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4, a5);
+  predictors_kinematic_features_fill_pace(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6279,31 +5957,29 @@ static PyObject *py_predictors_kinematic_features_fill_shape(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.kinematic.features:fill_shape";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  predictors_kinematic_features_Frame a3;
-  Vector a4;
+  predictors_kinematic_track_State * a0;
+  predictors_kinematic_history_Point a1;
+  predictors_kinematic_features_Frame a2;
+  predictors_kinematic_features_Values * a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "frame", 4)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.reach)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.hand)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.ux)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.uy)
-        && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "frame", 4)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.reach)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.hand)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.ux)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.uy)
+        && take_memory(&held, args[3], law, "out", true, 65, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_features_fill_shape(a0, a1, a2, a3, a4);
+  predictors_kinematic_features_fill_shape(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6311,16 +5987,48 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.kinematic.features:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
+  predictors_kinematic_features_State * a0;
+  records_MotionRow a1;
   Tq_predictors_kinematic_history_Point_ result;
   (void)self, (void)view;
   held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)))
+    return let_go(&held);
+  result = predictors_kinematic_features_follow(a0, a1);
+  let_go(&held);
+  return give_Tq_predictors_kinematic_history_Point_(result);
+}
+static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
+  Held held;
+  const Py_buffer *view;
+  predictors_kinematic_track_State * a0;
+  predictors_kinematic_history_Point a1;
+  records_MotionRow a2;
+  predictors_kinematic_features_Frame result;
+  (void)self, (void)view;
+  held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "s", false, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
         && take_tuple(args[2], law, "m", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
@@ -6333,43 +6041,7 @@ static PyObject *py_predictors_kinematic_features_follow(PyObject *self, PyObjec
         && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)))
     return let_go(&held);
-  result = predictors_kinematic_features_follow(a0, a1, a2);
-  let_go(&held);
-  return give_Tq_predictors_kinematic_history_Point_(result);
-}
-static PyObject *py_predictors_kinematic_features_frame_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.kinematic.features:frame_of";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  records_MotionRow a3;
-  predictors_kinematic_features_Frame result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)))
-    return let_go(&held);
-  result = predictors_kinematic_features_frame_of(a0, a1, a2, a3);
+  result = predictors_kinematic_features_frame_of(a0, a1, a2);
   let_go(&held);
   return give_predictors_kinematic_features_Frame(result);
 }
@@ -6377,32 +6049,30 @@ static PyObject *py_predictors_kinematic_features_observe(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.features:observe";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  records_MotionRow a2;
-  Vector a3;
+  predictors_kinematic_features_State * a0;
+  records_MotionRow a1;
+  predictors_kinematic_features_Values * a2;
   Tq_predictors_kinematic_features_Frame_ result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "m", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
-        && take_array(&held, args[3], law, "out", 'd', 1, true, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.vx)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.ax)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.ay)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.settled)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.start)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.counts)
+        && take_memory(&held, args[2], law, "out", true, 65, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
-  result = predictors_kinematic_features_observe(a0, a1, a2, a3);
+  result = predictors_kinematic_features_observe(a0, a1, a2);
   let_go(&held);
   return give_Tq_predictors_kinematic_features_Frame_(result);
 }
@@ -6410,7 +6080,7 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
   static const char law[] = "pointpred.predictors.kinematic.features:observe_all";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_features_State * a0;
   FlagVector a1;
   Table a2;
   Table a3;
@@ -6418,8 +6088,8 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "begin", 'b', 1, false, &view)
         && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
@@ -6437,18 +6107,16 @@ static PyObject *py_predictors_kinematic_features_rewind(PyObject *self, PyObjec
   static const char law[] = "pointpred.predictors.kinematic.features:rewind";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  bool a2;
+  predictors_kinematic_features_State * a0;
+  bool a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_bool(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
+        && take_bool(args[1], &a1)))
     return let_go(&held);
-  predictors_kinematic_features_rewind(a0, a1, a2);
+  predictors_kinematic_features_rewind(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6456,16 +6124,14 @@ static PyObject *py_predictors_kinematic_history_begin(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.history:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_kinematic_history_State * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 202, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  predictors_kinematic_history_begin(a0, a1);
+  predictors_kinematic_history_begin(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6473,27 +6139,25 @@ static PyObject *py_predictors_kinematic_history_extend(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.history:extend";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_kinematic_history_State * a0;
+  T3d a1;
   T3d a2;
-  T3d a3;
   predictors_kinematic_history_Point result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "last", 3)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "last", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_tuple(args[2], law, "now", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_tuple(args[3], law, "now", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  result = predictors_kinematic_history_extend(a0, a1, a2, a3);
+  result = predictors_kinematic_history_extend(a0, a1, a2);
   let_go(&held);
   return give_predictors_kinematic_history_Point(result);
 }
@@ -6501,25 +6165,23 @@ static PyObject *py_predictors_kinematic_history_past(PyObject *self, PyObject *
   static const char law[] = "pointpred.predictors.kinematic.history:past";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  double a3;
+  predictors_kinematic_history_State * a0;
+  predictors_kinematic_history_Point a1;
+  double a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "now", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", false, 202, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "now", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_kinematic_history_past(a0, a1, a2, a3);
+  result = predictors_kinematic_history_past(a0, a1, a2);
   let_go(&held);
   return give_T3d(result);
 }
@@ -6542,15 +6204,15 @@ static PyObject *py_predictors_kinematic_network_evaluate(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.network:evaluate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_network_Coefficients * a0;
   Vector a1;
   Vector a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "coefficients", false, 132, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "values", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -6564,21 +6226,19 @@ static PyObject *py_predictors_kinematic_network_factor(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.network:factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
+  predictors_kinematic_network_Calibration * a0;
+  double a1;
+  int64_t a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "calibration", false, 30, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
     return let_go(&held);
-  result = predictors_kinematic_network_factor(a0, a1, a2, a3);
+  result = predictors_kinematic_network_factor(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -6586,7 +6246,7 @@ static PyObject *py_predictors_kinematic_network_layer(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.network:layer";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_network_Coefficients * a0;
   int64_t a1;
   Vector a2;
   Vector a3;
@@ -6594,8 +6254,8 @@ static PyObject *py_predictors_kinematic_network_layer(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "coefficients", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "coefficients", false, 132, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_array(&held, args[2], law, "inputs", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
@@ -6645,15 +6305,15 @@ static PyObject *py_predictors_kinematic_predictor_follow(PyObject *self, PyObje
   static const char law[] = "pointpred.predictors.kinematic.predictor:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_features_State * a0;
   T10d a1;
-  Vector a2;
+  predictors_kinematic_network_Coefficients * a2;
   bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6665,8 +6325,8 @@ static PyObject *py_predictors_kinematic_predictor_follow(PyObject *self, PyObje
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_kinematic_predictor_follow(a0, a1, a2);
   let_go(&held);
@@ -6676,15 +6336,15 @@ static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject
   static const char law[] = "pointpred.predictors.kinematic.predictor:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kinematic_features_State * a0;
   T10d a1;
-  Vector a2;
+  predictors_kinematic_network_Coefficients * a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 273, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6696,8 +6356,8 @@ static PyObject *py_predictors_kinematic_predictor_step(PyObject *self, PyObject
         && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
         && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
         && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_array(&held, args[2], law, "coefficients", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "coefficients", false, 132, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = predictors_kinematic_predictor_step(a0, a1, a2);
   let_go(&held);
@@ -6707,26 +6367,24 @@ static PyObject *py_predictors_kinematic_submovements_divide(PyObject *self, PyO
   static const char law[] = "pointpred.predictors.kinematic.submovements:divide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
+  predictors_kinematic_submovements_State * a0;
+  predictors_kinematic_history_Point a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kinematic_submovements_divide(a0, a1, a2, a3, a4);
+  predictors_kinematic_submovements_divide(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6734,36 +6392,34 @@ static PyObject *py_predictors_kinematic_track_advance(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.kinematic.track:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  predictors_kinematic_history_Point a2;
-  records_MotionRow a3;
-  double a4;
+  predictors_kinematic_track_State * a0;
+  predictors_kinematic_history_Point a1;
+  records_MotionRow a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "point", 4)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 29, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "point", 4)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.t)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.path)
+        && take_tuple(args[2], law, "hand", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.t)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.x)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.y)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.path)
-        && take_tuple(args[3], law, "hand", 10)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.t)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.x)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.y)
-        && take_double(PyTuple_GetItem(args[3], 3), &a3.vx)
-        && take_double(PyTuple_GetItem(args[3], 4), &a3.vy)
-        && take_double(PyTuple_GetItem(args[3], 5), &a3.ax)
-        && take_double(PyTuple_GetItem(args[3], 6), &a3.ay)
-        && take_double(PyTuple_GetItem(args[3], 7), &a3.settled)
-        && take_double(PyTuple_GetItem(args[3], 8), &a3.start)
-        && take_double(PyTuple_GetItem(args[3], 9), &a3.counts)
-        && take_double(args[4], &a4)))
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.vx)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.vy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.ax)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.ay)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.settled)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.start)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.counts)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kinematic_track_advance(a0, a1, a2, a3, a4);
+  predictors_kinematic_track_advance(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6771,48 +6427,30 @@ static PyObject *py_predictors_ktm_conclude(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.predictors.ktm:conclude";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_ktm_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_conclude(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_predictors_ktm_counts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.ktm:counts";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = predictors_ktm_counts(a0);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_predictors_ktm_distance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_movement_State * a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 9, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = predictors_ktm_distance(a0, a1);
+  result = predictors_ktm_distance(a0);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -6821,16 +6459,34 @@ static PyObject *py_predictors_ktm_fill(PyObject *self, PyObject *const *args, P
   Held held;
   const Py_buffer *view;
   Vector a0;
-  Vector a1;
+  predictors_ktm_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "memory", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[1], law, "settings", true, 26, &view)
+        && (a1 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_fill(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_predictors_ktm_forget(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:forget";
+  Held held;
+  const Py_buffer *view;
+  predictors_ktm_Settings * a0;
+  predictors_ktm_State * a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)))
+    return let_go(&held);
+  predictors_ktm_forget(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6838,36 +6494,72 @@ static PyObject *py_predictors_ktm_keep(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.predictors.ktm:keep";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_ktm_Memory * a0;
+  predictors_ktm_State * a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", false, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   predictors_ktm_keep(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_predictors_ktm_place_of_learned(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:place_of_learned";
+  Held held;
+  const Py_buffer *view;
+  predictors_ktm_Settings * a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = predictors_ktm_place_of_learned(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_predictors_ktm_place_of_template(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.ktm:place_of_template";
+  Held held;
+  const Py_buffer *view;
+  predictors_ktm_Settings * a0;
+  int64_t a1;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = predictors_ktm_place_of_template(a0, a1);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
 static PyObject *py_predictors_ktm_resample(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:resample";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_ktm_Memory * a0;
+  predictors_ktm_State * a1;
   double a2;
   double a3;
   double a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)))
@@ -6880,15 +6572,16 @@ static PyObject *py_predictors_ktm_sample(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.predictors.ktm:sample";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_ktm_Memory * a0;
+  predictors_ktm_State * a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   predictors_ktm_sample(a0, a1, a2);
@@ -6914,22 +6607,24 @@ static PyObject *py_predictors_ktm_score(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.ktm:score";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_ktm_Settings * a0;
   int64_t a1;
   double a2;
   double a3;
-  int64_t a4;
-  int64_t a5;
+  predictors_ktm_Template * a4;
+  predictors_ktm_Match * a5;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "settings", false, 26, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_int64_t(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+        && take_memory(&held, args[4], law, "template", false, 2, &view)
+        && (a4 = view->buf, true)
+        && take_memory(&held, args[5], law, "match", true, 25, &view)
+        && (a5 = view->buf, true)))
     return let_go(&held);
   predictors_ktm_score(a0, a1, a2, a3, a4, a5);
   let_go(&held);
@@ -6955,14 +6650,14 @@ static PyObject *py_predictors_ktm_step(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.predictors.ktm:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_ktm_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 26, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6979,35 +6674,17 @@ static PyObject *py_predictors_ktm_step(PyObject *self, PyObject *const *args, P
   let_go(&held);
   return give_T10d(result);
 }
-static PyObject *py_predictors_ktm_template(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.ktm:template";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = predictors_ktm_template(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_predictors_ktm_template_count(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.ktm:template_count";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_ktm_Memory * a0;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = predictors_ktm_template_count(a0);
   let_go(&held);
@@ -7017,16 +6694,17 @@ static PyObject *py_predictors_ktm_winner(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.predictors.ktm:winner";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_ktm_Memory * a0;
+  predictors_ktm_State * a1;
   double a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", false, 26, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", true, 35, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)))
     return let_go(&held);
   result = predictors_ktm_winner(a0, a1, a2);
@@ -7423,21 +7101,19 @@ static PyObject *py_predictors_mixture_part_density(PyObject *self, PyObject *co
   static const char law[] = "pointpred.predictors.mixture:part_density";
   Held held;
   const Py_buffer *view;
-  Table a0;
-  int64_t a1;
+  predictors_mixture_PartRow * a0;
+  double a1;
   double a2;
-  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "part", false, 7, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_part_density(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  result = predictors_mixture_part_density(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -7465,21 +7141,19 @@ static PyObject *py_predictors_mixture_reach(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.mixture:reach";
   Held held;
   const Py_buffer *view;
-  Table a0;
+  predictors_mixture_PartRow * a0;
   int64_t a1;
-  int64_t a2;
-  double a3;
+  double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "part", false, 7, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = predictors_mixture_reach(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  result = predictors_mixture_reach(a0, a1, a2);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -11341,7 +11015,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.correction:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:learn_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_learn_place, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:prepare", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_prepare, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.correction:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_record, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.correction:stage_begun", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_stage_begun, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:state", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_state, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:with_centre_ahead", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_with_centre_ahead, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.correction:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_correction_write_mixture, METH_FASTCALL, NULL},
@@ -11381,7 +11055,6 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.habits:shares", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_shares, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.habits:usual_width", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_usual_width, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.habits:width_weight", (PyCFunction)(void (*)(void))py_predictors_adaptation_habits_width_weight, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.levels:add", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_add, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_learn, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:offset", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_offset, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.levels:step_after", (PyCFunction)(void (*)(void))py_predictors_adaptation_levels_step_after, METH_FASTCALL, NULL},
@@ -11390,21 +11063,18 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.mixed_region:likeliest", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_likeliest, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.mixed_region:write", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.mixed_region:write_part", (PyCFunction)(void (*)(void))py_predictors_adaptation_mixed_region_write_part, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.moments:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_moment_at, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.moments:new_moment", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_new_moment, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:has_come", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_has_come, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.moments:next_moment", (PyCFunction)(void (*)(void))py_predictors_adaptation_moments_next_moment, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_fault, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:nearest", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_nearest, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:new_place", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_new_place, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:visit", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visit, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.places:visited", (PyCFunction)(void (*)(void))py_predictors_adaptation_places_visited, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:adapt", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_adapt, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:conclude", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_conclude, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:enter_scene", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_enter_scene, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:last_end", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_last_end, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:list_places", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_list_places, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:pace_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_pace_of, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:parts_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_parts_of, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.predictor:scene_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_scene_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:sizes", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_sizes, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:step", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_step, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:write_mixture", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_write_mixture, METH_FASTCALL, NULL},
@@ -11416,11 +11086,10 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.stages:bias", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bias, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:bounded", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_bounded, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:correct", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_correct, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.stages:forget", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_forget, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:interpolation", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:interpolation_among", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_interpolation_among, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_learn, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.stages:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_moment_at, METH_FASTCALL, NULL},
-  {"pointpred.predictors.adaptation.stages:record", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_record, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:scale", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_scale, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_solve, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.stages:tempo", (PyCFunction)(void (*)(void))py_predictors_adaptation_stages_tempo, METH_FASTCALL, NULL},
@@ -11429,6 +11098,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.time_left:factor", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_factor, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:fault", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_fault, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:learn", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_learn, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:moment_at", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_moment_at, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_solve, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:stated", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_stated, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:terms", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_terms, METH_FASTCALL, NULL},
@@ -11471,17 +11141,18 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.kinematic.submovements:divide", (PyCFunction)(void (*)(void))py_predictors_kinematic_submovements_divide, METH_FASTCALL, NULL},
   {"pointpred.predictors.kinematic.track:advance", (PyCFunction)(void (*)(void))py_predictors_kinematic_track_advance, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:conclude", (PyCFunction)(void (*)(void))py_predictors_ktm_conclude, METH_FASTCALL, NULL},
-  {"pointpred.predictors.ktm:counts", (PyCFunction)(void (*)(void))py_predictors_ktm_counts, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:distance", (PyCFunction)(void (*)(void))py_predictors_ktm_distance, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:fill", (PyCFunction)(void (*)(void))py_predictors_ktm_fill, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:forget", (PyCFunction)(void (*)(void))py_predictors_ktm_forget, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:keep", (PyCFunction)(void (*)(void))py_predictors_ktm_keep, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:place_of_learned", (PyCFunction)(void (*)(void))py_predictors_ktm_place_of_learned, METH_FASTCALL, NULL},
+  {"pointpred.predictors.ktm:place_of_template", (PyCFunction)(void (*)(void))py_predictors_ktm_place_of_template, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:resample", (PyCFunction)(void (*)(void))py_predictors_ktm_resample, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:sample", (PyCFunction)(void (*)(void))py_predictors_ktm_sample, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:samples_of", (PyCFunction)(void (*)(void))py_predictors_ktm_samples_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:score", (PyCFunction)(void (*)(void))py_predictors_ktm_score, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:sizes", (PyCFunction)(void (*)(void))py_predictors_ktm_sizes, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:step", (PyCFunction)(void (*)(void))py_predictors_ktm_step, METH_FASTCALL, NULL},
-  {"pointpred.predictors.ktm:template", (PyCFunction)(void (*)(void))py_predictors_ktm_template, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:template_count", (PyCFunction)(void (*)(void))py_predictors_ktm_template_count, METH_FASTCALL, NULL},
   {"pointpred.predictors.ktm:winner", (PyCFunction)(void (*)(void))py_predictors_ktm_winner, METH_FASTCALL, NULL},
   {"pointpred.predictors.linear:before", (PyCFunction)(void (*)(void))py_predictors_linear_before, METH_FASTCALL, NULL},
@@ -11673,6 +11344,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "7bb182d08603f2ebc19e3de69fb4692439f46ca27fee9aaf546fe4f553264a20", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "fd173708028ce1b0943271f8af4e2a1565a31e24b81030823853d2a874b8abd6", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

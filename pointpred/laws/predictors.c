@@ -34,36 +34,13 @@ static const int64_t predictors_kep_FIT = 12;
 static const int64_t predictors_kep_LENGTH = 55;
 static const int64_t predictors_kep_REACH = 1;
 static const int64_t predictors_kep_STEPS_MOST = 80;
-static const int64_t predictors_ktm_COUNT = 0;
-static const int64_t predictors_ktm_DISTANCE = 1;
-static const int64_t predictors_ktm_FINAL = 1;
-static const int64_t predictors_ktm_GRID_X = 11;
-static const int64_t predictors_ktm_GRID_Y = 12;
-static const int64_t predictors_ktm_HALF = 4;
 static const T22d predictors_ktm_KERNEL = {1.0, 0.9898478033787338, 0.9600054412854777, 0.9122540768285452, 0.8493658165683124, 0.7748374288832494, 0.6925693242051978, 0.6065306597126334, 0.5204501210207021, 0.43756473770026916, 0.360447788597821, 0.2909238070461482, 0.23006629899380912, 0.17826397958504792, 0.1353352832366127, 0.10066889977289781, 0.0733696513683829, 0.0523931410698256, 0.036658041953378, 0.025130488985274403, 0.01687988414878991, 0.011108996538242306};
-static const int64_t predictors_ktm_LEARNED = 2;
-static const int64_t predictors_ktm_LEARNED_MOST = 0;
-static const int64_t predictors_ktm_LENGTH = 0;
-static const int64_t predictors_ktm_LIBRARY = 1;
-static const int64_t predictors_ktm_LONGEST = 2;
 static const int64_t predictors_ktm_LONGEST_OF = 1;
-static const int64_t predictors_ktm_MATCH = 25;
-static const int64_t predictors_ktm_NEXT = 1;
-static const int64_t predictors_ktm_POINTS = 9;
 static const int64_t predictors_ktm_POINTS_LEAST = 4;
-static const int64_t predictors_ktm_PROFILE = 35;
 static const double predictors_ktm_RATE_HZ = 20.0;
-static const int64_t predictors_ktm_RECENT = 13;
-static const int64_t predictors_ktm_SAMPLES = 10;
-static const int64_t predictors_ktm_SCORE = 2;
 static const int64_t predictors_ktm_SHORTEST_OF = 2;
-static const int64_t predictors_ktm_SHORTEST_PX = 3;
-static const int64_t predictors_ktm_SMOOTH = 3;
-static const int64_t predictors_ktm_SPEEDS = 2;
 static const double predictors_ktm_STAMP_S = 1e-06;
 static const double predictors_ktm_STEP_S = 0.05;
-static const int64_t predictors_ktm_STORE = 26;
-static const int64_t predictors_ktm_SUM = 0;
 static const int64_t predictors_ktm_TAPS = 22;
 static const int64_t predictors_ktm_TEMPLATES_OF = 0;
 static const int64_t predictors_linear_AT = 2;
@@ -83,15 +60,8 @@ static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
 static const int64_t predictors_mixture_LINES = 24;
 static const double predictors_mixture_OUTSIDE = 1.0001;
 static const double predictors_mixture_PROBABILITY_MOST = 0.999999999;
-static const int64_t predictors_mixture_SHARE = 0;
-static const int64_t predictors_mixture_SXX = 3;
-static const int64_t predictors_mixture_SXY = 4;
-static const int64_t predictors_mixture_SYY = 5;
-static const int64_t predictors_mixture_TAIL = 6;
 static const double predictors_mixture_TURN_COS = -0.7373688780783197;
 static const double predictors_mixture_TURN_SIN = 0.6754902942615238;
-static const int64_t predictors_mixture_X = 1;
-static const int64_t predictors_mixture_Y = 2;
 static const double predictors_movement_BALLISTIC = 1.0;
 static const double predictors_movement_CORRECTIVE = 2.0;
 static const double predictors_movement_CORRECTIVE_FRACTION = 0.2;
@@ -143,18 +113,18 @@ static const int64_t regression_drem_REGRESSOR = 4;
 static const int64_t regression_least_squares_REGRESSOR = 3;
 
 /* The density of a part at a place, times its share, in 1 / px^2. */
-double predictors_mixture_part_density(Table parts, int64_t k, double x, double y) {
+double predictors_mixture_part_density(predictors_mixture_PartRow * part, double x, double y) {
   double sxx, sxy, syy, tail, determinant, dx, dy, far, log_density;
-  sxx = parts.p[k * parts.m + predictors_mixture_SXX];
-  sxy = parts.p[k * parts.m + predictors_mixture_SXY];
-  syy = parts.p[k * parts.m + predictors_mixture_SYY];
-  tail = parts.p[k * parts.m + predictors_mixture_TAIL];
+  sxx = part->sxx;
+  sxy = part->sxy;
+  syy = part->syy;
+  tail = part->tail;
   determinant = sxx * syy - sxy * sxy;
-  dx = x - parts.p[k * parts.m + predictors_mixture_X];
-  dy = y - parts.p[k * parts.m + predictors_mixture_Y];
+  dx = x - part->x;
+  dy = y - part->y;
   far = (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant;
   log_density = tail == 0.0 ? -0.5 * far : -0.5 * (tail + 2.0) * log1p(far / tail);
-  return parts.p[k * parts.m + predictors_mixture_SHARE] * exp(log_density) / (2.0 * 3.141592653589793 * sqrt(determinant));
+  return part->share * exp(log_density) / (2.0 * 3.141592653589793 * sqrt(determinant));
 }
 
 /* Squared Mahalanobis distance within which a share of a part's law lies. */
@@ -169,24 +139,26 @@ double predictors_mixture_density(Table parts, int64_t count, double x, double y
   double total;
   total = 0.0;
   for (int64_t k = 0; k < count; k++) {
-    total += predictors_mixture_part_density(parts, k, x, y);
+    total += predictors_mixture_part_density((predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p), x, y);
   }
   return total;
 }
 
 /* The density at so many points of each part, a row of ``out`` each. */
 void predictors_mixture_densities(Table parts, int64_t count, int64_t points, Table out) {
+  predictors_mixture_PartRow * part;
   double wide, slant, broad, cos_, sin_, radius, x, y;
   for (int64_t k = 0; k < count; k++) {
-    wide = sqrt(parts.p[k * parts.m + predictors_mixture_SXX]);
-    slant = parts.p[k * parts.m + predictors_mixture_SXY] / wide;
-    broad = sqrt(parts.p[k * parts.m + predictors_mixture_SYY] - slant * slant);
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+    wide = sqrt(part->sxx);
+    slant = part->sxy / wide;
+    broad = sqrt(part->syy - slant * slant);
     cos_ = 1.0;
     sin_ = 0.0;
     for (int64_t i = 0; i < points; i++) {
-      radius = sqrt(predictors_mixture_squared_radius((i + 0.5) / points, parts.p[k * parts.m + predictors_mixture_TAIL]));
-      x = parts.p[k * parts.m + predictors_mixture_X] + radius * wide * cos_;
-      y = parts.p[k * parts.m + predictors_mixture_Y] + radius * (slant * cos_ + broad * sin_);
+      radius = sqrt(predictors_mixture_squared_radius((i + 0.5) / points, part->tail));
+      x = part->x + radius * wide * cos_;
+      y = part->y + radius * (slant * cos_ + broad * sin_);
       out.p[k * out.m + i] = predictors_mixture_density(parts, count, x, y);
       double value_1 = cos_ * predictors_mixture_TURN_COS - sin_ * predictors_mixture_TURN_SIN;
       double value_2 = cos_ * predictors_mixture_TURN_SIN + sin_ * predictors_mixture_TURN_COS;
@@ -206,20 +178,21 @@ double predictors_mixture_share_above(Table parts, int64_t count, int64_t points
     for (int64_t i = 0; i < points; i++) {
       above += known.p[k * known.m + i] > threshold ? 1 : 0;
     }
-    total += parts.p[k * parts.m + predictors_mixture_SHARE] * above / points;
+    total += ((predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p))->share * above / points;
   }
   return total;
 }
 
 /* The probability of the places that are denser than a place: exact for a single part. */
 double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points) {
-  double own, best, tail, power;
+  predictors_mixture_PartRow * part;
+  double own, best, power;
   Table known;
   if (count == 1) {
-    own = predictors_mixture_part_density(parts, 0, x, y);
-    best = predictors_mixture_part_density(parts, 0, parts.p[0 * parts.m + predictors_mixture_X], parts.p[0 * parts.m + predictors_mixture_Y]);
-    tail = parts.p[0 * parts.m + predictors_mixture_TAIL];
-    power = tail == 0.0 ? 1.0 : tail / (tail + 2.0);
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + 0 * parts.m, parts.m}.p);
+    own = predictors_mixture_part_density(part, x, y);
+    best = predictors_mixture_part_density(part, part->x, part->y);
+    power = part->tail == 0.0 ? 1.0 : part->tail / (part->tail + 2.0);
     return 1.0 - pow(own / best, power);
   }
   RELEASED double *buffer_1 = reserved(count * points);
@@ -623,13 +596,13 @@ int64_t predictors_ktm_samples_of(double longest_s) {
 }
 
 /* The settings and the kernel, without a library. */
-void predictors_ktm_fill(Vector values, Vector memory) {
-  memory.p[predictors_ktm_LEARNED_MOST] = values.p[predictors_ktm_TEMPLATES_OF];
-  memory.p[predictors_ktm_LIBRARY] = 0.0;
-  memory.p[predictors_ktm_LONGEST] = predictors_ktm_samples_of(values.p[predictors_ktm_LONGEST_OF]);
-  memory.p[predictors_ktm_SHORTEST_PX] = values.p[predictors_ktm_SHORTEST_OF];
+void predictors_ktm_fill(Vector values, predictors_ktm_Settings * settings) {
+  settings->learned_most = values.p[predictors_ktm_TEMPLATES_OF];
+  settings->library = 0.0;
+  settings->longest = predictors_ktm_samples_of(values.p[predictors_ktm_LONGEST_OF]);
+  settings->shortest_px = values.p[predictors_ktm_SHORTEST_OF];
   for (int64_t k = 0; k < predictors_ktm_TAPS; k++) {
-    memory.p[predictors_ktm_HALF + k] = ((const double *)&predictors_ktm_KERNEL)[k];
+    settings->half[k] = ((const double *)&predictors_ktm_KERNEL)[k];
   }
 }
 
@@ -638,193 +611,215 @@ T3q predictors_ktm_sizes(Vector values) {
   int64_t templates, longest, states;
   templates = (int64_t)values.p[predictors_ktm_TEMPLATES_OF];
   longest = predictors_ktm_samples_of(values.p[predictors_ktm_LONGEST_OF]);
-  states = predictors_ktm_PROFILE + longest + templates * predictors_ktm_MATCH;
+  states = 35 + longest + templates * 25;
   if (templates == 0) {
-    return (T3q){predictors_ktm_STORE, 0, states + predictors_ktm_LEARNED};
+    return (T3q){26, 0, states + 2};
   }
-  return (T3q){predictors_ktm_STORE, templates * (predictors_ktm_SPEEDS + longest) + predictors_ktm_LEARNED, states};
+  return (T3q){26, templates * (2 + longest) + 2, states};
 }
 
 /* Place of the k-th template. */
-int64_t predictors_ktm_template(Vector memory, int64_t k) {
-  return predictors_ktm_STORE + k * (predictors_ktm_SPEEDS + (int64_t)memory.p[predictors_ktm_LONGEST]);
+int64_t predictors_ktm_place_of_template(predictors_ktm_Settings * settings, int64_t k) {
+  return k * (2 + (int64_t)settings->longest);
 }
 
-/* Place of the counts of learned templates: after the last of them. */
-int64_t predictors_ktm_counts(Vector memory) {
-  return predictors_ktm_template(memory, (int64_t)memory.p[predictors_ktm_LIBRARY] + (int64_t)memory.p[predictors_ktm_LEARNED_MOST]);
+/* Place of what is learned: after the last template. */
+int64_t predictors_ktm_place_of_learned(predictors_ktm_Settings * settings) {
+  return predictors_ktm_place_of_template(settings, (int64_t)settings->library + (int64_t)settings->learned_most);
 }
 
 /* How many templates there are to compare with. */
-int64_t predictors_ktm_template_count(Vector memory) {
-  return (int64_t)memory.p[predictors_ktm_LIBRARY] + (int64_t)memory.p[predictors_ktm_counts(memory) + predictors_ktm_COUNT];
+int64_t predictors_ktm_template_count(predictors_ktm_Memory * memory) {
+  predictors_ktm_Learned * learned;
+  learned = (predictors_ktm_Learned *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(&memory->settings));
+  return (int64_t)memory->settings.library + (int64_t)learned->count;
 }
 
 /* One template's mean absolute smoothed difference over samples 0 to n. */
-void predictors_ktm_score(Vector memory, int64_t n, double speed, double own, int64_t place, int64_t match) {
-  int64_t length, smooth, oldest;
+void predictors_ktm_score(predictors_ktm_Settings * settings, int64_t n, double speed, double own, predictors_ktm_Template * template, predictors_ktm_Match * match) {
+  int64_t length, oldest;
   double difference, total, newest;
-  length = (int64_t)memory.p[place + predictors_ktm_LENGTH];
-  smooth = match + predictors_ktm_SMOOTH;
-  difference = n < length ? speed - memory.p[place + predictors_ktm_SPEEDS + n] : speed;
-  memory.p[match + predictors_ktm_FINAL] += fabs(memory.p[smooth]);
-  total = memory.p[match + predictors_ktm_FINAL];
+  length = (int64_t)template->samples;
+  difference = n < length ? speed - template->speeds[n] : speed;
+  match->final += fabs(match->smooth[0]);
+  total = match->final;
   oldest = max_whole(0, predictors_ktm_TAPS - 1 - n);
   for (int64_t k = oldest; k < (predictors_ktm_TAPS - 1); k++) {
-    memory.p[smooth + k] = memory.p[smooth + k + 1] + memory.p[predictors_ktm_HALF + predictors_ktm_TAPS - 1 - k] * difference;
-    total += fabs(memory.p[smooth + k]);
+    match->smooth[k] = match->smooth[k + 1] + settings->half[predictors_ktm_TAPS - 1 - k] * difference;
+    total += fabs(match->smooth[k]);
   }
   newest = own;
   if (n < length) {
     for (int64_t k = oldest; k < predictors_ktm_TAPS; k++) {
-      newest -= memory.p[predictors_ktm_HALF + predictors_ktm_TAPS - 1 - k] * memory.p[place + predictors_ktm_SPEEDS + n - (predictors_ktm_TAPS - 1) + k];
+      newest -= settings->half[predictors_ktm_TAPS - 1 - k] * template->speeds[n - (predictors_ktm_TAPS - 1) + k];
     }
   }
-  memory.p[smooth + predictors_ktm_TAPS - 1] = newest;
-  memory.p[match + predictors_ktm_SCORE] = (total + fabs(newest)) / (n + 1);
+  match->smooth[predictors_ktm_TAPS - 1] = newest;
+  match->score = (total + fabs(newest)) / (n + 1);
 }
 
 /* Take in the next sample of the movement's speed, and score every template. */
-void predictors_ktm_sample(Vector memory, int64_t at, double speed) {
-  int64_t n, longest, recent, place, match;
+void predictors_ktm_sample(predictors_ktm_Memory * memory, predictors_ktm_State * s, double speed) {
+  predictors_ktm_Settings * settings;
+  predictors_ktm_Samples * samples;
+  int64_t n, longest;
   double own;
-  n = (int64_t)memory.p[at + predictors_ktm_SAMPLES];
-  longest = (int64_t)memory.p[predictors_ktm_LONGEST];
-  recent = at + predictors_ktm_RECENT;
+  predictors_ktm_Template * template;
+  settings = &memory->settings;
+  samples = &s->samples;
+  n = (int64_t)samples->count;
+  longest = (int64_t)settings->longest;
   for (int64_t k = 0; k < (predictors_ktm_TAPS - 1); k++) {
-    memory.p[recent + k] = memory.p[recent + k + 1];
+    samples->recent[k] = samples->recent[k + 1];
   }
-  memory.p[recent + predictors_ktm_TAPS - 1] = speed;
+  samples->recent[predictors_ktm_TAPS - 1] = speed;
   if (n < longest) {
-    memory.p[at + predictors_ktm_PROFILE + n] = speed;
+    s->rest[n] = speed;
   }
   own = 0.0;
   for (int64_t k = 0; k < predictors_ktm_TAPS; k++) {
-    own += memory.p[predictors_ktm_HALF + predictors_ktm_TAPS - 1 - k] * memory.p[recent + k];
+    own += settings->half[predictors_ktm_TAPS - 1 - k] * samples->recent[k];
   }
   for (int64_t j = 0, end_1 = predictors_ktm_template_count(memory); j < end_1; j++) {
-    place = predictors_ktm_template(memory, j);
-    match = at + predictors_ktm_PROFILE + longest + j * predictors_ktm_MATCH;
-    predictors_ktm_score(memory, n, speed, own, place, match);
+    template = (predictors_ktm_Template *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_template(settings, j));
+    predictors_ktm_score(settings, n, speed, own, template, (predictors_ktm_Match *)((Vector){s->rest, -1}.p + longest + j * 25));
   }
-  memory.p[at + predictors_ktm_SAMPLES] = n + 1.0;
+  samples->count = n + 1.0;
 }
 
 /* Add each score that many times to its running sum; the first with the lowest sum, -1 without any. */
-int64_t predictors_ktm_winner(Vector memory, int64_t at, double times) {
-  int64_t first, best, match;
-  first = at + predictors_ktm_PROFILE + (int64_t)memory.p[predictors_ktm_LONGEST];
+int64_t predictors_ktm_winner(predictors_ktm_Memory * memory, predictors_ktm_State * s, double times) {
+  int64_t best;
+  double lowest;
+  predictors_ktm_Match * match;
   best = -1;
+  lowest = 0.0;
   for (int64_t j = 0, end_1 = predictors_ktm_template_count(memory); j < end_1; j++) {
-    match = first + j * predictors_ktm_MATCH;
-    memory.p[match + predictors_ktm_SUM] += times * memory.p[match + predictors_ktm_SCORE];
-    if (best < 0 || memory.p[match + predictors_ktm_SUM] < memory.p[first + best * predictors_ktm_MATCH + predictors_ktm_SUM]) {
+    match = (predictors_ktm_Match *)((Vector){s->rest, -1}.p + (int64_t)memory->settings.longest + j * 25);
+    match->sum += times * match->score;
+    if (best < 0 || match->sum < lowest) {
       best = j;
+      lowest = match->sum;
     }
   }
   return best;
 }
 
 /* Store the movement as a template, replacing the oldest learned one, if its length is within bounds. */
-void predictors_ktm_keep(Vector memory, int64_t at, double distance) {
-  int64_t most, samples, place_of_counts, place;
-  most = (int64_t)memory.p[predictors_ktm_LEARNED_MOST];
-  samples = (int64_t)memory.p[at + predictors_ktm_SAMPLES];
-  if (most == 0 || memory.p[at + predictors_ktm_POINTS] < predictors_ktm_POINTS_LEAST || !(2 <= samples && samples <= memory.p[predictors_ktm_LONGEST])) {
+void predictors_ktm_keep(predictors_ktm_Memory * memory, predictors_ktm_State * s, double distance) {
+  predictors_ktm_Settings * settings;
+  int64_t most, samples;
+  predictors_ktm_Learned * learned;
+  predictors_ktm_Template * template;
+  settings = &memory->settings;
+  most = (int64_t)settings->learned_most;
+  samples = (int64_t)s->samples.count;
+  if (most == 0 || s->samples.points < predictors_ktm_POINTS_LEAST || !(2 <= samples && samples <= settings->longest)) {
     return;
   }
-  if (!(distance >= memory.p[predictors_ktm_SHORTEST_PX])) {
+  if (!(distance >= settings->shortest_px)) {
     return;
   }
-  place_of_counts = predictors_ktm_counts(memory);
-  place = predictors_ktm_template(memory, (int64_t)memory.p[predictors_ktm_LIBRARY] + (int64_t)memory.p[place_of_counts + predictors_ktm_NEXT]);
-  memory.p[place + predictors_ktm_LENGTH] = samples;
-  memory.p[place + predictors_ktm_DISTANCE] = distance;
-  for (int64_t k = 0, end_1 = (int64_t)memory.p[predictors_ktm_LONGEST]; k < end_1; k++) {
-    memory.p[place + predictors_ktm_SPEEDS + k] = memory.p[at + predictors_ktm_PROFILE + k];
+  learned = (predictors_ktm_Learned *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(settings));
+  template = (predictors_ktm_Template *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_template(settings, (int64_t)settings->library + (int64_t)learned->next));
+  template->samples = samples;
+  template->distance = distance;
+  for (int64_t k = 0, end_1 = (int64_t)settings->longest; k < end_1; k++) {
+    template->speeds[k] = s->rest[k];
   }
-  memory.p[place_of_counts + predictors_ktm_NEXT] = remainder_float(memory.p[place_of_counts + predictors_ktm_NEXT] + 1.0, most);
-  memory.p[place_of_counts + predictors_ktm_COUNT] = min_float(memory.p[place_of_counts + predictors_ktm_COUNT] + 1.0, most);
+  learned->next = remainder_float(learned->next + 1.0, most);
+  learned->count = min_float(learned->count + 1.0, most);
+}
+
+/* Nothing is known of the movement but what all predictors know. */
+void predictors_ktm_forget(predictors_ktm_Settings * settings, predictors_ktm_State * s) {
+  int64_t matches;
+  memset(&s->samples, 0, sizeof(predictors_ktm_Samples));
+  matches = (int64_t)settings->library + (int64_t)settings->learned_most;
+  fill((Vector){(Vector){s->rest, -1}.p, (int64_t)settings->longest + matches * 25}, 0.0);
 }
 
 /* How far the cursor is from the movement's start, px. */
-double predictors_ktm_distance(Vector memory, int64_t at) {
-  double away_x;
-  away_x = ((predictors_movement_State *)(memory.p + at))->x - ((predictors_movement_State *)(memory.p + at))->x0;
-  return hypot(away_x, ((predictors_movement_State *)(memory.p + at))->y - ((predictors_movement_State *)(memory.p + at))->y0);
+double predictors_ktm_distance(predictors_movement_State * s) {
+  return hypot(s->x - s->x0, s->y - s->y0);
 }
 
 /* The movement has ended: keep it as a template. */
-void predictors_ktm_conclude(Vector memory) {
-  int64_t at;
-  at = predictors_ktm_counts(memory) + predictors_ktm_LEARNED;
-  predictors_ktm_keep(memory, at, predictors_ktm_distance(memory, at));
+void predictors_ktm_conclude(predictors_ktm_Memory * memory) {
+  predictors_ktm_State * s;
+  s = (predictors_ktm_State *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(&memory->settings) + 2);
+  predictors_ktm_keep(memory, s, predictors_ktm_distance(&s->movement));
 }
 
 /* Take in the samples that have fallen due since the motion before the last one. */
-void predictors_ktm_resample(Vector memory, int64_t at, double since, double x_before, double y_before) {
+void predictors_ktm_resample(predictors_ktm_Memory * memory, predictors_ktm_State * s, double since, double x_before, double y_before) {
+  predictors_ktm_Samples * samples;
   double most, now, x, y, due, back, grid_x, grid_y, way;
-  most = memory.p[predictors_ktm_LONGEST] + predictors_ktm_TAPS;
-  now = ((predictors_movement_State *)(memory.p + at))->t - ((predictors_movement_State *)(memory.p + at))->t0;
-  x = ((predictors_movement_State *)(memory.p + at))->x;
-  y = ((predictors_movement_State *)(memory.p + at))->y;
-  due = memory.p[at + predictors_ktm_SAMPLES] * predictors_ktm_STEP_S;
-  while (due <= now + predictors_ktm_STAMP_S && memory.p[at + predictors_ktm_SAMPLES] < most) {
+  samples = &s->samples;
+  most = memory->settings.longest + predictors_ktm_TAPS;
+  now = s->movement.t - s->movement.t0;
+  x = s->movement.x;
+  y = s->movement.y;
+  due = samples->count * predictors_ktm_STEP_S;
+  while (due <= now + predictors_ktm_STAMP_S && samples->count < most) {
     back = min_float(max_float((now - due) / since, 0.0), 1.0);
     grid_x = x + back * (x_before - x);
     grid_y = y + back * (y_before - y);
-    way = hypot(grid_x - memory.p[at + predictors_ktm_GRID_X], grid_y - memory.p[at + predictors_ktm_GRID_Y]);
-    memory.p[at + predictors_ktm_GRID_X] = grid_x;
-    memory.p[at + predictors_ktm_GRID_Y] = grid_y;
-    predictors_ktm_sample(memory, at, way * predictors_ktm_RATE_HZ);
-    due = memory.p[at + predictors_ktm_SAMPLES] * predictors_ktm_STEP_S;
+    way = hypot(grid_x - samples->x, grid_y - samples->y);
+    samples->x = grid_x;
+    samples->y = grid_y;
+    predictors_ktm_sample(memory, s, way * predictors_ktm_RATE_HZ);
+    due = samples->count * predictors_ktm_STEP_S;
   }
 }
 
 /* Follow the speed profile and go as far as the template that is most like it. */
-T10d predictors_ktm_step(Vector memory, T10d motion) {
+T10d predictors_ktm_step(predictors_ktm_Memory * memory, T10d motion) {
   records_MotionRow m;
-  int64_t at, fault, best;
+  predictors_ktm_State * s;
   double last_distance, x_before, y_before, dt, phase, away, ahead, x0, y0;
+  int64_t fault, best;
   bool new;
+  predictors_ktm_Template * template;
   m = records_MotionRow_of_T10d(motion);
-  at = predictors_ktm_counts(memory) + predictors_ktm_LEARNED;
-  last_distance = predictors_ktm_distance(memory, at);
-  x_before = ((predictors_movement_State *)(memory.p + at))->x;
-  y_before = ((predictors_movement_State *)(memory.p + at))->y;
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + at), m);
+  s = (predictors_ktm_State *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(&memory->settings) + 2);
+  last_distance = predictors_ktm_distance(&s->movement);
+  x_before = s->movement.x;
+  y_before = s->movement.y;
+  Tqbd values_1 = predictors_movement_follow(&s->movement, m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + at), m, fault);
+    return predictors_movement_refuse(&s->movement, m, fault);
   }
-  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + at), m);
+  phase = predictors_movement_phase(&s->movement, m);
   if (new) {
-    predictors_ktm_keep(memory, at, last_distance);
-    fill((Vector){memory.p + (at + 9), memory.n - (at + 9)}, 0.0);
-    memory.p[at + predictors_ktm_POINTS] = 1.0;
-    predictors_ktm_sample(memory, at, 0.0);
+    predictors_ktm_keep(memory, s, last_distance);
+    predictors_ktm_forget(&memory->settings, s);
+    s->samples.points = 1.0;
+    predictors_ktm_sample(memory, s, 0.0);
   }
-  if (new || m.t == ((predictors_movement_State *)(memory.p + at))->t0) {
-    memory.p[at + predictors_ktm_GRID_X] = m.x;
-    memory.p[at + predictors_ktm_GRID_Y] = m.y;
+  if (new || m.t == s->movement.t0) {
+    s->samples.x = m.x;
+    s->samples.y = m.y;
   }
   if (dt > 0.0) {
-    memory.p[at + predictors_ktm_POINTS] += 1.0;
-    predictors_ktm_resample(memory, at, dt, x_before, y_before);
+    s->samples.points += 1.0;
+    predictors_ktm_resample(memory, s, dt, x_before, y_before);
   }
-  away = predictors_ktm_distance(memory, at);
+  away = predictors_ktm_distance(&s->movement);
   best = -1;
-  if (memory.p[at + predictors_ktm_POINTS] >= predictors_ktm_POINTS_LEAST) {
-    best = predictors_ktm_winner(memory, at, dt > 0.0 ? 1.0 : 0.0);
+  if (s->samples.points >= predictors_ktm_POINTS_LEAST) {
+    best = predictors_ktm_winner(memory, s, dt > 0.0 ? 1.0 : 0.0);
   }
   if (best < 0 || !(away > 0.0)) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
-  ahead = memory.p[predictors_ktm_template(memory, best) + predictors_ktm_DISTANCE] / away - 1.0;
-  x0 = ((predictors_movement_State *)(memory.p + at))->x0;
-  y0 = ((predictors_movement_State *)(memory.p + at))->y0;
+  template = (predictors_ktm_Template *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_template(&memory->settings, best));
+  ahead = template->distance / away - 1.0;
+  x0 = s->movement.x0;
+  y0 = s->movement.y0;
   return records_endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase);
 }
 
@@ -920,20 +915,22 @@ T10d predictors_minimum_jerk_step(Vector memory, T10d motion) {
 
 /* The density above which places of the probability ``level`` lie: exact for a single part. */
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points) {
-  double tail, far, log_density, most, low, high, middle;
+  predictors_mixture_PartRow * first, *part;
+  double far, log_density, most, low, high, middle;
   Table known;
   if (count == 1) {
-    tail = parts.p[0 * parts.m + predictors_mixture_TAIL];
-    far = predictors_mixture_squared_radius(level, tail);
-    log_density = tail == 0.0 ? -0.5 * far : -0.5 * (tail + 2.0) * log1p(far / tail);
-    return predictors_mixture_part_density(parts, 0, parts.p[0 * parts.m + predictors_mixture_X], parts.p[0 * parts.m + predictors_mixture_Y]) * exp(log_density);
+    first = (predictors_mixture_PartRow *)((Vector){parts.p + 0 * parts.m, parts.m}.p);
+    far = predictors_mixture_squared_radius(level, first->tail);
+    log_density = first->tail == 0.0 ? -0.5 * far : -0.5 * (first->tail + 2.0) * log1p(far / first->tail);
+    return predictors_mixture_part_density(first, first->x, first->y) * exp(log_density);
   }
   RELEASED double *buffer_1 = reserved(count * points);
   known = (Table){buffer_1, count, points};
   predictors_mixture_densities(parts, count, points, known);
   most = predictors_mixture_DENSITY_LEAST;
   for (int64_t k = 0; k < count; k++) {
-    most += predictors_mixture_part_density(parts, k, parts.p[k * parts.m + predictors_mixture_X], parts.p[k * parts.m + predictors_mixture_Y]);
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+    most += predictors_mixture_part_density(part, part->x, part->y);
   }
   low = log(predictors_mixture_DENSITY_LEAST);
   high = log(most);
@@ -948,35 +945,37 @@ double predictors_mixture_threshold_of(Table parts, int64_t count, double level,
   return exp(0.5 * (low + high));
 }
 
-/* Squared Mahalanobis distance beyond which a part is less than its portion of a threshold. */
-double predictors_mixture_reach(Table parts, int64_t count, int64_t k, double threshold) {
+/* Squared Mahalanobis distance beyond which one of the parts is less than its portion of a threshold. */
+double predictors_mixture_reach(predictors_mixture_PartRow * part, int64_t count, double threshold) {
   double over, tail;
-  over = predictors_mixture_part_density(parts, k, parts.p[k * parts.m + predictors_mixture_X], parts.p[k * parts.m + predictors_mixture_Y]) * count / threshold;
+  over = predictors_mixture_part_density(part, part->x, part->y) * count / threshold;
   if (!(over > 1.0)) {
     return -1.0;
   }
-  tail = parts.p[k * parts.m + predictors_mixture_TAIL];
+  tail = part->tail;
   return tail == 0.0 ? 2.0 * log(over) : tail * expm1(2.0 * log(over) / (tail + 2.0));
 }
 
 /* Lay out the lines of the grid in one direction, ascending; returns how many. ``across``: 0 x, 1 y. */
 int64_t predictors_mixture_lines_of(Table parts, int64_t count, double threshold, int64_t across, Vector out) {
-  int64_t centre, scale, total, place;
-  double far, at, value;
-  centre = predictors_mixture_X;
-  scale = predictors_mixture_SXX;
+  int64_t total, place;
+  predictors_mixture_PartRow * part;
+  double centre, scale, far, at, value;
   total = 0;
-  if (across == 1) {
-    centre = predictors_mixture_Y;
-    scale = predictors_mixture_SYY;
-  }
   for (int64_t k = 0; k < count; k++) {
-    far = predictors_mixture_reach(parts, count, k, threshold);
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+    centre = part->x;
+    scale = part->sxx;
+    if (across == 1) {
+      centre = part->y;
+      scale = part->syy;
+    }
+    far = predictors_mixture_reach(part, count, threshold);
     for (int64_t i = 0; i < predictors_mixture_LINES; i++) {
       if (far > 0.0) {
         at = 2.0 * i / (predictors_mixture_LINES - 1.0) - 1.0;
         at *= predictors_mixture_AT_CENTRE + (1.0 - predictors_mixture_AT_CENTRE) * at * at;
-        value = parts.p[k * parts.m + centre] + predictors_mixture_OUTSIDE * at * sqrt(far * parts.p[k * parts.m + scale]);
+        value = centre + predictors_mixture_OUTSIDE * at * sqrt(far * scale);
         place = total;
         while (place > 0 && out.p[place - 1] > value) {
           out.p[place] = out.p[place - 1];
@@ -1387,10 +1386,10 @@ void loop__predictors_ktm_conclude__records_row_at__predictors_ktm_step(Vector m
   T10d answer;
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
-      predictors_ktm_conclude(memory);
+      predictors_ktm_conclude((predictors_ktm_Memory *)memory.p);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_ktm_step(memory, records_row_at(rows, i));
+    answer = predictors_ktm_step((predictors_ktm_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -2151,7 +2150,7 @@ T10d joint__differentiators_difference_step__predictors_ktm_step(Vector memory, 
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_ktm_step(other, answer);
+    answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2161,7 +2160,7 @@ T10d joint__differentiators_difference_step__predictors_ktm_step(Vector memory, 
 
 bool follow__predictors_ktm_step(Vector memory, T10d row) {
   double t;
-  t = predictors_ktm_step(memory, row).f0;
+  t = predictors_ktm_step((predictors_ktm_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -2185,7 +2184,7 @@ T10d last__differentiators_difference_step__follow__predictors_ktm_step__predict
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_ktm_step(other, between);
+      answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2202,7 +2201,7 @@ T10d joint__differentiators_homogeneous_step__predictors_ktm_step(Vector memory,
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_ktm_step(other, answer);
+    answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2230,7 +2229,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_ktm_step__predic
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_ktm_step(other, between);
+      answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2247,7 +2246,7 @@ T10d joint__differentiators_kalman_step__predictors_ktm_step(Vector memory, Vect
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_ktm_step(other, answer);
+    answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2275,7 +2274,7 @@ T10d last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_ktm_step(other, between);
+      answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
