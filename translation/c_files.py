@@ -148,7 +148,7 @@ def header(prelude: str, functions: list[Function]) -> str:
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
     layouts: list[type[Layout]] = []
     for one in functions:
-        for layout in one.layouts:
+        for layout in sorted(one.layouts, key=lambda layout: (layout.__module__, layout.__name__)):
             _lay_out(layout, layouts)
     lines += [struct_text(layout) for layout in layouts]
     for source, target in sorted(casts.values(), key=lambda pair: _depth(pair[0])):
