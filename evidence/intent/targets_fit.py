@@ -148,10 +148,8 @@ def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
     ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR])
     file = ROOT / "pointpred" / "targets" / "coefficients.py"
     values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[2 * FEATURES :]}
-    for prefix, part in (
-        ("", ours[: posterior.Weights.length]),
-        ("UNCLAIMED_", ours[posterior.Weights.length :]),
-    ):
+    half = posterior.Weights.length
+    for prefix, part in (("", ours[:half]), ("UNCLAIMED_", ours[half:])):
         values[f"{prefix}SLOW"], values[f"{prefix}FAST"] = part[:FEATURES], part[FEATURES : 2 * FEATURES]
         values[f"{prefix}NONE"] = part[2 * FEATURES :]
     lines = file.read_text(encoding="utf-8").splitlines()

@@ -267,14 +267,14 @@ class Prefetcher:
 
     def update(self, prediction: Prediction | None, event: PointerEvent) -> tuple[Hashable, ...]:
         """Take an event and the prediction made at it; the targets that fire now, in their order."""
-        memory = self._state.memory
         t, x, y, pressed = accepted(self._state.cursor, event)
-        cursor.follow(memory, t, x, y, pressed)
+        now = self._state.cursor.memory
+        cursor.follow(now, t, x, y, pressed)
         answer = prediction_row(prediction)
-        posterior.scores(memory, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
+        posterior.scores(now, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
         posterior.normalise(self._shares)
         targets = self._table, self._thresholds, self._visits, self._fired
-        if step(memory, targets, self._shares, FITTED_SETTINGS) == 0:
+        if step(self._state.memory, targets, self._shares, FITTED_SETTINGS) == 0:
             return ()
         return tuple(self._ids[i] for i in np.flatnonzero(self._fired >= PREDICTED).tolist())
 

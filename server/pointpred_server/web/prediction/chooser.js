@@ -29,8 +29,9 @@ import { general, quoted } from "./words.js";
 
 const PARAMETERS = [["precision", ""], ["elsewhere", ""], ["least_lead_s", "s"], ["least_way_px", "px"]].map(
   ([name, unit], place) => ({ name, unit, low: posterior.LOWEST[place], high: posterior.HIGHEST[place] }));
-/** Bounds of the share of proposals that shall be right, and of movements that go to none of the targets. */
-export const [PRECISION, ELSEWHERE] = PARAMETERS;
+const ELSEWHERE = PARAMETERS[1];
+/** Bounds of the share of proposals that shall be right. */
+export const PRECISION = PARAMETERS[0];
 const CHANGES = [["retract", null], ["retract", null], ["propose", "predicted"], ["propose", "entered"]]; // as the law returns them
 const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
 const TARGET = ["x", "y", "width", "height", "weight"], MOST = TARGET.map(() => LARGEST);
