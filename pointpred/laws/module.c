@@ -8971,7 +8971,7 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
   Table a0;
   Table a1;
   Table a2;
-  Vector a3;
+  posterior_Coefficients * a3;
   double a4;
   Table a5;
   (void)self, (void)view;
@@ -8984,7 +8984,8 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "coefficients", 28)
+        && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "shares", 'd', 2, true, &view)
         && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
@@ -9180,7 +9181,7 @@ static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const
   static const char law[] = "pointpred.simulation.loop:acceleration";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   loop_Place a2;
   T2d result;
@@ -9188,7 +9189,8 @@ static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_tuple(args[2], law, "place", 6)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
@@ -9206,7 +9208,7 @@ static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.simulation.loop:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -9215,7 +9217,8 @@ static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *arg
   held.count = 0;
   if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -9229,7 +9232,7 @@ static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:assist";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -9238,7 +9241,8 @@ static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -9251,14 +9255,15 @@ static PyObject *py_simulation_loop_ballistic_force(PyObject *self, PyObject *co
   static const char law[] = "pointpred.simulation.loop:ballistic_force";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   result = simulation_loop_ballistic_force(a0, a1);
@@ -9269,13 +9274,14 @@ static PyObject *py_simulation_loop_correct(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.simulation.loop:correct";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   simulation_loop_correct(a0, a1);
@@ -9305,15 +9311,16 @@ static PyObject *py_simulation_loop_cursor_distance(PyObject *self, PyObject *co
   static const char law[] = "pointpred.simulation.loop:cursor_distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Settings * a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 55)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9325,7 +9332,7 @@ static PyObject *py_simulation_loop_cursor_in_mind(PyObject *self, PyObject *con
   static const char law[] = "pointpred.simulation.loop:cursor_in_mind";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -9334,7 +9341,8 @@ static PyObject *py_simulation_loop_cursor_in_mind(PyObject *self, PyObject *con
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -9347,15 +9355,16 @@ static PyObject *py_simulation_loop_cursor_rate(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.simulation.loop:cursor_rate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Settings * a0;
   double a1;
   double a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 55)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9367,13 +9376,14 @@ static PyObject *py_simulation_loop_decide(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:decide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   simulation_loop_decide(a0, a1);
@@ -9384,14 +9394,15 @@ static PyObject *py_simulation_loop_enter(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.simulation.loop:enter";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_State * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 1047)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9403,15 +9414,16 @@ static PyObject *py_simulation_loop_hand_distance(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.simulation.loop:hand_distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Settings * a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 55)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9423,14 +9435,15 @@ static PyObject *py_simulation_loop_launch(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:launch";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   int64_t a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9442,7 +9455,7 @@ static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.simulation.loop:play";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   Table a1;
   Table a2;
   int64_t result;
@@ -9450,7 +9463,8 @@ static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, 
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
@@ -9481,7 +9495,7 @@ static PyObject *py_simulation_loop_report(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:report";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   double a1;
   double a2;
   T2d result;
@@ -9489,7 +9503,8 @@ static PyObject *py_simulation_loop_report(PyObject *self, PyObject *const *args
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9501,14 +9516,15 @@ static PyObject *py_simulation_loop_step(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.simulation.loop:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  loop_Memory * a0;
   T5d a1;
   T14d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 1102)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "chance", 5)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9658,19 +9674,20 @@ static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.targets.choice_law:propose";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   T4d a1;
   bool a2;
   double a3;
   T_Table_2_Vector_ a4;
-  Vector a5;
+  posterior_Settings a5;
   int64_t a6;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9685,8 +9702,11 @@ static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *
         && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 1, true, &view)
         && (a4.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[5], law, "settings", 'd', 1, false, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
         && take_int64_t(args[6], &a6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_propose(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
@@ -9697,18 +9717,20 @@ static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.choice_law:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   T4d a1;
   T10d a2;
   T_Table_2_Vector_ a3;
-  T2_Vector_ a4;
-  int64_t a5;
+  posterior_Coefficients * a4;
+  posterior_Settings a5;
+  int64_t a6;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9732,14 +9754,17 @@ static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[4], law, "model", 2)
-        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
-        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
-        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[5], &a5)))
+        && take_array(&held, args[4], law, "coefficients", 'd', 1, false, &view)
+        && is_long_enough(view, law, "coefficients", 28)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
+        && take_int64_t(args[6], &a6)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T3q(result);
 }
@@ -9747,18 +9772,19 @@ static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject
   static const char law[] = "pointpred.targets.choice_law:step_with_shares";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   T4d a1;
   double a2;
   T_Table_2_Vector_ a3;
-  Vector a4;
+  posterior_Settings a4;
   int64_t a5;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9772,8 +9798,11 @@ static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "settings", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[4], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.precision)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.elsewhere)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.least_lead_s)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.least_way_px)
         && take_int64_t(args[5], &a5)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step_with_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
@@ -9784,14 +9813,15 @@ static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.choice_law:unusable";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Table a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -9803,18 +9833,20 @@ static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.choice_law:walk";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   T3_Table_ a1;
   int64_t a2;
   T_Table_2_Vector_ a3;
-  T2_Vector_ a4;
-  T2q a5;
+  posterior_Coefficients * a4;
+  posterior_Settings a5;
+  T2q a6;
   T4q result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "tables", 3)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "tables", 'd', 2, true, &view)
         && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -9830,16 +9862,19 @@ static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[4], law, "model", 2)
-        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
-        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
-        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[5], law, "proposed", 2)
-        && take_int64_t(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_int64_t(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_array(&held, args[4], law, "coefficients", 'd', 1, false, &view)
+        && is_long_enough(view, law, "coefficients", 28)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
+        && take_tuple(args[6], law, "proposed", 2)
+        && take_int64_t(PyTuple_GetItem(args[6], 0), &a6.f0)
+        && take_int64_t(PyTuple_GetItem(args[6], 1), &a6.f1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T4q(result);
 }
@@ -9847,7 +9882,7 @@ static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.targets.cursor:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   double a1;
   double a2;
   double a3;
@@ -9856,8 +9891,9 @@ static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args,
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -9871,7 +9907,7 @@ static PyObject *py_targets_cursor_until(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.cursor:until";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   double a1;
   double a2;
   double a3;
@@ -9880,8 +9916,9 @@ static PyObject *py_targets_cursor_until(PyObject *self, PyObject *const *args, 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -9914,7 +9951,7 @@ static PyObject *py_targets_decision_decide(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.decision:decide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Table a1;
   Vector a2;
   int64_t a3;
@@ -9924,8 +9961,9 @@ static PyObject *py_targets_decision_decide(PyObject *self, PyObject *const *arg
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
@@ -9946,7 +9984,7 @@ static PyObject *py_targets_decision_early(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.decision:early";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Vector a1;
   double a2;
   double a3;
@@ -9954,8 +9992,9 @@ static PyObject *py_targets_decision_early(PyObject *self, PyObject *const *args
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
@@ -10047,13 +10086,14 @@ static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ledger_State * a0;
   Table a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 8)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -10065,7 +10105,7 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:close";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
@@ -10073,8 +10113,9 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 8)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -10088,15 +10129,16 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:enter";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 8)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -10110,15 +10152,16 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.ledger:propose";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 8)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -10132,15 +10175,16 @@ static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.ledger:withdraw";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  ledger_State * a0;
   double a1;
   int64_t a2;
   bool a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 8)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_int64_t(args[2], &a2)
         && take_bool(args[3], &a3)))
@@ -10214,15 +10258,16 @@ static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.targets.posterior:features";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Table a1;
   posterior_Law a2;
   Table a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_tuple(args[2], law, "predicted", 6)
@@ -10279,17 +10324,18 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.targets.posterior:scores";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Table a1;
   T10d a2;
-  Vector a3;
+  posterior_Coefficients * a3;
   double a4;
   Vector a5;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_tuple(args[2], law, "answer", 10)
@@ -10304,7 +10350,8 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
         && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
         && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "coefficients", 28)
+        && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)))
@@ -10317,13 +10364,14 @@ static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.posterior:situation";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   posterior_Situation result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = targets_posterior_situation(a0);
   let_go(&held);
@@ -10333,15 +10381,16 @@ static PyObject *py_targets_posterior_unclaimed(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.posterior:unclaimed";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   double a1;
   double a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -10353,14 +10402,15 @@ static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.prefetch:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  prefetch_State * a0;
   Table a1;
   Vector a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 17)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "fired", 'd', 1, true, &view)
@@ -10433,16 +10483,17 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.targets.prefetch:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  prefetch_State * a0;
   T_Table_3_Vector_ a1;
   Vector a2;
-  Vector a3;
+  prefetch_Settings * a3;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 17)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
         && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -10455,7 +10506,8 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "settings", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "settings", 10)
+        && (a3 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_prefetch_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -10465,19 +10517,21 @@ static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.targets.prefetch:urgency";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  cursor_State * a0;
   Vector a1;
-  Vector a2;
+  prefetch_Settings * a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && is_long_enough(view, law, "s", 15)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "settings", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "settings", 10)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = targets_prefetch_urgency(a0, a1, a2);
   let_go(&held);
@@ -10673,32 +10727,33 @@ static PyObject *py_transfer_assistance_add(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.transfer.assistance:add";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  T2d a4;
-  T5d a5;
+  assistance_Guard * a0;
+  pixels_Carried * a1;
+  double a2;
+  T2d a3;
+  T5d a4;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "own", 2)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "guard", 'd', 1, false, &view)
+        && is_long_enough(view, law, "guard", 5)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "owed", 'd', 1, true, &view)
+        && is_long_enough(view, law, "owed", 2)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "way", 5)
         && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
         && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_tuple(args[5], law, "way", 5)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)))
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.f4)))
     return let_go(&held);
-  result = transfer_assistance_add(a0, a1, a2, a3, a4, a5);
+  result = transfer_assistance_add(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T2d(result);
 }
@@ -10706,14 +10761,15 @@ static PyObject *py_transfer_assistance_assisted_step(PyObject *self, PyObject *
   static const char law[] = "pointpred.transfer.assistance:assisted_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  assistance_Assisted * a0;
   T5d a1;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 19)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 5)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10729,14 +10785,15 @@ static PyObject *py_transfer_assistance_guarded_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred.transfer.assistance:guarded_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  assistance_Guarded * a0;
   T8d a1;
   T5d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 24)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 8)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10755,30 +10812,29 @@ static PyObject *py_transfer_assistance_guide(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.transfer.assistance:guide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  T5d a4;
+  assistance_Guard * a0;
+  double a1;
+  T2d a2;
+  T5d a3;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "own", 2)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "guard", 'd', 1, false, &view)
+        && is_long_enough(view, law, "guard", 5)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "way", 5)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "way", 5)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.f4)))
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)))
     return let_go(&held);
-  result = transfer_assistance_guide(a0, a1, a2, a3, a4);
+  result = transfer_assistance_guide(a0, a1, a2, a3);
   let_go(&held);
   return give_T2d(result);
 }
@@ -10871,26 +10927,25 @@ static PyObject *py_transfer_bands_learn(PyObject *self, PyObject *const *args, 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  bands_Model a2;
-  double a3;
-  int64_t a4;
-  double a5;
+  bands_Model a1;
+  double a2;
+  Vector a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
+  if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "model", 3)
-        && take_int64_t(PyTuple_GetItem(args[2], 0), &a2.n)
-        && take_int64_t(PyTuple_GetItem(args[2], 1), &a2.linear)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.forgetting)
-        && take_double(args[3], &a3)
-        && take_int64_t(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_tuple(args[1], law, "model", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.n)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.linear)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.forgetting)
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  transfer_bands_learn(a0, a1, a2, a3, a4, a5);
+  transfer_bands_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -10913,19 +10968,18 @@ static PyObject *py_transfer_functions_cursor_speed(PyObject *self, PyObject *co
   static const char law[] = "pointpred.transfer.functions:cursor_speed";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  functions_Function * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "f", 'd', 1, false, &view)
+        && is_long_enough(view, law, "f", 8)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = transfer_functions_cursor_speed(a0, a1, a2);
+  result = transfer_functions_cursor_speed(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -10933,15 +10987,16 @@ static PyObject *py_transfer_functions_evaluate(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.transfer.functions:evaluate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  functions_Function * a0;
   Vector a1;
   bool a2;
   Vector a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "f", 'd', 1, false, &view)
+        && is_long_enough(view, law, "f", 8)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "speeds", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_bool(args[2], &a2)
@@ -10956,19 +11011,18 @@ static PyObject *py_transfer_functions_gain(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.transfer.functions:gain";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  functions_Function * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "f", 'd', 1, false, &view)
+        && is_long_enough(view, law, "f", 8)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = transfer_functions_gain(a0, a1, a2);
+  result = transfer_functions_gain(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -10994,20 +11048,25 @@ static PyObject *py_transfer_identification_gather(PyObject *self, PyObject *con
   static const char law[] = "pointpred.transfer.identification:gather";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  double a1;
+  identification_Settings * a0;
+  identification_Window * a1;
   double a2;
   double a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && is_long_enough(view, law, "settings", 9)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "window", 'd', 1, true, &view)
+        && is_long_enough(view, law, "window", 18)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  transfer_identification_gather(a0, a1, a2, a3);
+  transfer_identification_gather(a0, a1, a2, a3, a4);
   let_go(&held);
   return Py_NewRef(Py_None);
 }
@@ -11015,16 +11074,18 @@ static PyObject *py_transfer_identification_learn(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.transfer.identification:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  identification_Memory * a0;
+  Vector a1;
   double a2;
   double a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && is_long_enough(view, law, "memory", 267)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
     return let_go(&held);
@@ -11036,14 +11097,15 @@ static PyObject *py_transfer_identification_learn_speeds(PyObject *self, PyObjec
   static const char law[] = "pointpred.transfer.identification:learn_speeds";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  identification_Memory * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 267)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -11055,12 +11117,13 @@ static PyObject *py_transfer_identification_open_window(PyObject *self, PyObject
   static const char law[] = "pointpred.transfer.identification:open_window";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  identification_State * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && is_long_enough(view, law, "s", 24)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   transfer_identification_open_window(a0);
   let_go(&held);
@@ -11070,14 +11133,15 @@ static PyObject *py_transfer_identification_step(PyObject *self, PyObject *const
   static const char law[] = "pointpred.transfer.identification:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  identification_Memory * a0;
   T6d a1;
   Td result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 267)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -11094,23 +11158,22 @@ static PyObject *py_transfer_pixels_accept(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.transfer.pixels:accept";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  pixels_Memory * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   Tbd result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
+  if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && is_long_enough(view, law, "memory", 17)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = transfer_pixels_accept(a0, a1, a2, a3, a4);
+  result = transfer_pixels_accept(a0, a1, a2, a3);
   let_go(&held);
   return give_Tbd(result);
 }
@@ -11118,15 +11181,16 @@ static PyObject *py_transfer_pixels_carry(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.transfer.pixels:carry";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  pixels_Carried * a0;
   int64_t a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[0], law, "carried", 'd', 1, true, &view)
+        && is_long_enough(view, law, "carried", 2)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -11141,13 +11205,13 @@ static PyObject *py_transfer_pixels_lay_out(PyObject *self, PyObject *const *arg
   Vector a0;
   Vector a1;
   T4d a2;
-  Vector a3;
+  functions_Function * a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && take_array(&held, args[1], law, "own", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[2], law, "device", 4)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
@@ -11155,7 +11219,8 @@ static PyObject *py_transfer_pixels_lay_out(PyObject *self, PyObject *const *arg
         && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
         && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
         && take_array(&held, args[3], law, "function", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+        && is_long_enough(view, law, "function", 8)
+        && (a3 = view->buf, true)))
     return let_go(&held);
   transfer_pixels_lay_out(a0, a1, a2, a3);
   let_go(&held);
@@ -11183,14 +11248,15 @@ static PyObject *py_transfer_pixels_step(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.transfer.pixels:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  pixels_Memory * a0;
   T3d a1;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && is_long_enough(view, law, "memory", 17)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 3)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -11204,25 +11270,24 @@ static PyObject *py_transfer_pixels_turn(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.transfer.pixels:turn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  pixels_Memory * a0;
+  double a1;
   double a2;
   double a3;
   double a4;
-  double a5;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
+  if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && is_long_enough(view, law, "memory", 17)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  result = transfer_pixels_turn(a0, a1, a2, a3, a4, a5);
+  result = transfer_pixels_turn(a0, a1, a2, a3, a4);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
