@@ -13,7 +13,7 @@ from collections.abc import Callable
 from functools import cache, wraps
 from importlib import import_module
 from inspect import unwrap
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 from pointpred.layout import Layout
 
@@ -22,7 +22,7 @@ NOT_COMPILED = (
     "compiler (gcc or clang) or 'python -m pip install ziglang', and install {0} again; "
     "POINTPRED_COMPILED=0 says that plain Python is wanted"
 )
-Function = TypeVar("Function", bound=Callable[..., Any])
+Answer = TypeVar("Answer")
 
 OURS = ("pointpred", "pointpred_observers")
 _functions: dict[str, Any] = {}
@@ -47,27 +47,30 @@ COMPILED = has_c("pointpred")
 """False when laws run as plain Python."""
 
 
-def law(function: Function) -> Function:
-    """The law in C, or in Python where there is none, as in a package of somebody else."""
+def law(function: Callable[..., Answer]) -> Callable[..., Answer]:
+    """The law in C, or in Python where there is none, as in a package of somebody else.
+
+    Where an argument is a ``Layout``, Python may hand it the flat array.
+    """
     has_c(function.__module__.partition(".")[0])
     return _functions.get(key_of(function)) or with_names(function)
 
 
-def with_names(function: Function) -> Function:
+def with_names(function: Callable[..., Answer]) -> Callable[..., Answer]:
     """A law in Python that takes flat memories where its arguments are layouts."""
     layouts = {i: one for i, word in enumerate(_annotations(function)) if (one := _layout(function, word))}
     if not layouts:
         return function
 
     @wraps(function)
-    def named(*arguments: Any) -> Any:
+    def named(*arguments: Any) -> Answer:
         given = list(arguments)
         for i, layout in layouts.items():
             if not isinstance(given[i], Layout):
                 given[i] = layout(given[i])
         return function(*given)
 
-    return cast(Function, named)
+    return named
 
 
 def _annotations(function: Callable[..., Any]) -> list[str]:

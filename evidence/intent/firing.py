@@ -77,7 +77,7 @@ def weigh(
     shares: FloatArray,
 ) -> None:
     """The shares of all targets at the last event of each frame, in a row of ``shares``."""
-    memory = np.zeros(cursor.STATES)
+    memory = np.zeros(cursor.State.length)
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         if frame_end(events, i, frame_s) < inf:
@@ -100,19 +100,19 @@ def fire_by_policy(
     Targets that the movement starts in are at rest: the cursor went into them before it. ``frame_s``: the
     policy decides at the end of each frame; 0 for every event.
     """
-    memory = np.zeros(prefetch.STATES)
+    s = prefetch.State(np.zeros(prefetch.State.length))
     thresholds, visits, fired = np.zeros(len(table)), np.zeros(len(table)), np.zeros(len(table))
     thresholds[:] = threshold
     targets = table, thresholds, visits, fired
     for k in range(len(table)):
         if prefetch.inside(events[0, 1], events[0, 2], table[k]):
             fired[k] = prefetch.RESTING
-    memory[prefetch.BEGAN] = events[0, 0]
+    s.began = events[0, 0]
     fired_at[:] = inf
     for i in range(len(events)):
-        cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
+        cursor.follow(s.cursor.memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         now = frame_end(events, i, frame_s)
-        if now == inf or prefetch.step(memory, targets, shares[i], settings) == 0:
+        if now == inf or prefetch.step(s.memory, targets, shares[i], settings) == 0:
             continue
         for k in range(len(table)):
             if fired[k] > prefetch.RESTING and fired_at[k] == inf:

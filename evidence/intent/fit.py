@@ -80,18 +80,18 @@ def _moments(
     t = events[:, 0]
     drawn = t[last] - generator.uniform(LATEST_S, EARLIEST_S, MOMENTS)
     wanted = set(np.searchsorted(t[: last + 1], np.maximum(drawn, t[0] + FIRST_S)).tolist())
-    memory, parts = np.zeros(cursor.STATES), []
+    now, parts = cursor.State(np.zeros(cursor.State.length)), []
     for i in range(last):
-        cursor.follow(memory, t[i], events[i, 1], events[i, 2], 0.0)
+        cursor.follow(now.memory, t[i], events[i, 1], events[i, 2], 0.0)
         if i in wanted:
             rows = np.empty((len(movement.table), FEATURES))
             x, y, sxx, sxy, syy, tail = answers[i][[1, 2, 3, 4, 5, 8]].tolist()
             if x != x:
-                x, y = float(memory[cursor.X]), float(memory[cursor.Y])
+                x, y = float(now.x), float(now.y)
             if not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
-                (sxx, sxy, syy), tail = unclaimed(memory, x, y), float("nan")
-            features(memory, movement.table, Law(x, y, sxx, sxy, syy, tail), rows)
-            fast = memory[cursor.SPEED] / memory[cursor.PEAK] if memory[cursor.PEAK] > 0.0 else 0.0
+                (sxx, sxy, syy), tail = unclaimed(now.memory, x, y), float("nan")
+            features(now.memory, movement.table, Law(x, y, sxx, sxy, syy, tail), rows)
+            fast = now.speed / now.peak if now.peak > 0.0 else 0.0
             parts.append((rows, min(float(fast), 1.0), movement.right))
     return parts
 
@@ -196,7 +196,7 @@ def searched(worth: Callable[[FloatArray], float], start: FloatArray, spread: Fl
 
 def write_evidence(values: Sequence[float], file: Path) -> None:
     """Put the coefficients into the package."""
-    half, features = posterior.SET, posterior.FEATURES
+    half, features = posterior.Weights.length, posterior.FEATURES
     parts = {}
     for prefix, part in (("PAGES_", values[:half]), ("PAGES_UNCLAIMED_", values[half:])):
         parts[f"{prefix}SLOW"], parts[f"{prefix}FAST"] = part[:features], part[features : 2 * features]

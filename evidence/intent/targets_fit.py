@@ -87,18 +87,18 @@ def _trial(
     t = prepared.events.t
     at = t[first] + np.array(FRACTIONS) * (t[arrival] - t[first])
     wanted = set((first - 1 + np.searchsorted(t[first : arrival + 1], at, side="right")).tolist())
-    memory, parts = np.zeros(cursor.STATES), []
+    now, parts = cursor.State(np.zeros(cursor.State.length)), []
     for i in range(first, max(wanted) + 1):
-        cursor.follow(memory, t[i], prepared.events.x[i], prepared.events.y[i], 0.0)
+        cursor.follow(now.memory, t[i], prepared.events.x[i], prepared.events.y[i], 0.0)
         if i in wanted:
             rows = np.empty((len(layout.table), FEATURES))
             x, y, sxx, sxy, syy, tail = answers.table[i][[1, 2, 3, 4, 5, 8]].tolist()
             if x != x:
-                x, y = float(memory[cursor.X]), float(memory[cursor.Y])
+                x, y = float(now.x), float(now.y)
             if not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
-                (sxx, sxy, syy), tail = unclaimed(memory, x, y), float("nan")
-            features(memory, layout.table, Law(x, y, sxx, sxy, syy, tail), rows)
-            fast = memory[cursor.SPEED] / memory[cursor.PEAK] if memory[cursor.PEAK] > 0.0 else 0.0
+                (sxx, sxy, syy), tail = unclaimed(now.memory, x, y), float("nan")
+            features(now.memory, layout.table, Law(x, y, sxx, sxy, syy, tail), rows)
+            fast = now.speed / now.peak if now.peak > 0.0 else 0.0
             parts.append((rows, float(fast), layout.right))
     return parts
 
@@ -148,7 +148,8 @@ def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
     ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR])
     file = ROOT / "pointpred" / "targets" / "coefficients.py"
     values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[2 * FEATURES :]}
-    for prefix, part in (("", ours[: posterior.SET]), ("UNCLAIMED_", ours[posterior.SET :])):
+    half = posterior.Weights.length
+    for prefix, part in (("", ours[:half]), ("UNCLAIMED_", ours[half:])):
         values[f"{prefix}SLOW"], values[f"{prefix}FAST"] = part[:FEATURES], part[FEATURES : 2 * FEATURES]
         values[f"{prefix}NONE"] = part[2 * FEATURES :]
     lines = file.read_text(encoding="utf-8").splitlines()

@@ -37,19 +37,15 @@ static const int64_t scoring_trials_STOP = 3;
 static const int64_t scoring_trials_UNUSABLE = 3;
 static const int64_t scoring_trials_VERDICT = 0;
 static const double targets_choice_law_KEEP = 0.4;
-static const int64_t targets_cursor_STATES = 15;
 static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_ledger_FIELDS = 3;
-static const int64_t targets_ledger_PROPOSED = 5;
-static const int64_t targets_ledger_RETRACTED = 6;
-static const int64_t targets_ledger_STATES = 8;
 
 /* The shares of all targets after each event, in a row of ``shares``. */
-void scoring_target_choice_weigh(Table events, Table answers, Table table, Vector coefficients, double elsewhere, Table shares) {
-  Vector memory;
+void scoring_target_choice_weigh(Table events, Table answers, Table table, posterior_Coefficients * coefficients, double elsewhere, Table shares) {
+  cursor_State * memory;
   double buffer_1[15];
   memset(buffer_1, 0, sizeof buffer_1);
-  memory = (Vector){buffer_1, targets_cursor_STATES};
+  memory = (cursor_State *)((Vector){buffer_1, 15}.p);
   for (int64_t i = 0; i < events.n; i++) {
     targets_cursor_follow(memory, events.p[i * events.m + 0], events.p[i * events.m + 1], events.p[i * events.m + 2], 0.0);
     targets_posterior_scores(memory, table, records_row_at(answers, i), coefficients, elsewhere, (Vector){shares.p + i * shares.m, shares.m});
@@ -93,7 +89,8 @@ void scoring_target_choice_read(Table events, Table table, Table shares, int64_t
 
 /* Decide after each event at one precision, and the account of the movement by the laws of the ledger. */
 void scoring_target_choice_account(Table events, Table answers, Table table, Table shares, int64_t right, double ask, double least_s, double least_px, Vector out) {
-  Vector memory, movement;
+  cursor_State * memory;
+  ledger_State * movement;
   Table rows;
   int64_t standing, chosen;
   double t, x, y, made, lead_entry_s, lead_click_s;
@@ -103,10 +100,10 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
   double buffer_2[8];
   double buffer_3[6];
   memset(buffer_1, 0, sizeof buffer_1);
+  memory = (cursor_State *)((Vector){buffer_1, 15}.p);
   memset(buffer_2, 0, sizeof buffer_2);
+  movement = (ledger_State *)((Vector){buffer_2, 8}.p);
   memset(buffer_3, 0, sizeof buffer_3);
-  memory = (Vector){buffer_1, targets_cursor_STATES};
-  movement = (Vector){buffer_2, targets_ledger_STATES};
   rows = (Table){buffer_3, 2, targets_ledger_FIELDS};
   targets_ledger_begin(movement, rows);
   standing = targets_decision_NOBODY;
@@ -135,9 +132,9 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
   made = values_4.f0;
   lead_entry_s = values_4.f1;
   lead_click_s = values_4.f2;
-  out.p[scoring_target_choice_PROPOSED] = movement.p[targets_ledger_PROPOSED];
+  out.p[scoring_target_choice_PROPOSED] = movement->proposed;
   out.p[scoring_target_choice_PROPOSED_RIGHT] = made;
-  out.p[scoring_target_choice_RETRACTED] = movement.p[targets_ledger_RETRACTED];
+  out.p[scoring_target_choice_RETRACTED] = movement->retracted;
   out.p[scoring_target_choice_HIT] = lead_click_s == lead_click_s ? 1.0 : 0.0;
   out.p[scoring_target_choice_LEAD_ENTRY] = lead_entry_s;
   out.p[scoring_target_choice_LEAD_CLICK] = lead_click_s;

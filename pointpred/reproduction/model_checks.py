@@ -14,7 +14,7 @@ from pointpred.predictors import SwitchedPredictor
 from pointpred.records import FloatArray, MotionColumns
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.reproduction.figure import Reproduction, Value
-from pointpred.simulation import loop, slots
+from pointpred.simulation import loop
 from pointpred.transfer import Arctan, TransferFunction
 
 
@@ -36,14 +36,13 @@ class Doubled(msgspec.Struct, frozen=True):
     estimate: FloatArray
 
 
-def bare_memory(transfer: TransferFunction, *, period_s: float, px_per_metre: float = 1.0) -> FloatArray:
-    """A trial without person, sensor or noise: the caller sets the phase and the forces in ``slots``."""
-    memory = np.zeros(slots.SIZE)
-    memory[slots.PERIOD_S] = period_s
-    memory[slots.SUBSTEPS] = 1.0
-    memory[slots.PX_PER_METRE] = px_per_metre
-    memory[slots.FUNCTION : slots.B1] = transfer.slots
-    memory[slots.PATIENCE_S] = inf
+def bare_memory(transfer: TransferFunction, *, period_s: float, px_per_metre: float = 1.0) -> loop.Memory:
+    """A trial without person, sensor or noise: the caller sets the phase and the forces."""
+    memory = loop.Memory(np.zeros(loop.Memory.length))
+    settings = memory.settings
+    settings.period_s, settings.substeps, settings.px_per_metre = period_s, 1.0, px_per_metre
+    settings.function.memory[:] = transfer.slots
+    settings.patience_s = inf
     return memory
 
 
@@ -79,12 +78,12 @@ def corrective_signals(
     values = {"b1": b1, "b2": b2, "target": target, "step_s": step_s, "duration_s": duration_s}
     check(bounds, values)
     memory = bare_memory(Arctan() if transfer is None else transfer, period_s=step_s)
-    memory[slots.PHASE], memory[slots.FEEDBACK] = slots.CORRECTIVE, b2
-    memory[slots.B1], memory[slots.AIM_X] = b1, target
+    memory.state.phase, memory.state.feedback = loop.CORRECTIVE, b2
+    memory.settings.b1, memory.settings.aim_x = b1, target
     rows = np.zeros((round(duration_s / step_s), len(loop.INPUTS)))
     rows[:, 3:] = np.nan
     out = np.zeros((len(rows) + 1, len(loop.OUTPUTS)))
-    loop.play(memory, rows, out[1:])
+    loop.play(memory.memory, rows, out[1:])
     x, v = out[:, loop.OUTPUTS.index("x")], out[:, loop.OUTPUTS.index("vx")]
     return Signals(out[:, 0].copy(), x.copy(), v.copy(), -b1 * v - b2 * (x - target))
 

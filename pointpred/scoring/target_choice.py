@@ -49,12 +49,12 @@ def weigh(
     events: FloatTable,
     answers: FloatTable,
     table: FloatTable,
-    coefficients: FloatArray,
+    coefficients: posterior.Coefficients,
     elsewhere: float,
     shares: FloatTable,
 ) -> None:
     """The shares of all targets after each event, in a row of ``shares``."""
-    memory = np.zeros(cursor.STATES)
+    memory = cursor.State(np.zeros(cursor.State.length))
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         posterior.scores(memory, table, row_at(answers, i), coefficients, elsewhere, shares[i])
@@ -111,7 +111,9 @@ def account(
 
     The ledger has one row for the right target and one for all others.
     """
-    memory, movement, rows = np.zeros(cursor.STATES), np.zeros(ledger.STATES), np.zeros((2, ledger.FIELDS))
+    memory = cursor.State(np.zeros(cursor.State.length))
+    movement = ledger.State(np.zeros(ledger.State.length))
+    rows = np.zeros((2, ledger.FIELDS))
     ledger.begin(movement, rows)
     standing = decision.NOBODY
     for i in range(len(events)):
@@ -129,8 +131,8 @@ def account(
                 ledger.propose(movement, rows, t, 0 if chosen == right else 1)
             standing = chosen
     made, lead_entry_s, lead_click_s = ledger.close(movement, rows, events[len(events) - 1, 0], 0)
-    out[PROPOSED], out[PROPOSED_RIGHT] = movement[ledger.PROPOSED], made
-    out[RETRACTED], out[HIT] = movement[ledger.RETRACTED], 1.0 if lead_click_s == lead_click_s else 0.0
+    out[PROPOSED], out[PROPOSED_RIGHT] = movement.proposed, made
+    out[RETRACTED], out[HIT] = movement.retracted, 1.0 if lead_click_s == lead_click_s else 0.0
     out[LEAD_ENTRY], out[LEAD_CLICK] = lead_entry_s, lead_click_s
 
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from pointpred.pipeline import Pipeline
 from pointpred.records import METRES_PER_INCH, BoolArray, EventColumns, FloatArray, PointerEvent
-from pointpred.simulation import loop, slots
+from pointpred.simulation import loop
+from pointpred.simulation.loop import Memory
 from pointpred.simulation.person import Person
 from pointpred.transfer import TransferFunction
 
@@ -56,34 +57,34 @@ class Aim(msgspec.Struct, frozen=True):
         return float(np.hypot(self.x, self.y))
 
 
-def planned_memory(person: Person, setup: Setup, aim: Aim, generator: np.random.Generator) -> FloatArray:
-    """The flat memory of one trial: setup, person and a plan drawn from the generator; the state is zero."""
-    flat = np.zeros(slots.SIZE)
-    flat[slots.PERIOD_S] = setup.period_s
-    flat[slots.SUBSTEPS] = SUBSTEPS
-    flat[slots.PX_PER_METRE] = setup.dpi / METRES_PER_INCH
-    flat[slots.METRES_PER_COUNT] = METRES_PER_INCH / setup.cpi
-    flat[slots.RHO], flat[slots.STRENGTH] = setup.rho, setup.strength
-    flat[slots.FUNCTION : slots.B1] = setup.transfer.slots
-    flat[slots.B1] = person.friction * _varied(generator, 0.05)
-    flat[slots.RATE] = person.rate * _varied(generator, 0.08)
-    flat[slots.MUSCLE_S] = person.muscle_s
-    flat[slots.DELAY_S] = min(person.delay_s, (slots.RING_ROWS - 1) * setup.period_s)
-    flat[slots.NOISE] = person.noise
-    flat[slots.TREMOR] = person.tremor_m_s
-    flat[slots.TARGET_X], flat[slots.TARGET_Y], flat[slots.RADIUS] = aim.x, aim.y, 0.5 * aim.width
-    flat[slots.AIM_X], flat[slots.AIM_Y] = _aim(person, aim, generator)
-    flat[slots.REACTION_S] = person.reaction_s * _varied(generator, 0.18)
-    flat[slots.VERIFY_S] = person.verify_s * _varied(generator, 0.25)
-    flat[slots.PRESS_S] = person.press_s * _varied(generator, 0.15)
-    flat[slots.PATIENCE_S] = PATIENCE_S
+def planned_memory(person: Person, setup: Setup, aim: Aim, generator: np.random.Generator) -> Memory:
+    """The memory of one trial: setup, person and a plan drawn from the generator; the state is zero."""
+    memory = Memory(np.zeros(Memory.length))
+    settings = memory.settings
+    settings.period_s = setup.period_s
+    settings.substeps = SUBSTEPS
+    settings.px_per_metre = setup.dpi / METRES_PER_INCH
+    settings.metres_per_count = METRES_PER_INCH / setup.cpi
+    settings.rho, settings.strength = setup.rho, setup.strength
+    settings.function.memory[:] = setup.transfer.slots
+    settings.b1 = person.friction * _varied(generator, 0.05)
+    settings.rate = person.rate * _varied(generator, 0.08)
+    settings.muscle_s = person.muscle_s
+    settings.delay_s = min(person.delay_s, (loop.RING_ROWS - 1) * setup.period_s)
+    settings.noise = person.noise
+    settings.tremor = person.tremor_m_s
+    settings.target_x, settings.target_y, settings.radius = aim.x, aim.y, 0.5 * aim.width
+    settings.aim_x, settings.aim_y = _aim(person, aim, generator)
+    settings.reaction_s = person.reaction_s * _varied(generator, 0.18)
+    settings.verify_s = person.verify_s * _varied(generator, 0.25)
+    settings.press_s = person.press_s * _varied(generator, 0.15)
+    settings.patience_s = PATIENCE_S
     count = _pieces(person, generator)
-    flat[slots.PIECES] = count
+    settings.count = count
     first_s = person.base_s + person.per_bit_s * log2(aim.distance / aim.width + 1.0)
-    for number in range(count):
-        at = slots.PIECE + slots.PIECE_SLOTS * number
-        flat[at : at + slots.PIECE_SLOTS] = _piece(person, first_s, number, count, generator)
-    return flat
+    for number, piece in enumerate(settings.pieces[:count]):
+        piece.memory[:] = _piece(person, first_s, number, count, generator)
+    return memory
 
 
 def _aim(person: Person, aim: Aim, generator: np.random.Generator) -> tuple[float, float]:
@@ -97,7 +98,7 @@ def _pieces(person: Person, generator: np.random.Generator) -> int:
     """One to four pieces, more with less skill."""
     if generator.uniform() < person.one_piece:
         return 1
-    return 2 + int(generator.binomial(slots.PIECES_MOST - 2, 0.55 * (1.0 - person.skill)))
+    return 2 + int(generator.binomial(loop.PIECES_MOST - 2, 0.55 * (1.0 - person.skill)))
 
 
 def _piece(
@@ -143,7 +144,7 @@ class Movement(msgspec.Struct, frozen=True):
     @property
     def pieces(self) -> int:
         """The true number of ballistic pieces."""
-        ballistic = self.column("phase") == slots.BALLISTIC
+        ballistic = self.column("phase") == loop.BALLISTIC
         return len(np.unique(self.column("number")[ballistic]))
 
     def events(self, start: tuple[float, float] = (0.0, 0.0), *, idle_reports: bool = False) -> EventColumns:
@@ -168,9 +169,9 @@ def move(
     """
     memory, rows = prepare(person, setup, aim, generator)
     if endpoint is not None:
-        rows[int(memory[slots.REACTION_S] / setup.period_s) :, 3:] = endpoint
+        rows[int(memory.settings.reaction_s / setup.period_s) :, 3:] = endpoint
     out = np.empty((len(rows), len(loop.OUTPUTS)))
-    return Movement(out[: loop.play(memory, rows, out)])
+    return Movement(out[: loop.play(memory.memory, rows, out)])
 
 
 def move_assisted(
@@ -185,22 +186,22 @@ def move_assisted(
     polls: list[tuple[float, ...]] = []
     hat = (nan, nan)
     for noise_x, noise_y, late_s, _, _ in rows.tolist():
-        polls.append(loop.step(memory, (noise_x, noise_y, late_s, *hat)))
+        polls.append(loop.step(memory.memory, (noise_x, noise_y, late_s, *hat)))
         t, x, y, dx, dy, buttons = polls[-1][:6]
         if dx != 0.0 or dy != 0.0:
             prediction = pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons)))
             hat = (nan, nan) if prediction is None else (prediction.x, prediction.y)
-        if polls[-1][PHASE] == slots.DONE:
+        if polls[-1][PHASE] == loop.DONE:
             break
     return Movement(np.array(polls, dtype=np.float64))
 
 
 def prepare(
     person: Person, setup: Setup, aim: Aim, generator: np.random.Generator
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[Memory, FloatArray]:
     """The memory of the trial and one row of chance per poll, without an estimated endpoint."""
     memory = planned_memory(person, setup, aim, generator)
-    longest_s = PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
+    longest_s = PATIENCE_S + memory.settings.verify_s + memory.settings.press_s
     rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), nan)
     rows[:, :2] = generator.standard_normal((len(rows), 2))
     rows[:, 2] = lateness(generator, len(rows))

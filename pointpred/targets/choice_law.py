@@ -7,6 +7,7 @@ from math import inf
 from pointpred.compiled import law
 from pointpred.records import FloatArray, FloatTable, PredictionRow, TenFloats, row_at
 from pointpred.targets import cursor, decision, posterior
+from pointpred.targets.posterior import Coefficients, Settings
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
 KEEP = 0.4
@@ -19,8 +20,6 @@ up while it was there, until it leaves."""
 
 Targets = tuple[FloatTable, FloatArray, FloatArray]
 """The table of the targets; where the cursor is for each; how likely each is, and none of them."""
-Model = tuple[FloatArray, FloatArray]
-"""The coefficients of the posterior and the chooser's settings."""
 
 
 @law
@@ -73,12 +72,12 @@ def enter(table: FloatTable, inside: FloatArray, x: float, y: float, released: b
 
 @law
 def propose(
-    memory: FloatArray,
+    s: cursor.State,
     event: tuple[float, float, float, float],
     released: bool,
     remaining_s: float,
     targets: Targets,
-    settings: FloatArray,
+    settings: Settings,
     standing: int,
 ) -> tuple[int, int, int]:
     """What follows from the shares at an event that ``cursor.follow`` has taken in, as ``step``."""
@@ -87,35 +86,36 @@ def propose(
     if released:
         standing = decision.NOBODY
     count = enter(table, inside, x, y, released)
-    ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
-    bounds = ask, KEEP * ask, least_s, settings[posterior.LEAST_WAY_PX]
-    chosen = decision.decide(memory, table, shares, standing, remaining_s, bounds)
+    ask, least_s = settings.precision, settings.least_lead_s
+    bounds = ask, KEEP * ask, least_s, settings.least_way_px
+    chosen = decision.decide(s, table, shares, standing, remaining_s, bounds)
     over = innermost(table, inside)
     return chosen, decision.NOBODY if over == chosen else over, count
 
 
 @law
 def step_with_shares(
-    memory: FloatArray,
+    s: cursor.State,
     event: tuple[float, float, float, float],
     remaining_s: float,
     targets: Targets,
-    settings: FloatArray,
+    settings: Settings,
     standing: int,
 ) -> tuple[int, int, int]:
     """``step`` where the shares have been written by somebody who knows them."""
     t, x, y, pressed = event
-    released = cursor.follow(memory, t, x, y, pressed)
-    return propose(memory, event, released, remaining_s, targets, settings, standing)
+    released = cursor.follow(s, t, x, y, pressed)
+    return propose(s, event, released, remaining_s, targets, settings, standing)
 
 
 @law
 def step(
-    memory: FloatArray,
+    s: cursor.State,
     event: tuple[float, float, float, float],
     answer: TenFloats,
     targets: Targets,
-    model: Model,
+    coefficients: Coefficients,
+    settings: Settings,
     standing: int,
 ) -> tuple[int, int, int]:
     """Take in one usable event (t, x, y, pressed), with the prediction made at it.
@@ -128,12 +128,11 @@ def step(
     """
     t, x, y, pressed = event
     table, _, shares = targets
-    coefficients, settings = model
     p = PredictionRow(*answer)
-    released = cursor.follow(memory, t, x, y, pressed)
-    posterior.scores(memory, table, answer, coefficients, settings[posterior.ELSEWHERE], shares)
+    released = cursor.follow(s, t, x, y, pressed)
+    posterior.scores(s, table, answer, coefficients, settings.elsewhere, shares)
     posterior.normalise(shares)
-    return propose(memory, event, released, p.remaining_s, targets, settings, standing)
+    return propose(s, event, released, p.remaining_s, targets, settings, standing)
 
 
 @law
@@ -158,9 +157,9 @@ def changes(before: tuple[int, int], now: tuple[int, int]) -> tuple[int, int, in
 
 
 @law
-def unusable(memory: FloatArray, events: FloatTable) -> int:
+def unusable(s: cursor.State, events: FloatTable) -> int:
     """The first row that ``step`` must not be given, -1 where all are usable."""
-    before = memory[cursor.T] if memory[cursor.KNOWN] == 1.0 else -inf
+    before = s.t if s.known == 1.0 else -inf
     for i in range(len(events)):
         t = events[i, 0]
         if not cursor.usable(t, events[i, 1], events[i, 2]) or t < before:
@@ -171,11 +170,12 @@ def unusable(memory: FloatArray, events: FloatTable) -> int:
 
 @law
 def walk(
-    memory: FloatArray,
+    s: cursor.State,
     tables: tuple[FloatTable, FloatTable, FloatTable],
     first: int,
     targets: Targets,
-    model: Model,
+    coefficients: Coefficients,
+    settings: Settings,
     proposed: tuple[int, int],
 ) -> tuple[int, int, int, int]:
     """Take in rows, from ``first`` up to and with the one at which there is something to note.
@@ -191,7 +191,9 @@ def walk(
     most = likeliest.shape[1] // 2
     for i in range(first, len(events)):
         event = events[i, 0], events[i, 1], events[i, 2], float(int(events[i, 5]) & 1)
-        chosen, now_over, entered = step(memory, event, row_at(answers, i), targets, model, standing)
+        chosen, now_over, entered = step(
+            s, event, row_at(answers, i), targets, coefficients, settings, standing
+        )
         place = i - (len(events) - len(likeliest))
         if place >= 0:
             decision.rank(shares, len(table), likeliest[place, :most])

@@ -16,7 +16,6 @@ from pointpred.targets.choice_law import (
     INSIDE,
     OUTSIDE,
     RELEASED,
-    Model,
     Targets,
     changes,
     holder,
@@ -27,15 +26,7 @@ from pointpred.targets.choice_law import (
 from pointpred.targets.expectation import LEAST_PX, P, expect, place_table
 from pointpred.targets.inputs import accepted, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.posterior import (
-    ELSEWHERE,
-    HIGHEST,
-    LEAST_LEAD_S,
-    LEAST_WAY_PX,
-    LOWEST,
-    PRECISION,
-    USUAL,
-)
+from pointpred.targets.posterior import HIGHEST, LOWEST, USUAL, Settings
 from pointpred.targets.rectangle_mass import EFFECTIVE
 from pointpred.targets.rectangles import LOG_WEIGHT, Target, around, table
 
@@ -100,12 +91,12 @@ class Chooser:
     """
 
     parameters = tuple(
-        Parameter(name, unit, LOWEST[place], HIGHEST[place], meaning)
-        for place, name, unit, meaning in (
-            (PRECISION, "precision", "", "share of proposals that shall be right"),
-            (ELSEWHERE, "elsewhere", "", "share of movements that go to none of the targets"),
-            (LEAST_LEAD_S, "least_lead_s", "s", "what the cursor enters sooner is not predicted"),
-            (LEAST_WAY_PX, "least_way_px", "px", "nothing is predicted nearer to the movement's start"),
+        Parameter(name, unit, getattr(LOWEST, name), getattr(HIGHEST, name), meaning)
+        for name, unit, meaning in (
+            ("precision", "", "share of proposals that shall be right"),
+            ("elsewhere", "", "share of movements that go to none of the targets"),
+            ("least_lead_s", "s", "what the cursor enters sooner is not predicted"),
+            ("least_way_px", "px", "nothing is predicted nearer to the movement's start"),
         )
     )
 
@@ -113,19 +104,18 @@ class Chooser:
         self,
         targets: Sequence[Target] = (),
         *,
-        precision: float = USUAL[PRECISION],
-        elsewhere: float = USUAL[ELSEWHERE],
-        least_lead_s: float = USUAL[LEAST_LEAD_S],
-        least_way_px: float = USUAL[LEAST_WAY_PX],
+        precision: float = USUAL.precision,
+        elsewhere: float = USUAL.elsewhere,
+        least_lead_s: float = USUAL.least_lead_s,
+        least_way_px: float = USUAL.least_way_px,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
         self._answer: Row = prediction_row(None)
-        settings = (precision, elsewhere, least_lead_s, least_way_px)
-        names = (parameter.name for parameter in self.parameters)
-        check(self.parameters, dict(zip(names, settings, strict=True)))
-        self._settings = np.array(settings, dtype=np.float64)
+        settings = Settings(precision, elsewhere, least_lead_s, least_way_px)
+        check(self.parameters, settings._asdict())
+        self._settings = Settings(*map(float, settings))
         self._coefficients = usable(coefficients)
-        self._memory = np.zeros(cursor.STATES)
+        self._cursor = cursor.State(np.zeros(cursor.State.length))
         self._standing = self._over = decision.NOBODY
         self._inside = np.zeros(0)
         self._ids: tuple[Hashable, ...] = ()
@@ -143,11 +133,10 @@ class Chooser:
     ) -> None:
         """Change these parameters from the next event on; raises ParameterError and then changes nothing."""
         settings = (precision, elsewhere, least_lead_s, least_way_px)
-        names = (parameter.name for parameter in self.parameters)
-        values = {name: value for name, value in zip(names, settings, strict=True) if value is not None}
+        given = zip(Settings._fields, settings, strict=True)
+        values = {name: value for name, value in given if value is not None}
         check(tuple(p for p in self.parameters if p.name in values), values)
-        for place, parameter in enumerate(self.parameters):
-            self._settings[place] = values.get(parameter.name, self._settings[place])
+        self._settings = self._settings._replace(**{name: float(value) for name, value in values.items()})
 
     def replace(self, targets: Sequence[Target]) -> tuple[Choice, ...]:
         """Take other targets, at any time; a proposal of one that is gone is withdrawn.
@@ -165,7 +154,7 @@ class Chooser:
         self._inside = np.array([where.get(id, OUTSIDE) for id in self._ids])
         self._standing, self._over = self._place(standing), self._place(over)
         if standing is not None and self._standing == decision.NOBODY:
-            self.ledger.retract(self._memory[cursor.T], standing)
+            self.ledger.retract(self._cursor.t, standing)
         return tuple(
             Choice(id, 0.0, "retract")
             for id, place in ((standing, self._standing), (over, self._over))
@@ -189,10 +178,6 @@ class Chooser:
     @property
     def _targets(self) -> Targets:
         return self._table, self._inside, self._shares
-
-    @property
-    def _model(self) -> Model:
-        return self._coefficients, self._settings
 
     @property
     def standing(self) -> Hashable | None:
@@ -223,7 +208,7 @@ class Chooser:
         """
         check(self.parameters[1:2], {"elsewhere": elsewhere})
         rows, shares = table([target]), np.empty(2)
-        posterior.scores(self._memory, rows, self._answer, self._coefficients, elsewhere, shares)
+        posterior.scores(self._cursor.memory, rows, self._answer, self._coefficients, elsewhere, shares)
         posterior.normalise(shares)
         return float(shares[0])
 
@@ -233,13 +218,13 @@ class Chooser:
         At most four choices. Raises EventError for an event that is not finite, EventOrderError for one
         before the last.
         """
-        row = accepted(self._memory, event)
+        row = accepted(self._cursor, event)
         self._answer = prediction_row(prediction)
-        return self._take(row, step, self._answer, self._targets, self._model)
+        return self._take(row, step, self._answer, self._targets, self._coefficients, self._settings)
 
     def check_event(self, event: PointerEvent) -> None:
         """Raise EventError or EventOrderError for an event that ``update`` would refuse."""
-        accepted(self._memory, event)
+        accepted(self._cursor, event)
 
     def update_with_shares(
         self, shares: FloatArray, remaining_s: float, event: PointerEvent
@@ -249,7 +234,7 @@ class Chooser:
         ``shares``: of each target in their order, and of none of them; they sum to 1. ``remaining_s``: the
         time left that is predicted, NaN where none is.
         """
-        row = accepted(self._memory, event)
+        row = accepted(self._cursor, event)
         self._shares[:] = shares
         return self._take(row, step_with_shares, remaining_s, self._targets, self._settings)
 
@@ -257,8 +242,8 @@ class Chooser:
         self, row: tuple[float, float, float, float], law: Callable[..., tuple[int, int, int]], *given: Any
     ) -> tuple[Choice, ...]:
         """Run a law on an event that was accepted, and note what has changed."""
-        released = self._memory[cursor.PRESSED] > row[3]
-        return self._note(row[0], *law(self._memory, row, *given, self._standing), released)
+        released = self._cursor.pressed > row[3]
+        return self._note(row[0], *law(self._cursor.memory, row, *given, self._standing), released)
 
     def follow(
         self, events: FloatArray, answers: FloatArray, *, most: int = 5, last: int | None = None
@@ -268,17 +253,18 @@ class Chooser:
         Returns each change with its time, and the ``most`` likeliest targets after each of the ``last``
         events, all unless given. Other threads run meanwhile, except while a change is noted.
         """
-        refuse(self._memory, events)
+        refuse(self._cursor, events)
         count, done = len(events), 0
         rows = count if last is None else min(last, count)
         likeliest = np.empty((rows, 2 * min(most, len(self._table))))
         found: list[tuple[float, Choice]] = []
-        before = int(self._memory[cursor.PRESSED])
+        before = int(self._cursor.pressed)
         tables = events, answers, likeliest
         while done < count:
             proposed = self._standing, self._over
+            model = self._coefficients, self._settings
             done, chosen, over, entered = walk(
-                self._memory, tables, done, self._targets, self._model, proposed
+                self._cursor.memory, tables, done, self._targets, *model, proposed
             )
             t = float(events[done - 1, 0])
             down = before if done == 1 else int(events[done - 2, 5]) & 1
@@ -296,25 +282,25 @@ class Chooser:
     @property
     def cursor(self) -> tuple[float, float] | None:
         """Where the cursor is, px; ``None`` before the first event."""
-        memory = self._memory
-        return (memory[cursor.X], memory[cursor.Y]) if memory[cursor.KNOWN] == 1.0 else None
+        now = self._cursor
+        return (now.x, now.y) if now.known == 1.0 else None
 
     def finish(self, target: Hashable | None) -> Movement:
         """Close the movement at the last event, a click on ``target``, in the ledger.
 
         The proposal stands until the next movement starts: at the release, without one at the next event.
         """
-        memory = self._memory
-        if memory[cursor.T0] < memory[cursor.T]:
-            memory[cursor.PRESSED] = 1.0
-        return self.ledger.finish(float(self._memory[cursor.T]), target)
+        now = self._cursor
+        if now.t0 < now.t:
+            now.pressed = 1.0
+        return self.ledger.finish(float(now.t), target)
 
     def reset(self) -> None:
         """Forget every event and the proposals; targets, parameters and the ledger's counts stay.
 
         A target that the cursor is in is not entered again before the cursor has left it, as after a release.
         """
-        self._memory = np.zeros(cursor.STATES)
+        self._cursor = cursor.State(np.zeros(cursor.State.length))
         self._standing = self._over = decision.NOBODY
         self._answer = prediction_row(None)
         self._shares[:] = 0.0
@@ -395,9 +381,9 @@ class PlaceChooser:
     def __init__(
         self,
         *,
-        precision: float = USUAL[PRECISION],
-        least_lead_s: float = USUAL[LEAST_LEAD_S],
-        least_way_px: float = USUAL[LEAST_WAY_PX],
+        precision: float = USUAL.precision,
+        least_lead_s: float = USUAL.least_lead_s,
+        least_way_px: float = USUAL.least_way_px,
     ) -> None:
         self._chooser = Chooser(precision=precision, least_lead_s=least_lead_s, least_way_px=least_way_px)
         self._rectangles: dict[int, Target] = {}

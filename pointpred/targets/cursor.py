@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import exp, hypot, inf
 
 from pointpred.compiled import law
-from pointpred.records import LARGEST, LATEST_S, ROUNDING_S, FloatArray
+from pointpred.layout import Layout
+from pointpred.records import LARGEST, LATEST_S, ROUNDING_S
 
 PAUSE_S = 0.3
 """The first event after a longer pause starts a movement."""
@@ -16,9 +17,36 @@ SLOWER_S = 0.06
 TRAIL_SHARE = 0.35
 """The trail follows the cursor at this share of its distance from the start."""
 
-# State: whether anything is known, the last event, the start, a point that trails the cursor, the velocity
-# in px/s, its size, a slower one, its peak.
-KNOWN, T, X, Y, PRESSED, T0, X0, Y0, TRAIL_X, TRAIL_Y, VX, VY, SPEED, SLOW, PEAK, STATES = range(16)
+
+class State(Layout):
+    """What is known of the cursor."""
+
+    known: float
+    """Whether anything is."""
+    t: float
+    x: float
+    y: float
+    pressed: float
+    """The last event."""
+    t0: float
+    x0: float
+    y0: float
+    """The start of the movement."""
+    trail_x: float
+    trail_y: float
+    """A point that trails the cursor."""
+    vx: float
+    vy: float
+    """The velocity, px/s."""
+    speed: float
+    slow: float
+    peak: float
+    """Its size, a slower one, its peak."""
+
+
+KNOWN, T, X, Y, PRESSED, T0 = (part.at for part in State.parts[:6])
+STATES = State.length
+"""For JavaScript that looks at the memory itself."""
 
 
 @law
@@ -28,39 +56,39 @@ def usable(t: float, x: float, y: float) -> bool:
 
 
 @law
-def follow(memory: FloatArray, t: float, x: float, y: float, pressed: float) -> bool:
+def follow(s: State, t: float, x: float, y: float, pressed: float) -> bool:
     """Take an event in, a usable one that is not before the last; returns whether a button was released."""
-    dt = t - memory[T]
-    released = memory[PRESSED] == 1.0 and pressed == 0.0
-    starts = memory[KNOWN] == 0.0 or released or dt > PAUSE_S + ROUNDING_S
+    dt = t - s.t
+    released = s.pressed == 1.0 and pressed == 0.0
+    starts = s.known == 0.0 or released or dt > PAUSE_S + ROUNDING_S
     if starts:
-        memory[T0], memory[X0], memory[Y0] = t, x, y
-        memory[TRAIL_X], memory[TRAIL_Y] = x, y
-        memory[VX] = memory[VY] = memory[SPEED] = memory[SLOW] = memory[PEAK] = 0.0
+        s.t0, s.x0, s.y0 = t, x, y
+        s.trail_x, s.trail_y = x, y
+        s.vx = s.vy = s.speed = s.slow = s.peak = 0.0
     else:
-        way = hypot(x - memory[X], y - memory[Y])
-        far = hypot(x - memory[X0], y - memory[Y0])
+        way = hypot(x - s.x, y - s.y)
+        far = hypot(x - s.x0, y - s.y0)
         share = 1.0 - exp(-way / (TRAIL_SHARE * far)) if far > 0.0 else 1.0
-        memory[TRAIL_X] += share * (x - memory[TRAIL_X])
-        memory[TRAIL_Y] += share * (y - memory[TRAIL_Y])
+        s.trail_x += share * (x - s.trail_x)
+        s.trail_y += share * (y - s.trail_y)
         if dt > 0.0:  # of events at one time, the later position replaces
             share = 1.0 - exp(-dt / SPEED_S)
-            memory[VX] += share * ((x - memory[X]) / dt - memory[VX])
-            memory[VY] += share * ((y - memory[Y]) / dt - memory[VY])
-            memory[SPEED] = hypot(memory[VX], memory[VY])
-            memory[SLOW] += (1.0 - exp(-dt / SLOWER_S)) * (memory[SPEED] - memory[SLOW])
-        memory[PEAK] = max(memory[PEAK], memory[SPEED])
-    memory[KNOWN], memory[PRESSED] = 1.0, pressed
-    memory[T], memory[X], memory[Y] = t, x, y
+            s.vx += share * ((x - s.x) / dt - s.vx)
+            s.vy += share * ((y - s.y) / dt - s.vy)
+            s.speed = hypot(s.vx, s.vy)
+            s.slow += (1.0 - exp(-dt / SLOWER_S)) * (s.speed - s.slow)
+        s.peak = max(s.peak, s.speed)
+    s.known, s.pressed = 1.0, pressed
+    s.t, s.x, s.y = t, x, y
     return released
 
 
 @law
-def until(memory: FloatArray, x: float, y: float, width: float, height: float) -> float:
+def until(s: State, x: float, y: float, width: float, height: float) -> float:
     """Seconds until the cursor enters a rectangle at its present speed; 0 inside, infinite at rest."""
-    dx = max(abs(x - memory[X]) - 0.5 * width, 0.0)
-    dy = max(abs(y - memory[Y]) - 0.5 * height, 0.0)
+    dx = max(abs(x - s.x) - 0.5 * width, 0.0)
+    dy = max(abs(y - s.y) - 0.5 * height, 0.0)
     way = hypot(dx, dy)
     if way == 0.0:
         return 0.0
-    return way / memory[SPEED] if memory[SPEED] > 0.0 else inf
+    return way / s.speed if s.speed > 0.0 else inf

@@ -41,13 +41,13 @@ def rank(shares: FloatArray, count: int, order: FloatArray) -> None:
 
 
 @law
-def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: float) -> bool:
+def early(s: cursor.State, row: FloatArray, remaining_s: float, least_s: float) -> bool:
     """Whether a proposal of this target would still come in time: the cursor is not there at once.
 
     It is there at once where both say so: the way to its edge over the present speed, and the predicted time
     left, where one is claimed (predictors that go by speed alone call a hand at rest arrived).
     """
-    left = cursor.until(memory, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
+    left = cursor.until(s, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
     if left == 0.0:
         return False
     if remaining_s == remaining_s:
@@ -57,7 +57,7 @@ def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: floa
 
 @law
 def decide(
-    memory: FloatArray,
+    s: cursor.State,
     table: FloatTable,
     shares: FloatArray,
     standing: int,
@@ -77,8 +77,8 @@ def decide(
         return NOBODY
     if standing != NOBODY and (best == standing or shares[best] < ask):
         return standing if shares[standing] >= keep else NOBODY
-    far = hypot(memory[cursor.X] - memory[cursor.X0], memory[cursor.Y] - memory[cursor.Y0])
-    if shares[best] >= ask and far >= least_px and early(memory, table[best], remaining_s, least_s):
+    far = hypot(s.x - s.x0, s.y - s.y0)
+    if shares[best] >= ask and far >= least_px and early(s, table[best], remaining_s, least_s):
         return best
     if standing != NOBODY and shares[standing] >= keep:
         return standing

@@ -12,66 +12,83 @@ import msgspec
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray, FloatTable
+from pointpred.layout import Layout, clear
+from pointpred.records import FloatTable
 from pointpred.targets.decision import NOBODY
 
 LATEST = 1000
 """Movements of which the lead is remembered, and targets of one movement."""
-
-STANDING, SINCE, ENDED, ENDED_AT, ENDED_SINCE, PROPOSED, RETRACTED, ENTERED, STATES = range(9)
-"""Of a movement: the row of the target that is proposed and since when; of the one whose proposal ended with
-the release of a button, when it ended and since when it stood; proposals, retractions, targets proposed
-because the cursor had gone into them."""
 
 MADE, ENTRY, ENTRY_SINCE, FIELDS = range(4)
 """Of a target in a movement, a row: how often it was proposed; when the cursor first went into it, and since
 when it had been proposed then, NaN where it did not and was not."""
 
 
+class State(Layout):
+    """Of a movement."""
+
+    standing: float
+    since: float
+    """The row of the target that is proposed, and since when, s."""
+    ended: float
+    ended_at: float
+    ended_since: float
+    """That whose proposal ended with the release of a button, when it ended, and since when it stood."""
+    proposed: float
+    retracted: float
+    entered: float
+    """Proposals, retractions, targets proposed because the cursor had gone into them."""
+
+
+PROPOSED, RETRACTED, ENTERED = (part.at for part in State.parts[5:])
+STATES = State.length
+"""For JavaScript that looks at the memory itself."""
+
+
 @law
-def begin(movement: FloatArray, rows: FloatTable) -> None:
+def begin(s: State, rows: FloatTable) -> None:
     """Nothing is known of a movement yet, nor of the targets of these rows."""
-    movement[:] = 0.0
-    movement[STANDING] = movement[ENDED] = NOBODY
+    clear(s)
+    s.standing = s.ended = NOBODY
     for i in range(len(rows)):
         rows[i, MADE], rows[i, ENTRY], rows[i, ENTRY_SINCE] = 0.0, nan, nan
 
 
 @law
-def propose(movement: FloatArray, rows: FloatTable, t: float, place: int) -> None:
+def propose(s: State, rows: FloatTable, t: float, place: int) -> None:
     """A proposal is made; it takes the place of one that stands."""
-    movement[PROPOSED] += 1.0
-    movement[STANDING], movement[SINCE] = place, t
+    s.proposed += 1.0
+    s.standing, s.since = place, t
     if place != NOBODY:
         rows[place, MADE] += 1.0
 
 
 @law
-def withdraw(movement: FloatArray, t: float, place: int, released: bool) -> None:
+def withdraw(s: State, t: float, place: int, released: bool) -> None:
     """The proposal that stands ends; where this target's does not stand, nothing happens.
 
     ``released``: it ended with its movement, when the button came up. That is no retraction, and if the
     movement is closed at this moment, the proposal stood until then.
     """
-    if place == NOBODY or movement[STANDING] != place:
+    if place == NOBODY or s.standing != place:
         return
-    movement[STANDING] = NOBODY
+    s.standing = NOBODY
     if released:
-        movement[ENDED], movement[ENDED_AT], movement[ENDED_SINCE] = place, t, movement[SINCE]
+        s.ended, s.ended_at, s.ended_since = place, t, s.since
     else:
-        movement[RETRACTED] += 1.0
+        s.retracted += 1.0
 
 
 @law
-def enter(movement: FloatArray, rows: FloatTable, t: float, place: int) -> None:
+def enter(s: State, rows: FloatTable, t: float, place: int) -> None:
     """The cursor goes into a target; only the first time in a movement counts."""
     if place != NOBODY and rows[place, ENTRY] != rows[place, ENTRY]:
         rows[place, ENTRY] = t
-        rows[place, ENTRY_SINCE] = movement[SINCE] if movement[STANDING] == place else nan
+        rows[place, ENTRY_SINCE] = s.since if s.standing == place else nan
 
 
 @law
-def close(movement: FloatArray, rows: FloatTable, t: float, place: int) -> tuple[float, float, float]:
+def close(s: State, rows: FloatTable, t: float, place: int) -> tuple[float, float, float]:
     """How often the target of the movement was proposed, and the leads before its entry and its click, s.
 
     The leads are NaN where no proposal of it stood when the cursor first went into it; where the cursor never
@@ -82,10 +99,10 @@ def close(movement: FloatArray, rows: FloatTable, t: float, place: int) -> tuple
     entry, since = rows[place, ENTRY], rows[place, ENTRY_SINCE]
     if entry != entry:
         entry = t
-        if movement[ENDED] == place and movement[ENDED_AT] == t:
-            since = movement[ENDED_SINCE]
-        elif movement[STANDING] == place:
-            since = movement[SINCE]
+        if s.ended == place and s.ended_at == t:
+            since = s.ended_since
+        elif s.standing == place:
+            since = s.since
     return rows[place, MADE], entry - since, t - since
 
 
@@ -126,39 +143,40 @@ class Ledger:
         self.movements = self.proposed = self.right = self.hits = self.wasted = self.retracted = 0
         self.entered = 0
         self._leads: deque[tuple[float, float]] = deque(maxlen=LATEST)
-        self._movement = np.empty(STATES)
+        self._movement = State(np.empty(State.length))
         self.drop()
 
     def propose(self, t: float, id: Hashable) -> None:
         """Note a proposal; it takes the place of one that stands."""
         place = self._row_of(id)
-        propose(self._movement, self._rows, float(t), place)
+        propose(self._movement.memory, self._rows, float(t), place)
 
     def propose_entered(self) -> None:
         """Note that a target was proposed because the cursor had gone into it."""
-        self._movement[ENTERED] += 1.0
+        self._movement.entered += 1.0
 
     def retract(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
-        withdraw(self._movement, float(t), self._places.get(id, NOBODY), False)
+        withdraw(self._movement.memory, float(t), self._places.get(id, NOBODY), False)
 
     def end(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands ended with its movement, when the button came up.
 
         That is no retraction, and if the movement is closed at this moment, the proposal stood until then.
         """
-        withdraw(self._movement, float(t), self._places.get(id, NOBODY), True)
+        withdraw(self._movement.memory, float(t), self._places.get(id, NOBODY), True)
 
     def enter(self, t: float, id: Hashable) -> None:
         """Note that the cursor went into a target; only the first time in a movement counts."""
         place = self._row_of(id)
-        enter(self._movement, self._rows, float(t), place)
+        enter(self._movement.memory, self._rows, float(t), place)
 
     def finish(self, t: float, id: Hashable | None) -> Movement:
         """Close the movement at its click, with the target it was for or ``None``."""
         place = NOBODY if id is None else self._places.get(id, NOBODY)
-        right, *leads = map(float, close(self._movement, self._rows, float(t), place))
-        proposed, retracted, entered = self._movement[[PROPOSED, RETRACTED, ENTERED]].astype(int).tolist()
+        right, *leads = map(float, close(self._movement.memory, self._rows, float(t), place))
+        movement = self._movement
+        proposed, retracted, entered = map(int, (movement.proposed, movement.retracted, movement.entered))
         hit = leads[0] == leads[0]
         if hit:
             self._leads.append((leads[0], leads[1]))
@@ -178,7 +196,7 @@ class Ledger:
         """Forget the movement that goes on: it ended without a click."""
         self._places: dict[Hashable, int] = {}
         self._rows = np.empty((4, FIELDS))
-        begin(self._movement, self._rows)
+        begin(self._movement.memory, self._rows)
 
     def _row_of(self, id: Hashable) -> int:
         """The row of a target, a new one where it has none; NOBODY beyond LATEST: ids are the caller's."""

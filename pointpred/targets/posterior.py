@@ -6,11 +6,12 @@ Every feature is free of scale and of the screen's orientation, so the same coef
 from __future__ import annotations
 
 from math import atan2, exp, hypot, inf, log, nan, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.records import LARGEST, FloatArray, FloatTable, SixFloats, TenFloats
 from pointpred.targets import coefficients as fitted
 from pointpred.targets import cursor
@@ -65,13 +66,13 @@ def bend(u: tuple[float, float], g: tuple[float, float], far2: float, size: floa
 
 
 @law
-def unclaimed(memory: FloatArray, x: float, y: float) -> tuple[float, float, float]:
+def unclaimed(s: cursor.State, x: float, y: float) -> tuple[float, float, float]:
     """The scale matrix of a law for which the predictor claims none: long along the way left, px^2.
 
     The way left is that to the predicted endpoint, and at least a tenth of the way done.
     """
-    gx, gy = x - memory[cursor.X], y - memory[cursor.Y]
-    done_x, done_y = memory[cursor.X] - memory[cursor.X0], memory[cursor.Y] - memory[cursor.Y0]
+    gx, gy = x - s.x, y - s.y
+    done_x, done_y = s.x - s.x0, s.y - s.y0
     left, done = hypot(gx, gy), hypot(done_x, done_y)
     if left == 0.0:
         gx, gy = done_x, done_y
@@ -86,13 +87,13 @@ def unclaimed(memory: FloatArray, x: float, y: float) -> tuple[float, float, flo
 
 
 @law
-def situation(memory: FloatArray) -> Situation:
+def situation(s: cursor.State) -> Situation:
     """What the features of all targets share."""
-    x, y = memory[cursor.X], memory[cursor.Y]
-    way = hypot(x - memory[cursor.X0], y - memory[cursor.Y0])
-    sweep = memory[cursor.SPEED] * (memory[cursor.T] - memory[cursor.T0])
-    trail_x, trail_y = x - memory[cursor.TRAIL_X], y - memory[cursor.TRAIL_Y]
-    vx, vy = memory[cursor.VX], memory[cursor.VY]
+    x, y = s.x, s.y
+    way = hypot(x - s.x0, y - s.y0)
+    sweep = s.speed * (s.t - s.t0)
+    trail_x, trail_y = x - s.trail_x, y - s.trail_y
+    vx, vy = s.vx, s.vy
     return Situation(x, y, trail_x, trail_y, vx, vy, log(max(way, 1.0)), log(max(sweep, 1.0)))
 
 
@@ -123,9 +124,9 @@ def feature(row: FloatArray, now: Situation, predicted: Law, mass: bool) -> SixF
 
 
 @law
-def features(memory: FloatArray, table: FloatTable, predicted: Law, out: FloatTable) -> None:
+def features(s: cursor.State, table: FloatTable, predicted: Law, out: FloatTable) -> None:
     """A row of features for each target and a predicted law."""
-    now = situation(memory)
+    now = situation(s)
     for i in range(len(table)):
         f = out[i]
         f[MASS], f[TRAIL], f[HEADING], f[PER_WAY], f[PER_SPEED], f[NEAR] = feature(
@@ -133,10 +134,20 @@ def features(memory: FloatArray, table: FloatTable, predicted: Law, out: FloatTa
         )
 
 
-SET = 2 * FEATURES + 2
-"""Coefficients of each feature standing, of each at the peak of the speed, and of none of them at both."""
-COEFFICIENTS = 2 * SET
-"""One set for a law that the predictor claims, and one for a law that stands in for it."""
+class Weights(Layout):
+    """Of each feature standing, of each at the peak of the speed, and of none of them at both."""
+
+    slow: Annotated[FloatArray, FEATURES]
+    fast: Annotated[FloatArray, FEATURES]
+    none: Annotated[FloatArray, 2]
+
+
+class Coefficients(Layout):
+    """Weights for a law that the predictor claims, and for a law that stands in for it."""
+
+    claimed: Weights
+    unclaimed: Weights
+
 
 FITTED: FloatArray = np.array(
     [
@@ -152,16 +163,24 @@ FITTED_PAGES: FloatArray = np.array(
     ]
 )
 """Those for a prefetch: sharpest early in a movement over cards, links and menus."""
-FITTED_NEAREST: FloatArray = np.zeros(COEFFICIENTS)
+FITTED_NEAREST: FloatArray = np.zeros(Coefficients.length)
 """Coefficients of the distance from the cursor alone: the nearest target, as something to compare with."""
-for _first in (0, SET):
-    FITTED_NEAREST[[_first + NEAR, _first + FEATURES + NEAR]] = fitted.NEAREST
-    FITTED_NEAREST[_first + 2 * FEATURES : _first + SET] = fitted.NEAREST_NONE
+for _weights in (Coefficients(FITTED_NEAREST).claimed, Coefficients(FITTED_NEAREST).unclaimed):
+    _weights.slow[NEAR], _weights.fast[NEAR] = fitted.NEAREST
+    _weights.none[:] = fitted.NEAREST_NONE
 
-PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = range(4)
-"""Places of a chooser's settings."""
-LOWEST, HIGHEST = (0.01, 1e-6, 0.0, 0.0), (0.999, 0.999999, 10.0, 1000.0)
-USUAL = (0.5, 0.02, 0.0, 3.0)
+
+class Settings(NamedTuple):
+    """A chooser's settings, as ``Chooser`` says what they are."""
+
+    precision: float
+    elsewhere: float
+    least_lead_s: float
+    least_way_px: float
+
+
+LOWEST, HIGHEST = Settings(0.01, 1e-6, 0.0, 0.0), Settings(0.999, 0.999999, 10.0, 1000.0)
+USUAL = Settings(0.5, 0.02, 0.0, 3.0)
 """Their bounds and their defaults."""
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
@@ -186,10 +205,10 @@ def lawful(predicted: Law) -> bool:
 
 @law
 def scores(
-    memory: FloatArray,
+    s: cursor.State,
     table: FloatTable,
     answer: TenFloats,
-    coefficients: FloatArray,
+    coefficients: Coefficients,
     elsewhere: float,
     out: FloatArray,
 ) -> None:
@@ -201,15 +220,15 @@ def scores(
     _, x, y, sxx, sxy, syy, _, _, tail, _ = answer
     claimed = abs(x) <= LARGEST and abs(y) <= LARGEST
     if not claimed:  # no prediction: the cursor itself
-        x, y = memory[cursor.X], memory[cursor.Y]
-    first, predicted = 0, Law(x, y, sxx, sxy, syy, tail)
+        x, y = s.x, s.y
+    fit, predicted = coefficients.claimed, Law(x, y, sxx, sxy, syy, tail)
     if not claimed or not lawful(predicted):
-        sxx, sxy, syy = unclaimed(memory, x, y)
-        first, predicted = SET, Law(x, y, sxx, sxy, syy, nan)
-    now, weight = situation(memory), np.empty(FEATURES)
-    fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
+        sxx, sxy, syy = unclaimed(s, x, y)
+        fit, predicted = coefficients.unclaimed, Law(x, y, sxx, sxy, syy, nan)
+    now, weight = situation(s), np.empty(FEATURES)
+    fast = min(s.speed / s.peak, 1.0) if s.peak > 0.0 else 0.0
     for j in range(FEATURES):
-        weight[j] = (1.0 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j]
+        weight[j] = (1.0 - fast) * fit.slow[j] + fast * fit.fast[j]
     count, mass = len(table), weight[0] != 0.0
     usual = log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
     for i in range(count):
@@ -219,8 +238,7 @@ def scores(
         f0, f1, f2, f3, f4, f5 = feature(table[i], now, predicted, mass)
         score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
         out[i] = table[i, LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
-    at = first + 2 * FEATURES
-    none = (1.0 - fast) * coefficients[at] + fast * coefficients[at + 1]
+    none = (1.0 - fast) * fit.none[0] + fast * fit.none[1]
     out[count] = none + log(elsewhere / FITTED_NONE)
 
 

@@ -13,6 +13,7 @@ from math import hypot, inf, log
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.parameter import Parameter, check
 from pointpred.records import FloatArray, FloatTable, PointerEvent, Prediction, prediction_row
 from pointpred.targets import cursor, decision, posterior
@@ -24,8 +25,17 @@ ARMED, FIRED, RESTING, PREDICTED, ENTERED = 0.0, 1.0, 2.0, 3.0, 4.0
 """Of each target: nothing yet; fired in this movement; fired before it and not left since; fires at this
 call, by prediction or because the cursor is in it."""
 
-BEGAN, COUNT, STATES = cursor.STATES, cursor.STATES + 1, cursor.STATES + 2
-"""Places in the memory behind those of the cursor: when the movement began, s, and its firings."""
+
+class State(Layout):
+    """The cursor; when the movement began, s, and its firings."""
+
+    cursor: cursor.State
+    began: float
+    count: float
+
+
+STATES = State.length
+"""For JavaScript that makes a memory."""
 
 PATHS, NEGLIGIBLE = 8, 1e-3
 """The cursor is taken to go straight to one of so many likeliest targets, each of at least this share."""
@@ -40,8 +50,23 @@ SMALLEST, LEAST_VISITS = 1e-6, 0.05
 
 THRESHOLD, ELSEWHERE = 0.5, 0.02
 """Defaults: how likely a visit of a target must be, and the share of movements that go to none of them."""
-BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
-"""Places of the settings."""
+
+
+class Settings(Layout):
+    """What ``step`` weighs."""
+
+    base: float
+    end: float
+    spent: float
+    near: float
+    far: float
+    age: float
+    passed: float
+    sure: float
+    late_s: float
+    late: float
+
+
 FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
 """Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
 
@@ -93,25 +118,25 @@ def visit(x: float, y: float, table: FloatTable, shares: FloatArray, out: FloatA
 
 
 @law
-def begin(memory: FloatArray, table: FloatTable, fired: FloatArray) -> None:
+def begin(s: State, table: FloatTable, fired: FloatArray) -> None:
     """Arm every target anew where a movement has begun; those that it starts in first have to be left."""
     for i in range(len(table)):
         if fired[i] == PREDICTED or fired[i] == ENTERED:
             fired[i] = FIRED
-    if memory[BEGAN] == memory[cursor.T0]:
+    if s.began == s.cursor.t0:
         return
-    memory[BEGAN], memory[COUNT] = memory[cursor.T0], 0.0
+    s.began, s.count = s.cursor.t0, 0.0
     for i in range(len(table)):
         if fired[i] != ARMED:
-            fired[i] = RESTING if inside(memory[cursor.X0], memory[cursor.Y0], table[i]) else ARMED
+            fired[i] = RESTING if inside(s.cursor.x0, s.cursor.y0, table[i]) else ARMED
 
 
 @law
-def urgency(memory: FloatArray, row: FloatArray, settings: FloatArray) -> float:
+def urgency(s: cursor.State, row: FloatArray, settings: Settings) -> float:
     """The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S."""
-    left_s = cursor.until(memory, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
+    left_s = cursor.until(s, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
     near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
-    return float(settings[NEAR] * near - settings[FAR] * near * near)
+    return float(settings.near * near - settings.far * near * near)
 
 
 @law
@@ -122,11 +147,11 @@ def log_odds(p: float) -> float:
 
 
 @law
-def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: FloatArray) -> int:
+def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> int:
     """Decide which targets fire now; returns how many.
 
-    ``memory``: STATES floats, the first of which ``cursor.follow`` has brought up to the last event; it need
-    not be called at every event, once a frame is enough. ``targets``: the table, the thresholds, and what is
+    ``s``: ``cursor.follow`` has brought its cursor up to the last event; this need not be called at every
+    event, once a frame is enough. ``targets``: the table, the thresholds, and what is
     written: how likely the cursor goes through each target, and a state of each, PREDICTED or ENTERED where
     it fires at this call. ``shares``: those of the targets, and of none of them. A target fires once a
     movement, and is armed again where the next one begins, or if that starts in it, once the cursor has left
@@ -136,28 +161,28 @@ def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: Flo
     threshold, in (0, 1), is how likely it must be that the cursor goes through the target; higher fires later
     and less often.
 
-    - BASE, and the logarithm of the odds of a visit;
-    - plus PASSED times the logarithm of the expected number of targets visited, without those it is in;
-    - plus AGE times the time since the start, s, at most AGE_S;
-    - plus NEAR n - FAR n², where n is the logarithm of REFERENCE_S over the time to contact;
-    - plus END times the logarithm of the share over the probability of a visit, which is at most 0;
-    - minus SURE times the share of the likeliest target;
-    - minus SPENT times the firings of this movement so far.
+    - ``base``, and the logarithm of the odds of a visit;
+    - plus ``passed`` times the logarithm of the expected number of targets visited, without those it is in;
+    - plus ``age`` times the time since the start, s, at most AGE_S;
+    - plus ``near`` n - ``far`` n², where n is the logarithm of REFERENCE_S over the time to contact;
+    - plus ``end`` times the logarithm of the share over the probability of a visit, which is at most 0;
+    - minus ``sure`` times the share of the likeliest target;
+    - minus ``spent`` times the firings of this movement so far.
 
-    It also fires where the cursor's own line meets it within LATE_S s and the probability of a visit is at
-    least LATE and the threshold.
+    It also fires where the cursor's own line meets it within ``late_s`` s and the probability of a visit is
+    at least ``late`` and the threshold.
     """
     table, thresholds, visits, fired = targets
-    begin(memory, table, fired)
-    x, y = memory[cursor.X], memory[cursor.Y]
+    begin(s, table, fired)
+    x, y = s.cursor.x, s.cursor.y
     visit(x, y, table, shares, visits)
     passed, sure = 0.0, 0.0
     for i in range(len(table)):
         if not inside(x, y, table[i]):
             passed, sure = passed + visits[i], max(sure, shares[i])
-    common = settings[BASE] + settings[PASSED] * log(max(passed, LEAST_VISITS)) - settings[SURE] * sure
-    common += settings[AGE] * min(memory[cursor.T] - memory[cursor.T0], AGE_S)
-    moves = hypot(x - memory[cursor.X0], y - memory[cursor.Y0]) >= LEAST_WAY_PX
+    common = settings.base + settings.passed * log(max(passed, LEAST_VISITS)) - settings.sure * sure
+    common += settings.age * min(s.cursor.t - s.cursor.t0, AGE_S)
+    moves = hypot(x - s.cursor.x0, y - s.cursor.y0) >= LEAST_WAY_PX
     count = 0
     for i in range(len(table)):
         if table[i, LOG_WEIGHT] == -inf:
@@ -171,13 +196,13 @@ def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: Flo
         if fired[i] != ARMED or not moves:
             continue
         likely = max(visits[i], SMALLEST)
-        score = common + log_odds(likely) + settings[END] * log(max(shares[i], SMALLEST) / likely)
-        score += urgency(memory, table[i], settings) - settings[SPENT] * (memory[COUNT] + count)
-        line_s = contact(x, y, memory[cursor.VX], memory[cursor.VY], table[i])
-        late = line_s <= settings[LATE_S] and likely >= max(settings[LATE], thresholds[i])
+        score = common + log_odds(likely) + settings.end * log(max(shares[i], SMALLEST) / likely)
+        score += urgency(s.cursor, table[i], settings) - settings.spent * (s.count + count)
+        line_s = contact(x, y, s.cursor.vx, s.cursor.vy, table[i])
+        late = line_s <= settings.late_s and likely >= max(settings.late, thresholds[i])
         if late or score >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1
-    memory[COUNT] += count
+    s.count += count
     return count
 
 
@@ -207,7 +232,7 @@ class Prefetcher:
 
     parameters = (
         Parameter("threshold", "", 0.0, 1.0, "how likely it must be that the cursor goes through the target"),
-        Chooser.parameters[posterior.ELSEWHERE],
+        Chooser.parameters[1],  # elsewhere
     )
 
     def __init__(
@@ -219,7 +244,7 @@ class Prefetcher:
     ) -> None:
         check(self.parameters, {"threshold": threshold, "elsewhere": elsewhere})
         self._threshold, self._elsewhere = threshold, elsewhere
-        self._memory = np.zeros(STATES)
+        self._state = State(np.zeros(State.length))
         self._ids: tuple[Hashable, ...] = ()
         self._fired = np.zeros(0)
         self.replace(targets)
@@ -242,18 +267,18 @@ class Prefetcher:
 
     def update(self, prediction: Prediction | None, event: PointerEvent) -> tuple[Hashable, ...]:
         """Take an event and the prediction made at it; the targets that fire now, in their order."""
-        memory = self._memory
-        t, x, y, pressed = accepted(memory, event)
-        cursor.follow(memory, t, x, y, pressed)
+        t, x, y, pressed = accepted(self._state.cursor, event)
+        now = self._state.cursor.memory
+        cursor.follow(now, t, x, y, pressed)
         answer = prediction_row(prediction)
-        posterior.scores(memory, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
+        posterior.scores(now, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
         posterior.normalise(self._shares)
         targets = self._table, self._thresholds, self._visits, self._fired
-        if step(memory, targets, self._shares, FITTED_SETTINGS) == 0:
+        if step(self._state.memory, targets, self._shares, FITTED_SETTINGS) == 0:
             return ()
         return tuple(self._ids[i] for i in np.flatnonzero(self._fired >= PREDICTED).tolist())
 
     def reset(self) -> None:
         """Forget every event; what has fired is armed again, but for a target that the next event lies in."""
-        self._memory = np.zeros(STATES)
+        self._state = State(np.zeros(State.length))
         self._fired[self._fired != ARMED] = RESTING

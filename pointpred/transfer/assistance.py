@@ -10,19 +10,13 @@ from typing import NamedTuple
 
 from pointpred.compiled import law
 from pointpred.errors import EventError
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
-from pointpred.records import LARGEST, FloatArray, FloatTable, Prediction
+from pointpred.records import LARGEST, FloatTable, Prediction
 from pointpred.regions import as_normal
-from pointpred.stage import loop_of, offsets
+from pointpred.stage import loop_of
 from pointpred.transfer import pixels
 from pointpred.transfer.pixels import ReportStage
-
-# Both stages: their own parameters, then the memory of ``pixels``; for the guarded one also the pending
-# fractions of a pixel of the assistance.
-RHO, STRENGTH, ASSISTED = offsets(1, 1)
-_, _, SIDEWAYS, UNCERTAIN, UNCLAIMED, GUARDED, OWED, END = offsets(
-    1, 1, 1, 1, 1, pixels.LENGTH, pixels.CARRIED
-)
 
 USUAL_GUARD = (0.5, 0.5, 0.25)
 """``sideways``, ``uncertain`` and ``unclaimed`` unless they are set."""
@@ -31,6 +25,36 @@ Way = tuple[float, float, float, float, float]
 """The endpoint minus the cursor, x and y in px, and its covariance sxx, sxy, syy in px^2; NaN: none."""
 UNGUIDED: Way = (nan, nan, nan, nan, nan)
 """The way without a prediction."""
+
+
+class Assisted(Layout):
+    """The memory of ``AssistedTransfer``: its own parameters, then that of ``PixelTransfer``."""
+
+    rho: float
+    strength: float
+    transfer: pixels.Memory
+
+
+class Guard(Layout):
+    """The parameters of ``GuardedTransfer``."""
+
+    rho: float
+    strength: float
+    sideways: float
+    uncertain: float
+    unclaimed: float
+
+
+class Guarded(Layout):
+    """The memory of ``GuardedTransfer``: its own parameters, that of ``PixelTransfer``, fractions of help."""
+
+    guard: Guard
+    transfer: pixels.Memory
+    owed: pixels.Carried
+
+
+SETTINGS, END = Guard.length + pixels.Settings.length, Guarded.length
+"""So many numbers of a ``Guarded`` are parameters, of so many."""
 
 
 class OffsetReport(NamedTuple):
@@ -88,21 +112,21 @@ def pull(rho: float, strength: float, dt: float, own_px: float, off_x: float, of
 
 @law
 def assisted_step(
-    memory: FloatArray, report: tuple[float, float, float, float, float]
+    memory: Assisted, report: tuple[float, float, float, float, float]
 ) -> tuple[float, float, float]:
     """One ``OffsetReport``: (t, dx in px, dy in px); NaN for a report that is refused."""
     t, dx, dy, off_x, off_y = OffsetReport(*report)
-    usable, dt = pixels.accept(memory, ASSISTED, t, dx, dy)
+    usable, dt = pixels.accept(memory.transfer, t, dx, dy)
     if not usable or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
         return nan, nan, nan
-    scale = pixels.turn(memory, ASSISTED, t, dt, dx, dy)
+    scale = pixels.turn(memory.transfer, t, dt, dx, dy)
     x, y = scale * dx, scale * dy
-    share = pull(memory[RHO], memory[STRENGTH], dt, hypot(x, y), off_x, off_y)
+    share = pull(memory.rho, memory.strength, dt, hypot(x, y), off_x, off_y)
     if share > 0.0:
         x += share * off_x
         y += share * off_y
-    carried = ASSISTED + pixels.CARRY
-    return t, pixels.carry(memory, carried, x), pixels.carry(memory, carried + 1, y)
+    carried = memory.transfer.state.carried
+    return t, pixels.carry(carried, 0, x), pixels.carry(carried, 1, y)
 
 
 class AssistedTransfer(ReportStage):
@@ -128,7 +152,7 @@ class AssistedTransfer(ReportStage):
 
     rho: float = parameter("1/s", 0.0, 1e4, "rate at which the cursor is pulled to the endpoint", default=5.0)
     strength: float = parameter("", 0.0, inf, "longest pull as a share of the hand's own motion", default=0.5)
-    states = pixels.STATES
+    states = pixels.State.length
     width = 3
     loop = staticmethod(loop_of(assisted_step, offset_report_at))
 
@@ -144,7 +168,7 @@ class AssistedTransfer(ReportStage):
         off_x, off_y = (nan, nan) if off_px is None else off_px
         t, dx, dy = assisted_step(self._memory, (t, dx, dy, off_x, off_y))
         if t != t:
-            last = float(self._memory[ASSISTED + pixels.T])
+            last = float(Assisted(self._memory).transfer.state.t)
             raise EventError(
                 f"report must be finite and not before t = {last!r} s, received {report!r}, {off_px!r}",
                 value=report,
@@ -166,8 +190,8 @@ def spread(way_px: float, sxx: float, sxy: float, syy: float, unclaimed: float) 
 
 
 @law
-def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way: Way) -> tuple[float, float]:
-    """The px added to the hand's ``own`` (x, y) in ``dt`` s; the guard's parameters lie at ``at``.
+def guide(guard: Guard, dt: float, own: tuple[float, float], way: Way) -> tuple[float, float]:
+    """The px added to the hand's ``own`` (x, y) in ``dt`` s.
 
     ``way`` leads from the cursor before the report to the endpoint. Nothing is added for a hand at rest or
     moving away from the endpoint. Along the hand's direction the pull is never negative, never longer than
@@ -179,14 +203,14 @@ def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way:
     moved, distance = hypot(own_x, own_y), hypot(off_x, off_y)
     if not (0.0 < moved < inf and 0.0 < distance < inf):
         return 0.0, 0.0
-    trust = 1.0 - spread(distance, sxx, sxy, syy, memory[at + UNCLAIMED]) / memory[at + UNCERTAIN]
+    trust = 1.0 - spread(distance, sxx, sxy, syy, guard.unclaimed) / guard.uncertain
     to_x, to_y = own_x / moved, own_y / moved
     ahead, beside = off_x * to_x + off_y * to_y, off_y * to_x - off_x * to_y
     if not (trust > 0.0 and ahead > 0.0):
         return 0.0, 0.0
-    share = -expm1(-memory[at + RHO] * dt)
-    longest = memory[at + STRENGTH] * moved
-    widest = memory[at + SIDEWAYS] * longest
+    share = -expm1(-guard.rho * dt)
+    longest = guard.strength * moved
+    widest = guard.sideways * longest
     along = trust * min(share * ahead, longest, max(ahead - moved, 0.0))
     across = trust * min(max(share * beside * (ahead / distance), -widest), widest)
     return along * to_x - across * to_y, along * to_y + across * to_x
@@ -194,34 +218,34 @@ def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way:
 
 @law
 def add(
-    memory: FloatArray, at: int, owed: int, dt: float, own: tuple[float, float], way: Way
+    guard: Guard, owed: pixels.Carried, dt: float, own: tuple[float, float], way: Way
 ) -> tuple[float, float]:
-    """``guide`` in whole pixels, with the fractions carried in ``memory[owed]`` and the next place.
+    """``guide`` in whole pixels, with the fractions carried.
 
     Rounding may release a pixel of one axis first; a pixel against the hand is dropped.
     """
-    x, y = guide(memory, at, dt, own, way)
-    whole_x, whole_y = pixels.carry(memory, owed, x), pixels.carry(memory, owed + 1, y)
+    x, y = guide(guard, dt, own, way)
+    whole_x, whole_y = pixels.carry(owed, 0, x), pixels.carry(owed, 1, y)
     if whole_x * own[0] + whole_y * own[1] < 0.0:
-        memory[owed] = memory[owed + 1] = 0.0
+        clear(owed)
         return 0.0, 0.0
     return whole_x, whole_y
 
 
 @law
 def guarded_step(
-    memory: FloatArray, report: tuple[float, float, float, float, float, float, float, float]
+    memory: Guarded, report: tuple[float, float, float, float, float, float, float, float]
 ) -> tuple[float, float, float, float, float]:
     """One ``GuidedReport``: (t, dx px, dy px, and the added part of these); NaN if refused."""
     t, dx, dy, off_x, off_y, sxx, sxy, syy = GuidedReport(*report)
-    usable, dt = pixels.accept(memory, GUARDED, t, dx, dy)
+    usable, dt = pixels.accept(memory.transfer, t, dx, dy)
     if not usable or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
         return nan, nan, nan, nan, nan
-    scale = pixels.turn(memory, GUARDED, t, dt, dx, dy)
+    scale = pixels.turn(memory.transfer, t, dt, dx, dy)
     own_x, own_y = scale * dx, scale * dy
-    carried = GUARDED + pixels.CARRY
-    x, y = pixels.carry(memory, carried, own_x), pixels.carry(memory, carried + 1, own_y)
-    add_x, add_y = add(memory, 0, OWED, dt, (own_x, own_y), (off_x, off_y, sxx, sxy, syy))
+    carried = memory.transfer.state.carried
+    x, y = pixels.carry(carried, 0, own_x), pixels.carry(carried, 1, own_y)
+    add_x, add_y = add(memory.guard, memory.owed, dt, (own_x, own_y), (off_x, off_y, sxx, sxy, syy))
     return t, x + add_x, y + add_y, add_x, add_y
 
 
@@ -269,7 +293,7 @@ class GuardedTransfer(ReportStage):
     unclaimed: float = parameter(
         "", 0.0, 1e3, "that spread where a predictor claims none", default=USUAL_GUARD[2]
     )
-    states = pixels.STATES + pixels.CARRIED
+    states = pixels.State.length + pixels.Carried.length
     width = 5
     step = staticmethod(guarded_step)
     loop = staticmethod(loop_of(guarded_step, guided_report_at))
@@ -288,7 +312,7 @@ class GuardedTransfer(ReportStage):
         """
         t, dx, dy, _, _ = self.advance((*report, *way_to(prediction, cursor)))
         if t != t:
-            last = float(self._memory[GUARDED + pixels.T])
+            last = float(Guarded(self._memory).transfer.state.t)
             raise EventError(
                 f"report must be finite and not before t = {last!r} s, the endpoint within {LARGEST:g} px, "
                 f"received {report!r}, {prediction!r} at {cursor!r}",

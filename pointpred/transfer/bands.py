@@ -51,36 +51,34 @@ class Model(NamedTuple):
 
 
 @law
-def learn(memory: FloatArray, at: int, model: Model, band: float, row: int, output: float) -> None:
+def learn(memory: FloatArray, model: Model, band: float, row: FloatArray, output: float) -> None:
     """Add output = row . c to a band, a real number; outside the bands nothing happens."""
     if not 0.0 <= band < BANDS:
         return
     n, linear, forgetting = model
-    place = at + int(band) * (1 + n)
-    reference = memory[row + linear]
+    place = int(band) * (1 + n)
+    reference = row[linear]
     memory[place] = forgetting * memory[place] + reference * output
     for j in range(n):
-        memory[place + 1 + j] = forgetting * memory[place + 1 + j] + reference * memory[row + j]
+        memory[place + 1 + j] = forgetting * memory[place + 1 + j] + reference * row[j]
 
 
-def visited(
-    memory: FloatArray, at: int, n: int, linear: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+def visited(memory: FloatArray, n: int, linear: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Bands with a positive gain: their numbers, the sums of w_1 w_1 and of w_1 y, and those of w_1 w_i."""
-    table = memory[at : at + states(n)].reshape(BANDS, 1 + n)
+    table = memory[: states(n)].reshape(BANDS, 1 + n)
     weight, product = table[:, 1 + linear], table[:, 0]
     rows = np.flatnonzero((weight > 0.0) & (product > 0.0))
     return rows.astype(np.float64), weight[rows], product[rows], table[rows, 1:]
 
 
 def trusted(
-    memory: FloatArray, at: int, n: int, linear: int, noise: float
+    memory: FloatArray, n: int, linear: int, noise: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Bands with a positive gain: (their numbers, their equations row . c = 1, trust in [0, 1]).
 
     ``noise`` is the standard deviation of the outputs.
     """
-    numbers, weight, product, sums = visited(memory, at, n, linear)
+    numbers, weight, product, sums = visited(memory, n, linear)
     uncertainty = noise * np.sqrt(weight) / product
     return numbers, sums / product[:, None], 1.0 / (1.0 + (uncertainty / TRUSTED) ** 2)
 

@@ -11,10 +11,6 @@ import msgspec
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import beside
 from pointpred.transfer.functions import (
-    GAIN_MAX,
-    GAIN_MIN,
-    SPEED_HIGH,
-    SPEED_LOW,
     ConstantGain,
     HeldPolynomial,
     PolynomialFunction,
@@ -66,8 +62,7 @@ def save_transfer(
     if isinstance(function, ConstantGain):
         file = _File(VERSION, "constant", [slots[1]], cpi=cpi, dpi=dpi)
     elif isinstance(function, SigmoidGain):
-        numbers = [slots[i] for i in (GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH)]
-        file = _File(VERSION, "sigmoid", numbers, cpi=cpi, dpi=dpi)
+        file = _File(VERSION, "sigmoid", slots[1:5], cpi=cpi, dpi=dpi)
     elif isinstance(function, PolynomialFunction | HeldPolynomial):
         bounded = function if isinstance(function, HeldPolynomial) else HeldPolynomial(function)
         coefficients = list(bounded.polynomial.coefficients)

@@ -1,14 +1,14 @@
 """Pointing transfer functions (PTF): from the speed of the hand to the speed of the cursor.
 
-A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array, so that one compiled law (a
-simulated loop, pixels) works with all of them.
+A function is a kind and its numbers, a ``Function`` within any memory, so that one compiled law (a simulated
+loop, pixels) works with all of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import atan, copysign, inf, isfinite, isnan
-from typing import ClassVar, Protocol, Self, runtime_checkable
+from typing import Annotated, ClassVar, Protocol, Self, runtime_checkable
 
 import msgspec
 import numpy as np
@@ -16,63 +16,75 @@ from numpy.typing import ArrayLike
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError, RecordingError
+from pointpred.layout import Layout
 from pointpred.parameter import Parameter
 from pointpred.records import FloatArray
 
-# The kind, then its numbers, then zeros.
 CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, BOUNDED = 1.0, 2.0, 3.0, 4.0, 5.0
 COEFFICIENTS_MOST = 7
-SLOTS = 1 + COEFFICIENTS_MOST
-# A bounded polynomial: c_1 ... c_5, then the range outside which its gain is constant.
 BOUNDED_COEFFICIENTS = 5
-LOW, HIGH = 1 + BOUNDED_COEFFICIENTS, 2 + BOUNDED_COEFFICIENTS
-GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
 MACOS = (1.0, 15.0, 0.05, 0.6)
 """The numbers of a sigmoid function that is like that of macOS."""
 
 
+class Function(Layout):
+    """A kind and its numbers, then zeros.
+
+    CONSTANT: the gain. SIGMOID: the gains of slow and of fast movements, and the speeds in m/s. POLYNOMIAL:
+    c_0 ... c_6. BOUNDED: c_1 ... c_5, then the range in m/s outside which the gain is constant.
+    """
+
+    kind: float
+    numbers: Annotated[FloatArray, COEFFICIENTS_MOST]
+
+
+SLOTS = Function.length
+
+
 @law
-def gain(memory: FloatArray, at: int, speed: float) -> float:
+def gain(f: Function, speed: float) -> float:
     """PTF(V) / V, the control-display gain; at V = 0 its limit (infinite for a polynomial with c_0)."""
-    if memory[at] == CONSTANT:
-        return float(memory[at + 1])
-    if memory[at] == SIGMOID:
-        share = (speed - memory[at + SPEED_LOW]) / (memory[at + SPEED_HIGH] - memory[at + SPEED_LOW])
+    if f.kind == CONSTANT:
+        return float(f.numbers[0])
+    if f.kind == SIGMOID:
+        gain_min, gain_max, speed_low, speed_high = f.numbers[0], f.numbers[1], f.numbers[2], f.numbers[3]
+        share = (speed - speed_low) / (speed_high - speed_low)
         share = min(max(share, 0.0), 1.0)
-        return float(memory[at + GAIN_MIN] + share * (memory[at + GAIN_MAX] - memory[at + GAIN_MIN]))
-    if memory[at] == ARCTAN:
+        return float(gain_min + share * (gain_max - gain_min))
+    if f.kind == ARCTAN:
         return atan(speed) / speed if speed > 0.0 else 1.0
     value = 0.0
-    if memory[at] == BOUNDED:
-        within = min(max(speed, memory[at + LOW]), memory[at + HIGH])
-        for i in range(BOUNDED_COEFFICIENTS):
-            value = value * within + memory[at + BOUNDED_COEFFICIENTS - i]
+    if f.kind == BOUNDED:
+        low, high = f.numbers[BOUNDED_COEFFICIENTS], f.numbers[BOUNDED_COEFFICIENTS + 1]
+        within = min(max(speed, low), high)
+        for i in range(BOUNDED_COEFFICIENTS - 1, -1, -1):
+            value = value * within + f.numbers[i]
         return value
-    for i in range(COEFFICIENTS_MOST - 1):
-        value = value * speed + memory[at + COEFFICIENTS_MOST - i]
-    if memory[at + 1] == 0.0:
+    for i in range(COEFFICIENTS_MOST - 1, 0, -1):
+        value = value * speed + f.numbers[i]
+    if f.numbers[0] == 0.0:
         return value
-    return value + memory[at + 1] / speed if speed > 0.0 else copysign(inf, memory[at + 1])
+    return value + f.numbers[0] / speed if speed > 0.0 else copysign(inf, f.numbers[0])
 
 
 @law
-def cursor_speed(memory: FloatArray, at: int, speed: float) -> float:
+def cursor_speed(f: Function, speed: float) -> float:
     """PTF(V): the speed of the cursor in m/s on the screen for a hand's speed >= 0 in m/s."""
-    if memory[at] == POLYNOMIAL:
+    if f.kind == POLYNOMIAL:
         value = 0.0
-        for i in range(COEFFICIENTS_MOST):
-            value = value * speed + memory[at + COEFFICIENTS_MOST - i]
+        for i in range(COEFFICIENTS_MOST - 1, -1, -1):
+            value = value * speed + f.numbers[i]
         return value
-    if memory[at] == ARCTAN:
+    if f.kind == ARCTAN:
         return atan(speed)
-    return gain(memory, at, speed) * speed
+    return gain(f, speed) * speed
 
 
 @law
-def evaluate(memory: FloatArray, speeds: FloatArray, wanted_gain: bool, out: FloatArray) -> None:
+def evaluate(f: Function, speeds: FloatArray, wanted_gain: bool, out: FloatArray) -> None:
     """Evaluate one of the two laws at many speeds."""
     for i in range(len(speeds)):
-        out[i] = gain(memory, 0, speeds[i]) if wanted_gain else cursor_speed(memory, 0, speeds[i])
+        out[i] = gain(f, speeds[i]) if wanted_gain else cursor_speed(f, speeds[i])
 
 
 @runtime_checkable
@@ -124,7 +136,7 @@ class SlotsFunction:
                 f"speed must lie in [0, inf) m/s, received {value!r}", field="speed", value=value
             )
         out = np.empty(speeds.size)
-        evaluate(self.slots.copy(), speeds.ravel(), wanted_gain, out)
+        evaluate(self.slots, speeds.ravel(), wanted_gain, out)
         return out.reshape(speeds.shape)
 
 

@@ -9,13 +9,14 @@ a pixel.
 from __future__ import annotations
 
 from math import hypot, inf, nan
-from typing import Any, Literal, Protocol
+from typing import Annotated, Any, Literal, Protocol
 
 import msgspec
 import numpy as np
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
+from pointpred.layout import Layout, clear
 from pointpred.parameter import option, parameter
 from pointpred.records import (
     CPI,
@@ -34,125 +35,149 @@ from pointpred.records import (
 )
 from pointpred.regression import least_squares
 from pointpred.regression.least_squares import fit
-from pointpred.stage import CompiledStage, loop_of, offsets
+from pointpred.stage import CompiledStage, loop_of
 from pointpred.transfer import bands
 from pointpred.transfer.functions import COEFFICIENTS_MOST, PolynomialFunction
 
-# Parameters: number of coefficients, the power of the first (0 or 1), ... Learned: reports left out, the
-# regression, the bands, scratch space for a row. The movement: the last report, counts pending until time
-# passes, the start of the window, the hand's way and time in it, its rows of both axes.
-N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LOW, BAND_WIDTH, LEARNED = (
-    range(10)
-)
-(
-    _,
-    SKIPPED,
-    SOLVER,
-    BANDS,
-    ROW,
-    STARTED,
-    T,
-    X,
-    Y,
-    WAITING_X,
-    WAITING_Y,
-    START_X,
-    START_Y,
-    PATH,
-    DURATION,
-    ROW_X,
-    ROW_Y,
-    END,
-) = offsets(
-    LEARNED,
-    1,
-    least_squares.states(COEFFICIENTS_MOST),
-    bands.states(COEFFICIENTS_MOST),
-    COEFFICIENTS_MOST,
-    *[1] * 10,
-    COEFFICIENTS_MOST,
-    COEFFICIENTS_MOST,
-)
+
+class Settings(Layout):
+    """The parameters."""
+
+    count: float
+    """How many coefficients."""
+    power: float
+    """Of the first, 0 or 1."""
+    metres_per_count: float
+    metres_per_px: float
+    window_s: float
+    gap_s: float
+    forgetting: float
+    speed_low: float
+    band_width: float
+
+
+class Learned(Layout):
+    """What stays from one movement to the next."""
+
+    skipped: float
+    """Reports left out."""
+    solver: Annotated[FloatArray, least_squares.states(COEFFICIENTS_MOST)]
+    bands: Annotated[FloatArray, bands.states(COEFFICIENTS_MOST)]
+    row: Annotated[FloatArray, COEFFICIENTS_MOST]
+    """Scratch space."""
+
+
+class Window(Layout):
+    """Its start, px; since then the hand's way, m, its time, s, and the rows of both axes."""
+
+    x: float
+    y: float
+    path: float
+    duration: float
+    row_x: Annotated[FloatArray, COEFFICIENTS_MOST]
+    row_y: Annotated[FloatArray, COEFFICIENTS_MOST]
+
+
+class State(Layout):
+    """The last report, the counts that wait until time passes, the window."""
+
+    started: float
+    t: float
+    x: float
+    y: float
+    waiting_x: float
+    waiting_y: float
+    window: Window
+
+
+class Memory(Layout):
+    """The settings, what is known of the function, then the state."""
+
+    settings: Settings
+    learned: Learned
+    state: State
+
 
 REFUSED, TAKEN, LEFT_OUT = -1.0, 0.0, 1.0
 
 
 @law
-def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
+def learn(memory: Memory, row: FloatArray, output: float, speed: float) -> None:
     """Add output = row . c at a speed of the hand to the recursion and to its band."""
-    n = int(memory[N])
+    settings, learned = memory.settings, memory.learned
+    n = int(settings.count)
     for j in range(n):
-        memory[SOLVER + least_squares.REGRESSOR + j] = memory[row + j]
-    least_squares.advance(memory, SOLVER, n, memory[FORGETTING], output)
-    band = (speed - memory[SPEED_LOW]) / memory[BAND_WIDTH]
-    model = bands.Model(n, 1 - int(memory[POWER]), memory[FORGETTING])
-    bands.learn(memory, BANDS, model, band, row, output)
+        learned.solver[least_squares.REGRESSOR + j] = row[j]
+    least_squares.advance(learned.solver, 0, n, settings.forgetting, output)
+    band = (speed - settings.speed_low) / settings.band_width
+    model = bands.Model(n, 1 - int(settings.power), settings.forgetting)
+    bands.learn(learned.bands, model, band, row, output)
 
 
 @law
-def learn_speeds(memory: FloatArray, speed: float, cursor_speed: float) -> None:
+def learn_speeds(memory: Memory, speed: float, cursor_speed: float) -> None:
     """Add one pair of speeds in m/s, as in section 2.5.1: the regressor consists of powers of V."""
-    value = 1.0 if memory[POWER] == 0.0 else speed
-    for j in range(int(memory[N])):
-        memory[ROW + j] = value
+    row = memory.learned.row
+    value = 1.0 if memory.settings.power == 0.0 else speed
+    for j in range(int(memory.settings.count)):
+        row[j] = value
         value *= speed
-    learn(memory, ROW, cursor_speed, speed)
+    learn(memory, row, cursor_speed, speed)
 
 
 @law
-def open_window(memory: FloatArray) -> None:
+def open_window(s: State) -> None:
     """Start a window at the last report."""
-    memory[START_X], memory[START_Y] = memory[X], memory[Y]
-    memory[PATH] = 0.0
-    memory[DURATION] = 0.0
-    memory[ROW_X:END] = 0.0
+    clear(s.window)
+    s.window.x, s.window.y = s.x, s.y
 
 
 @law
-def gather(memory: FloatArray, dt: float, dx: float, dy: float) -> None:
+def gather(settings: Settings, window: Window, dt: float, dx: float, dy: float) -> None:
     """Add one report's path to the rows of both axes."""
-    u, v = dx * memory[METRES_PER_COUNT], dy * memory[METRES_PER_COUNT]
+    u, v = dx * settings.metres_per_count, dy * settings.metres_per_count
     path = hypot(u, v)
-    memory[PATH] += path
-    memory[DURATION] += dt
+    window.path += path
+    window.duration += dt
     if path == 0.0:
         return
     speed = path / dt
-    factor = 1.0 / speed if memory[POWER] == 0.0 else 1.0
-    for j in range(int(memory[N])):
-        memory[ROW_X + j] += u * factor
-        memory[ROW_Y + j] += v * factor
+    factor = 1.0 / speed if settings.power == 0.0 else 1.0
+    for j in range(int(settings.count)):
+        window.row_x[j] += u * factor
+        window.row_y[j] += v * factor
         factor *= speed
 
 
 @law
-def step(memory: FloatArray, event: SixFloats) -> tuple[float]:
+def step(memory: Memory, event: SixFloats) -> tuple[float]:
     """One report of the device with the cursor's position after it: refused, taken or left out."""
+    settings, s, window = memory.settings, memory.state, memory.state.window
     t, x, y, dx, dy, _ = EventRow(*event)
     if not (abs(t) <= LATEST_S and abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST):
         return (REFUSED,)
-    started, dt = memory[STARTED] == 1.0, t - memory[T]
+    started, dt = s.started == 1.0, t - s.t
     if started and dt < 0.0:
         return (REFUSED,)
-    memory[STARTED] = 1.0
-    memory[T], memory[X], memory[Y] = t, x, y
-    if not started or dt > memory[GAP_S] + ROUNDING_S:
-        memory[SKIPPED] += 1.0
-        memory[WAITING_X], memory[WAITING_Y] = 0.0, 0.0
-        open_window(memory)
+    s.started = 1.0
+    s.t, s.x, s.y = t, x, y
+    if not started or dt > settings.gap_s + ROUNDING_S:
+        memory.learned.skipped += 1.0
+        s.waiting_x, s.waiting_y = 0.0, 0.0
+        open_window(s)
         return (LEFT_OUT,)
-    memory[WAITING_X] += dx
-    memory[WAITING_Y] += dy
+    s.waiting_x += dx
+    s.waiting_y += dy
     if dt == 0.0:
         return (TAKEN,)
-    gather(memory, dt, memory[WAITING_X], memory[WAITING_Y])
-    memory[WAITING_X], memory[WAITING_Y] = 0.0, 0.0
-    if memory[DURATION] >= memory[WINDOW_S]:
-        if memory[PATH] > 0.0:
-            speed = memory[PATH] / memory[DURATION]
-            learn(memory, ROW_X, (x - memory[START_X]) * memory[METRES_PER_PX], speed)
-            learn(memory, ROW_Y, (y - memory[START_Y]) * memory[METRES_PER_PX], speed)
-        open_window(memory)
+    gather(settings, window, dt, s.waiting_x, s.waiting_y)
+    s.waiting_x, s.waiting_y = 0.0, 0.0
+    if window.duration >= settings.window_s:
+        if window.path > 0.0:
+            speed = window.path / window.duration
+            learn(memory, window.row_x, (x - window.x) * settings.metres_per_px, speed)
+            learn(memory, window.row_y, (y - window.y) * settings.metres_per_px, speed)
+        open_window(s)
     return (TAKEN,)
 
 
@@ -222,8 +247,8 @@ class PolynomialIdentifier(CompiledStage):
         "", 1e-14, 1.0, "sine below which a power is not excited", default=1e-4
     )
     offset: bool = option("whether c_0 may differ from 0", default=False)
-    learned = STARTED - LEARNED
-    states = END - STARTED
+    learned = Learned.length
+    states = State.length
     width = 1
     loop = staticmethod(loop_of(step, event_at))
 
@@ -280,21 +305,22 @@ class PolynomialIdentifier(CompiledStage):
 
     def begin(self) -> None:
         """Start a new movement: no window spans both. Keeps everything learned."""
-        self._memory[STARTED:] = 0.0
+        clear(Memory(self._memory).state)
 
     def reset(self) -> None:
         """Forget everything learned."""
-        self._memory[LEARNED:] = 0.0
+        self._memory[Settings.length :] = 0.0
 
     @property
     def last_t(self) -> float | None:
         """The time of the last report of this movement in s; ``None`` before the first."""
-        return float(self._memory[T]) if self._memory[STARTED] else None
+        s = Memory(self._memory).state
+        return float(s.t) if s.started else None
 
     def measured(self, noise: float) -> bands.Bands:
         """The mean gain in each band with data; ``noise``: standard deviation of a displacement."""
         n, linear = self.count, 1 if self.offset else 0
-        numbers, weight, product, rows = bands.visited(self._memory, BANDS, n, linear)
+        numbers, weight, product, rows = bands.visited(Memory(self._memory).learned.bands, n, linear)
         if n > linear + 1:  # where the gain curve is smooth a band's gain is that at its mean speed
             speeds = rows[:, linear + 1] / weight
         else:
@@ -308,12 +334,13 @@ class PolynomialIdentifier(CompiledStage):
         samples lie. ``"gain"`` weighs bands of speed so that the largest relative error of the gain is small;
         with fewer bands than coefficients it uses the samples.
         """
-        fitted = fit(self._memory, SOLVER, self.count, self.least_excitation)
+        learned = Memory(self._memory).learned
+        fitted = fit(learned.solver, 0, self.count, self.least_excitation)
         shift = 0 if self.offset else 1
         linear = 1 - shift
-        skipped = int(self._memory[SKIPPED])
+        skipped = int(learned.skipped)
         powers = tuple(j + shift for j in fitted.unexcited)
-        numbers, rows, trust = bands.trusted(self._memory, BANDS, self.count, linear, fitted.residual)
+        numbers, rows, trust = bands.trusted(learned.bands, self.count, linear, fitted.residual)
         function = None
         if fitted.values is not None and len(numbers):
             values = np.array(fitted.values)

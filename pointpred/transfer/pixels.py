@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from math import hypot, nan, trunc
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError
+from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
 from pointpred.records import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, FloatArray, FloatTable
-from pointpred.stage import CompiledStage, loop_of, offsets
+from pointpred.stage import CompiledStage, loop_of
 from pointpred.transfer import functions
 
-# Remainders of x and y in px, relative to `at`.
-CARRIED = 2
-
-# Memory of the stage, relative to `at`: parameters with the transfer function last, then whether there was a
-# report, its time, its gain, the remainders.
-PX_PER_COUNT, METRES_PER_COUNT, PERIOD_S, GAP_S, FUNCTION, STARTED, T, GAIN, CARRY, LENGTH = offsets(
-    1, 1, 1, 1, functions.SLOTS, 1, 1, 1, CARRIED
-)
-SETTINGS, STATES = STARTED, LENGTH - STARTED
-AT = 0
 USUAL_TIMES_S = (0.001, 0.1)
 """``period_s`` and ``gap_s`` unless they are set."""
 
@@ -36,66 +27,103 @@ class CountsRow(NamedTuple):
     dy: float
 
 
+class Settings(Layout):
+    """The device and the screen; the time of the first report and the longest time, s; the function."""
+
+    px_per_count: float
+    metres_per_count: float
+    period_s: float
+    gap_s: float
+    function: functions.Function
+
+
+class Carried(Layout):
+    """The fractions of a pixel of x and of y that have not been moved yet, px."""
+
+    px: Annotated[FloatArray, 2]
+
+
+class State(Layout):
+    """What is remembered of the reports."""
+
+    started: float
+    t: float
+    gain: float
+    carried: Carried
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
+
+
 @law
-def carry(memory: FloatArray, at: int, moved_px: float) -> float:
-    """Whole pixels of one axis; the remainder stays in ``memory[at]`` until the direction reverses.
+def carry(carried: Carried, axis: int, moved_px: float) -> float:
+    """Whole pixels of one axis, 0 or 1; the remainder is carried until the direction reverses.
 
     Truncation leaves a remainder with the sign of the motion, so it also holds the direction.
     """
-    rest = memory[at] if memory[at] * moved_px >= 0.0 else 0.0
+    rest = carried.px[axis] if carried.px[axis] * moved_px >= 0.0 else 0.0
     whole = float(trunc(rest + moved_px))
-    memory[at] = rest + moved_px - whole
+    carried.px[axis] = rest + moved_px - whole
     return whole
 
 
 @law
-def accept(memory: FloatArray, at: int, t: float, dx: float, dy: float) -> tuple[bool, float]:
+def accept(memory: Memory, t: float, dx: float, dy: float) -> tuple[bool, float]:
     """Whether a report is valid, and the time in s of its counts."""
+    settings, s = memory.settings, memory.state
     fine = abs(t) <= LATEST_S and abs(dx) <= LARGEST and abs(dy) <= LARGEST
-    if memory[at + STARTED] == 0.0:
-        return fine, float(memory[at + PERIOD_S])
-    return fine and t >= memory[at + T], float(min(t - memory[at + T], memory[at + GAP_S]))
+    if s.started == 0.0:
+        return fine, float(settings.period_s)
+    return fine and t >= s.t, float(min(t - s.t, settings.gap_s))
 
 
 @law
-def turn(memory: FloatArray, at: int, t: float, dt: float, dx: float, dy: float) -> float:
+def turn(memory: Memory, t: float, dt: float, dx: float, dy: float) -> float:
     """Process an accepted report and return the pixels per count; without elapsed time, by the last gain."""
+    settings, s = memory.settings, memory.state
     if dt > 0.0:
-        speed = hypot(dx, dy) * memory[at + METRES_PER_COUNT] / dt
-        memory[at + GAIN] = functions.gain(memory, at + FUNCTION, speed)
-    memory[at + STARTED] = 1.0
-    memory[at + T] = t
-    return float(memory[at + GAIN] * memory[at + PX_PER_COUNT])
+        speed = hypot(dx, dy) * settings.metres_per_count / dt
+        s.gain = functions.gain(settings.function, speed)
+    s.started = 1.0
+    s.t = t
+    return float(s.gain * settings.px_per_count)
 
 
 @law
-def step(memory: FloatArray, report: tuple[float, float, float]) -> tuple[float, float, float]:
+def step(memory: Memory, report: tuple[float, float, float]) -> tuple[float, float, float]:
     """One ``CountsRow``: (t, dx in px, dy in px); NaN for a report that is refused."""
     t, dx, dy = CountsRow(*report)
-    usable, dt = accept(memory, AT, t, dx, dy)
+    usable, dt = accept(memory, t, dx, dy)
     if not usable:
         return nan, nan, nan
-    scale = turn(memory, AT, t, dt, dx, dy)
-    return t, carry(memory, AT + CARRY, scale * dx), carry(memory, AT + CARRY + 1, scale * dy)
+    scale, carried = turn(memory, t, dt, dx, dy), memory.state.carried
+    return t, carry(carried, 0, scale * dx), carry(carried, 1, scale * dy)
 
 
 @layout
 def lay_out(
-    memory: FloatArray, own: FloatArray, device: tuple[float, float, float, float], function: FloatArray
+    memory: FloatArray,
+    own: FloatArray,
+    device: tuple[float, float, float, float],
+    function: functions.Function,
 ) -> None:
-    """Write the beginning of a memory: a stage's ``own`` parameters, the device, the transfer function.
+    """Write the beginning of a memory: a stage's ``own`` parameters, then its ``Settings``.
 
     ``device``: counts per inch, px per inch, the time of the first report and the longest time in s.
-    ``function``: the slots of the transfer function.
     """
     cpi, dpi, period_s, gap_s = device
-    at = len(own)
-    for i in range(at):
+    for i in range(len(own)):
         memory[i] = own[i]
-    memory[at + PX_PER_COUNT], memory[at + METRES_PER_COUNT] = dpi / cpi, METRES_PER_INCH / cpi
-    memory[at + PERIOD_S], memory[at + GAP_S] = period_s, gap_s
-    for i in range(functions.SLOTS):
-        memory[at + FUNCTION + i] = function[i]
+    settings = Settings(memory, len(own))
+    settings.px_per_count, settings.metres_per_count = dpi / cpi, METRES_PER_INCH / cpi
+    settings.period_s, settings.gap_s = period_s, gap_s
+    settings.function.kind = function.kind
+    for i in range(len(function.numbers)):
+        settings.function.numbers[i] = function.numbers[i]
 
 
 @law
@@ -119,7 +147,7 @@ class ReportStage(CompiledStage):
         """The beginning of the memory: the subclass's own parameters, then those of the device."""
         declared = type(self).parameters[len(ReportStage.parameters) :]
         own = np.array([one.number(getattr(self, one.name)) for one in declared])
-        out = np.empty(len(own) + SETTINGS)
+        out = np.empty(len(own) + Settings.length)
         lay_out(out, own, (self.cpi, self.dpi, self.period_s, self.gap_s), self.function.slots)
         return out
 
@@ -142,7 +170,7 @@ class PixelTransfer(ReportStage):
     [(0.0, 0.0), (0.0, -1.0), (1.0, 0.0)]
     """
 
-    states = STATES
+    states = State.length
     width = 3
     loop = staticmethod(loop_of(step, report_at))
 
@@ -153,7 +181,7 @@ class PixelTransfer(ReportStage):
         """
         t, dx, dy = step(self._memory, report if type(report) is tuple else tuple(report))
         if t != t:
-            last = float(self._memory[AT + T])
+            last = float(Memory(self._memory).state.t)
             raise EventError(
                 f"report must be finite and not before t = {last!r} s, received {report!r}", value=report
             )

@@ -113,15 +113,15 @@ def targets() -> dict[str, Any]:
     places = np.random.default_rng(4).uniform(0.0, 1000.0, (30, 2))
     places[:6] = events[events[:, 5] == 1.0][:6, 1:3]  # where movements end, and the next ones start
     rectangles = table([around(str(k), x, y, 40.0 + k) for k, (x, y) in enumerate(places.tolist())])
-    settings = np.array([0.4, 0.02, 0.0, 3.0])
+    settings = posterior.Settings(0.4, 0.02, 0.0, 3.0)
     inside, shares = np.zeros(30), np.zeros(31)
-    memory, standing = np.zeros(prefetch.STATES), decision.NOBODY
+    memory, standing = np.zeros(prefetch.State.length), decision.NOBODY
     thresholds = np.where(np.arange(30) % 2, 0.4, 0.9999)
     prefetched = rectangles, thresholds, np.zeros(30), np.zeros(30)
     decisions, all_shares, fired = [], [], []
     for i, row in enumerate(events):
         event = float(row[0]), float(row[1]), float(row[2]), float(int(row[5]) & 1)
-        known = (rectangles, inside, shares), (posterior.FITTED, settings)
+        known = (rectangles, inside, shares), posterior.FITTED, settings
         made = choice_law.step(memory, event, row_at(answers, i), *known, standing)
         standing = made[0]
         decisions.append(list(made))
@@ -132,7 +132,7 @@ def targets() -> dict[str, Any]:
     assert {prefetch.PREDICTED, prefetch.ENTERED, prefetch.RESTING} <= states
     return {
         "table": rectangles.tolist(),
-        "settings": settings.tolist(),
+        "settings": list(settings),
         "events": events.tolist(),
         "answers": answers.tolist(),
         "shares": all_shares,

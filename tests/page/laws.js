@@ -84,12 +84,12 @@ export async function compareTargets(laws, given) {
   const { FITTED } = await import(`${laws}/targets/posterior.js`);
   const prefetch = await import(`${laws}/targets/prefetch.js`);
   const table = given.table.map((row) => Float64Array.from(row)), count = table.length;
-  const targets = [table, new Float64Array(count), new Float64Array(count + 1)], model = [FITTED, Float64Array.from(given.settings)];
+  const targets = [table, new Float64Array(count), new Float64Array(count + 1)];
   const memory = new Float64Array(prefetch.STATES), unequal = [];
   const prefetched = [table, Float64Array.from(given.thresholds), new Float64Array(count), new Float64Array(count)];
   let standing = -1, worst = 0;
   given.events.forEach((event, i) => {
-    const decision = step(memory, [event[0], event[1], event[2], event[5] & 1], numbers(given.answers[i]), targets, model, standing);
+    const decision = step(memory, [event[0], event[1], event[2], event[5] & 1], numbers(given.answers[i]), targets, FITTED, given.settings, standing);
     standing = decision[0];
     if (String(decision) !== String(given.decisions[i])) unequal.push(i);
     prefetch.step(memory, prefetched, targets[2], prefetch.FITTED);

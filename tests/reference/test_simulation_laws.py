@@ -15,15 +15,15 @@ from pointpred.reproduction.model_checks import (
     corrective_signals,
     minimum_jerk_check,
 )
-from pointpred.simulation import loop, slots
+from pointpred.simulation import loop
 from pointpred.transfer import Arctan, ConstantGain, SigmoidGain, TransferFunction
 
 
-def play(memory: FloatArray, reports: int) -> dict[str, FloatArray]:
+def play(memory: loop.Memory, reports: int) -> dict[str, FloatArray]:
     rows = np.zeros((reports, len(loop.INPUTS)))
     rows[:, 3:] = np.nan
     out = np.empty((reports, len(loop.OUTPUTS)))
-    assert loop.play(memory, rows, out) == reports
+    assert loop.play(memory.memory, rows, out) == reports
     return dict(zip(loop.OUTPUTS, out.T, strict=True))
 
 
@@ -56,8 +56,8 @@ def test_corrective_phase_in_two_dimensions_agrees_with_scipy(function: Transfer
     scale = 96.0 / 0.0254
     b2 = 64.0 / (4.0 * scale)
     memory = bare_memory(function, period_s=0.001, px_per_metre=scale)
-    memory[slots.PHASE], memory[slots.FEEDBACK], memory[slots.B1] = slots.CORRECTIVE, b2, 17.0
-    memory[slots.AIM_X], memory[slots.AIM_Y] = 300.0, -180.0
+    memory.state.phase, memory.state.feedback, memory.settings.b1 = loop.CORRECTIVE, b2, 17.0
+    memory.settings.aim_x, memory.settings.aim_y = 300.0, -180.0
     made = play(memory, 1500)
     expected = reference(function, 17.0, b2, (300.0, -180.0), scale, made["t"])
     for name, values in zip(("x", "y", "vx", "vy"), expected, strict=True):
@@ -92,14 +92,13 @@ def test_constant_gain_settles_at_the_target_at_rest(b1: float, b2: float) -> No
 
 def ballistic(
     target_px: float, c: float, eta: float, friction: float
-) -> tuple[FloatArray, dict[str, FloatArray]]:
+) -> tuple[loop.Memory, dict[str, FloatArray]]:
     """One piece without skew, noise or end: the thesis's ballistic law with PTF(V) = c V."""
     duration = np.pi / eta
     memory = bare_memory(ConstantGain(1.0), period_s=0.001, px_per_metre=c)
-    piece = slots.PIECE
-    memory[piece + slots.SHARE], memory[piece + slots.DURATION_S] = 1.0, duration
-    memory[piece + slots.UNTIL], memory[slots.PIECES], memory[slots.B1] = 2.0, 1.0, friction
-    memory[slots.AIM_X] = target_px
+    settings, piece = memory.settings, memory.settings.pieces[0]
+    piece.share, piece.duration_s, piece.until = 1.0, duration, 2.0
+    settings.count, settings.b1, settings.aim_x = 1.0, friction, target_px
     return memory, play(memory, round(duration / 0.001))
 
 
@@ -147,7 +146,7 @@ def test_profile_covers_the_way_and_matches_its_derivatives(skew: float) -> None
 @pytest.mark.parametrize("function", [ConstantGain(4.0), SigmoidGain()])
 def test_a_person_who_feels_the_averaged_gain_lands_on_the_aim(function: TransferFunction) -> None:
     memory = bare_memory(function, period_s=0.001, px_per_metre=96.0 / 0.0254)
-    amplitude = loop.hand_distance(memory, 567.0, 0.6)
+    amplitude = loop.hand_distance(memory.settings.memory, 567.0, 0.6)
     t = np.linspace(0.0, 0.6, 20001)
     speed = amplitude * np.pi / 1.2 * np.sin(np.pi * t / 0.6)
     exact = np.trapezoid(function.cursor_speed(speed), t) * 96.0 / 0.0254
@@ -196,11 +195,11 @@ def test_a_bent_piece_turns_at_the_planned_rate_and_keeps_its_speed() -> None:
     np.testing.assert_allclose(heading[moving], (turn + curve * (1.0 - 2.0 * share))[moving], atol=2e-3)
 
 
-def piece(curve: float, turn: float) -> FloatArray:
+def piece(curve: float, turn: float) -> loop.Memory:
     """The memory of one ballistic piece of half a second along the x axis, turned and bent."""
     memory = bare_memory(ConstantGain(1.0), period_s=0.001, px_per_metre=9000.0)
-    memory[slots.PIECE : slots.PIECE + slots.PIECE_SLOTS] = [1.0, 0.5, 0.0, turn, curve, 2.0]
-    memory[slots.PIECES], memory[slots.AIM_X] = 1.0, 450.0
+    memory.settings.pieces[0].memory[:] = [1.0, 0.5, 0.0, turn, curve, 2.0]
+    memory.settings.count, memory.settings.aim_x = 1.0, 450.0
     return memory
 
 
@@ -210,9 +209,10 @@ def test_sensor_delay_and_whole_pixels_barely_change_the_corrective_phase() -> N
     made = []
     for unit, delay_s in ((0.0, 0.0), (0.0254 / 2000.0, 0.12)):
         memory = bare_memory(ConstantGain(4.0), period_s=0.001, px_per_metre=scale)
-        memory[slots.METRES_PER_COUNT], memory[slots.DELAY_S] = unit, delay_s
-        memory[slots.PHASE], memory[slots.FEEDBACK] = slots.CORRECTIVE, 64.0 / (4.0 * scale)
-        memory[slots.B1], memory[slots.AIM_X] = 17.0, 300.0
+        settings, state = memory.settings, memory.state
+        settings.metres_per_count, settings.delay_s = unit, delay_s
+        state.phase, state.feedback = loop.CORRECTIVE, 64.0 / (4.0 * scale)
+        settings.b1, settings.aim_x = 17.0, 300.0
         made.append(play(memory, 2000))
     np.testing.assert_allclose(made[1]["x"], made[0]["x"], atol=2.0)
     assert made[1]["x"][-1] == pytest.approx(300.0, abs=1.5)

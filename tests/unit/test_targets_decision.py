@@ -19,9 +19,9 @@ ASK, KEEP = 0.8, 0.32
 
 
 def at(x: float, y: float, speed: float = 100.0) -> FloatArray:
-    memory = np.zeros(cursor.STATES)
-    memory[cursor.KNOWN], memory[cursor.X], memory[cursor.Y], memory[cursor.SPEED] = 1.0, x, y, speed
-    return memory
+    state = cursor.State(np.zeros(cursor.State.length))
+    state.known, state.x, state.y, state.speed = 1.0, x, y, speed
+    return state.memory
 
 
 def walk(sequence: Sequence[tuple[float, float]]) -> list[int]:

@@ -13,7 +13,7 @@ from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.errors import ParameterError
 from pointpred.records import prediction_row
 from pointpred.targets import Chooser, Target, around
-from pointpred.targets.posterior import COEFFICIENTS
+from pointpred.targets.posterior import Coefficients
 
 inf, nan = np.inf, np.nan
 PLACES = [around("a", 300.0, -120.0, 60.0), around("b", -300.0, 0.0, 60.0), around("c", 300.0, 200.0, 9.0)]
@@ -109,12 +109,12 @@ def test_numbers_of_any_kind_are_taken(number: Any) -> None:
 @pytest.mark.parametrize(
     "wrong",
     [
-        ["1.0"] * COEFFICIENTS, "abc", None, [[1.0], [1.0, 2.0]], [True] * COEFFICIENTS,
-        [0.0] * 3, [1j] * COEFFICIENTS, [nan] * COEFFICIENTS, [1e300] * COEFFICIENTS,
+        ["1.0"] * Coefficients.length, "abc", None, [[1.0], [1.0, 2.0]], [True] * Coefficients.length,
+        [0.0] * 3, [1j] * Coefficients.length, [nan] * Coefficients.length, [1e300] * Coefficients.length,
     ],
 )  # fmt: skip
 def test_coefficients_that_are_no_numbers_are_refused(wrong: Any) -> None:
-    with pytest.raises(ParameterError, match=f"{COEFFICIENTS} finite numbers"):
+    with pytest.raises(ParameterError, match=f"{Coefficients.length} finite numbers"):
         Chooser(coefficients=wrong)
 
 

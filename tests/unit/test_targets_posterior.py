@@ -14,10 +14,11 @@ from pointpred import run as run_columns
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray
 from pointpred.targets import Chooser, Target, around
-from pointpred.targets.posterior import COEFFICIENTS, FEATURES, MASS, SET
+from pointpred.targets.posterior import MASS, Coefficients
 
-MASS_ALONE = np.zeros(COEFFICIENTS)
-MASS_ALONE[[MASS, FEATURES + MASS, SET + MASS, SET + FEATURES + MASS]] = 1.0
+MASS_ALONE = np.zeros(Coefficients.length)
+for weights in (Coefficients(MASS_ALONE).claimed, Coefficients(MASS_ALONE).unclaimed):
+    weights.slow[MASS] = weights.fast[MASS] = 1.0
 
 
 def reach(x: float = 300.0, y: float = -120.0, count: int = 40) -> list[PointerEvent]:

@@ -29,7 +29,7 @@ class Page:
 
     def __init__(self, targets: Sequence[Target], threshold: float = prefetch.THRESHOLD) -> None:
         self.table, self.thresholds = table(targets), np.full(len(targets), threshold)
-        self.memory = np.zeros(prefetch.STATES)
+        self.state = prefetch.State(np.zeros(prefetch.State.length))
         self.visits, self.fired = np.zeros(len(targets)), np.zeros(len(targets))
 
     @property
@@ -40,9 +40,9 @@ class Page:
         self, t: float, x: float, y: float, shares: Sequence[float] | None = None, pressed: float = 0.0
     ) -> list[int]:
         """The places of the targets that fire at this event; all targets equally unlikely unless given."""
-        cursor.follow(self.memory, t, x, y, pressed)
+        cursor.follow(self.state.memory, t, x, y, pressed)
         each = np.full(len(self.table) + 1, 1e-9) if shares is None else np.array([*shares, 0.0])
-        count = prefetch.step(self.memory, self.targets, each, SETTINGS)
+        count = prefetch.step(self.state.memory, self.targets, each, SETTINGS)
         now = np.flatnonzero(self.fired >= PREDICTED).tolist()
         assert count == len(now)
         return now
@@ -107,11 +107,11 @@ def test_each_firing_makes_the_next_one_cost_more() -> None:
     first, later = Page([NEAR, ASIDE]), Page([NEAR, ASIDE])
     for page, spent in ((first, 0.0), (later, 100.0)):
         page.move(0.0, 0.0, 0.0)
-        page.memory[prefetch.COUNT] = spent
+        page.state.count = spent
     shares = (0.0, 0.9)
     assert first.move(0.05, 0.0, 20.0, shares) == [1]
     assert later.move(0.05, 0.0, 20.0, shares) == []
-    assert first.memory[prefetch.COUNT] == 1.0
+    assert first.state.count == 1.0
 
 
 def test_a_higher_threshold_fires_later() -> None:
@@ -141,7 +141,7 @@ def test_nothing_fires_twice_and_whatever_is_entered_has_fired(way: list[tuple[i
         for k, row in enumerate(page.table):
             assert not prefetch.inside(float(x), float(y), row) or k in seen
     assert len(seen) == len(set(seen))
-    assert np.isfinite(page.memory).all()
+    assert np.isfinite(page.state.memory).all()
     assert np.isfinite(page.visits).all()
 
 
@@ -161,8 +161,8 @@ def test_plain_python_agrees_with_the_compiled_law(monkeypatch: pytest.MonkeyPat
         t, x, y = i / 100, 2.0 * i, float(generator.normal(0.0, 30.0))
         shares = generator.dirichlet(np.full(4, 0.3))
         for page, step in ((one, prefetch.step), (other, plain)):
-            cursor.follow(page.memory, t, x, y, 0.0)
-            step(page.memory, page.targets, shares, SETTINGS)
+            cursor.follow(page.state.memory, t, x, y, 0.0)
+            step(page.state.memory, page.targets, shares, SETTINGS)
         assert one.fired.tolist() == other.fired.tolist()
         assert one.visits == pytest.approx(other.visits, rel=1e-12)
 

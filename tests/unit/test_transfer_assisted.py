@@ -95,7 +95,7 @@ def test_no_single_pixel_goes_against_a_wavering_hand_whose_axes_round_at_differ
 def test_bending_fades_towards_a_right_angle() -> None:
     guard = np.array([50.0, 1.0, 1.0, 0.5, 0.25])
     bent = [
-        assistance.guide(guard, 0, 0.001, (9.0, 0.0), (90.0 * np.cos(a), 90.0 * np.sin(a), 0.0, 0.0, 0.0))[1]
+        assistance.guide(guard, 0.001, (9.0, 0.0), (90.0 * np.cos(a), 90.0 * np.sin(a), 0.0, 0.0, 0.0))[1]
         for a in np.deg2rad([0.0, 45.0, 80.0, 89.0, 89.99, 91.0])
     ]
     share = -expm1(-0.05) * 90.0
@@ -120,7 +120,7 @@ def test_what_is_added_is_bounded_before_it_is_rounded(
     sxx: float,
     syy: float,
 ) -> None:
-    x, y = assistance.guide(np.array(guard), 0, dt, (own_x, own_y), (off_x, off_y, sxx, 0.0, syy))
+    x, y = assistance.guide(np.array(guard), dt, (own_x, own_y), (off_x, off_y, sxx, 0.0, syy))
     own, way = hypot(own_x, own_y), hypot(off_x, off_y)
     if own < 1e-6 or way < 1e-6:
         assert hypot(x, y) <= own
@@ -141,7 +141,7 @@ def test_what_is_added_is_bounded_before_it_is_rounded(
 def test_it_is_the_remark_where_nothing_bounds_it() -> None:
     """Straight at a sure endpoint: -rho (x - T) integrated over the report, in real numbers."""
     guard = np.array([5.0, 1.0, 1.0, 0.5, 0.25])
-    x, y = assistance.guide(guard, 0, 0.01, (30.0, 0.0), (400.0, 0.0, 0.0, 0.0, 0.0))
+    x, y = assistance.guide(guard, 0.01, (30.0, 0.0), (400.0, 0.0, 0.0, 0.0, 0.0))
     assert x == pytest.approx(-expm1(-5.0 * 0.01) * 400.0, rel=1e-12)
     assert y == 0.0
 

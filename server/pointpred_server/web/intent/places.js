@@ -2,11 +2,11 @@
 
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
-import { HIGHEST, LOWEST, PRECISION, USUAL } from "../laws/targets/posterior.js";
+import { HIGHEST, LOWEST, USUAL } from "../laws/targets/posterior.js";
 import { attempt } from "../prediction/ledger.js";
 import { REMAINING_S, claimed, isRefused } from "../prediction/row.js";
 
-const DEFAULTS = { precision: USUAL[PRECISION], page: undefined, person: "", store: undefined };
+const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
 
 /**
@@ -27,7 +27,7 @@ function optionsOf(given = {}) {
   const options = { ...DEFAULTS, page: location.pathname, ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)) };
   for (const name of TEXTS)
     if (options[name] !== undefined && typeof options[name] !== "string") throw new TypeError(`${name} must be a text, received ${options[name]}`);
-  const { precision } = options, [low, high] = [LOWEST[PRECISION], HIGHEST[PRECISION]];
+  const { precision } = options, [low, high] = [LOWEST[0], HIGHEST[0]];
   if (!(typeof precision === "number" && precision >= low && precision <= high))
     throw new RangeError(`precision must be a number in [${low}, ${high}], received ${precision}`);
   return options;

@@ -4,7 +4,7 @@ import { ENTERED, INSIDE, KEEP, OUTSIDE, enter, innermost } from "../laws/target
 import { KNOWN, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
 import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
 import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { FITTED_NONE, FITTED_PAGES, LEAST_LEAD_S, LEAST_WAY_PX, normalise, scores, USUAL } from "../laws/targets/posterior.js";
+import { FITTED_NONE, FITTED_PAGES, normalise, scores, USUAL } from "../laws/targets/posterior.js";
 import * as prefetch from "../laws/targets/prefetch.js";
 import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
 
@@ -14,6 +14,7 @@ const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(prefetch.ELSEWHERE);
 const USUAL_ELEMENTS = 8; // of so many registered elements it is assumed that nearly every movement is for one of them
 const MOST_ELSEWHERE = 0.7; // and that this share is for something else where hardly any are registered
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
+const [, , LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
 const SETTINGS = Float64Array.from(prefetch.FITTED);
 const NEVER = 1; // the highest threshold of a prefetch: fires at entry only
 const LIKELY = 1e-3; // an element of this share is scored each time
@@ -139,7 +140,7 @@ export class Shares {
   headedFor() {
     const best = likeliest(this.#lit, this.#table.length);
     const ask = this.entries[best]?.highlightFrom ?? 1, keep = KEEP * (this.entries[this.#standing]?.highlightFrom ?? ask);
-    this.#standing = decide(this.#memory, this.#table, this.#lit, this.#standing, this.answer[REMAINING_S], [ask, keep, USUAL[LEAST_LEAD_S], USUAL[LEAST_WAY_PX]]);
+    this.#standing = decide(this.#memory, this.#table, this.#lit, this.#standing, this.answer[REMAINING_S], [ask, keep, LEAST_LEAD_S, LEAST_WAY_PX]);
     return this.entries[this.#standing];
   }
 

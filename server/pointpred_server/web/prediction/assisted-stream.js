@@ -2,9 +2,9 @@
 
 import { LARGEST } from "../laws/records.js";
 import { as_normal as asNormal } from "../laws/regions.js";
-import { END, GUARDED, guarded_step as step, USUAL_GUARD } from "../laws/transfer/assistance.js";
+import { END, guarded_step as step, SETTINGS, USUAL_GUARD } from "../laws/transfer/assistance.js";
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";
-import { lay_out as layOut, SETTINGS, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
+import { lay_out as layOut, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
 import { checkRows, ProtocolError } from "./messages.js";
 import { isRefused } from "./row.js";
 import { PredictionStream } from "./stream.js";
@@ -52,7 +52,7 @@ export class AssistedStream extends PredictionStream {
 
   forget() {
     super.forget();
-    this.#memory.fill(0, GUARDED + SETTINGS);
+    this.#memory.fill(0, SETTINGS);
     this.#cursor = { ...this.#cursor, guidance: null };
   }
 

@@ -29,8 +29,9 @@ import { general, quoted } from "./words.js";
 
 const PARAMETERS = [["precision", ""], ["elsewhere", ""], ["least_lead_s", "s"], ["least_way_px", "px"]].map(
   ([name, unit], place) => ({ name, unit, low: posterior.LOWEST[place], high: posterior.HIGHEST[place] }));
+const ELSEWHERE = PARAMETERS[1];
 /** Bounds of the share of proposals that shall be right. */
-export const PRECISION = PARAMETERS[posterior.PRECISION];
+export const PRECISION = PARAMETERS[0];
 const CHANGES = [["retract", null], ["retract", null], ["propose", "predicted"], ["propose", "entered"]]; // as the law returns them
 const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
 const TARGET = ["x", "y", "width", "height", "weight"], MOST = TARGET.map(() => LARGEST);
@@ -80,7 +81,7 @@ export class Chooser {
   /** What became of the proposals. */ ledger = new Ledger();
   #settings = Float64Array.from(posterior.USUAL); #memory = new Float64Array(cursor.STATES);
   #answer = UNPREDICTED; #standing = NOBODY; #over = NOBODY; #ids = []; #targets = [[], new Float64Array(0), Float64Array.of(1)];
-  #model = [posterior.FITTED, this.#settings]; #event = [0, 0, 0, 0]; #own = new Float64Array(0); #known = [];
+  #event = [0, 0, 0, 0]; #own = new Float64Array(0); #known = [];
 
   /** @param {Target[]} [targets] @param {Settings} [settings] throws a ParameterError */
   constructor(targets = [], settings = {}) {
@@ -159,7 +160,7 @@ export class Chooser {
    * @param {Target} target @param {number} [elsewhere] share of movements that go elsewhere, before anything is seen @returns {number}
    */
   headingTo(target, elsewhere = 0.5) {
-    check(PARAMETERS[posterior.ELSEWHERE], elsewhere);
+    check(ELSEWHERE, elsewhere);
     const shares = new Float64Array(2);
     posterior.scores(this.#memory, targetTable([target]), this.#answer, posterior.FITTED, elsewhere, shares);
     posterior.normalise(shares);
@@ -174,7 +175,7 @@ export class Chooser {
   update(answer, event) {
     this.checkEvent(event);
     this.#answer = answer ?? UNPREDICTED;
-    return this.#take(event, (now) => law.step(this.#memory, now, this.#answer, this.#targets, this.#model, this.#standing));
+    return this.#take(event, (now) => law.step(this.#memory, now, this.#answer, this.#targets, posterior.FITTED, this.#settings, this.#standing));
   }
 
   /**

@@ -58,7 +58,7 @@ export function enter(table, inside, x, y, released) {
   }
   return count;
 }
-export function propose(memory, event, released, remaining_s, targets, settings, standing) {
+export function propose(s, event, released, remaining_s, targets, settings, standing, s_at = 0) {
   const x = event[1];
   const y = event[2];
   const table = targets[0];
@@ -68,35 +68,33 @@ export function propose(memory, event, released, remaining_s, targets, settings,
     standing = $decision.NOBODY;
   }
   const count = enter(table, inside, x, y, released);
-  const ask = settings[$posterior.PRECISION];
-  const least_s = settings[$posterior.LEAST_LEAD_S];
-  const bounds = [ask, KEEP * ask, least_s, settings[$posterior.LEAST_WAY_PX]];
-  const chosen = $decision.decide(memory, table, shares, standing, remaining_s, bounds);
+  const ask = settings[0];
+  const least_s = settings[2];
+  const bounds = [ask, KEEP * ask, least_s, settings[3]];
+  const chosen = $decision.decide(s, table, shares, standing, remaining_s, bounds, s_at);
   const over = innermost(table, inside);
   return [chosen, over === chosen ? $decision.NOBODY : over, count];
 }
-export function step_with_shares(memory, event, remaining_s, targets, settings, standing) {
+export function step_with_shares(s, event, remaining_s, targets, settings, standing, s_at = 0) {
   const t = event[0];
   const x = event[1];
   const y = event[2];
   const pressed = event[3];
-  const released = $cursor.follow(memory, t, x, y, pressed);
-  return propose(memory, event, released, remaining_s, targets, settings, standing);
+  const released = $cursor.follow(s, t, x, y, pressed, s_at);
+  return propose(s, event, released, remaining_s, targets, settings, standing, s_at);
 }
-export function step(memory, event, answer, targets, model, standing) {
+export function step(s, event, answer, targets, coefficients, settings, standing, s_at = 0, coefficients_at = 0) {
   const t = event[0];
   const x = event[1];
   const y = event[2];
   const pressed = event[3];
   const table = targets[0];
   const shares = targets[2];
-  const coefficients = model[0];
-  const settings = model[1];
   const p = answer;
-  const released = $cursor.follow(memory, t, x, y, pressed);
-  $posterior.scores(memory, table, answer, coefficients, settings[$posterior.ELSEWHERE], shares);
+  const released = $cursor.follow(s, t, x, y, pressed, s_at);
+  $posterior.scores(s, table, answer, coefficients, settings[1], shares, s_at, coefficients_at);
   $posterior.normalise(shares);
-  return propose(memory, event, released, p[6], targets, settings, standing);
+  return propose(s, event, released, p[6], targets, settings, standing, s_at);
 }
 export function changes(before, now) {
   const predicted = before[0];

@@ -11,58 +11,49 @@ export const X = 2;
 export const Y = 3;
 export const PRESSED = 4;
 export const T0 = 5;
-export const X0 = 6;
-export const Y0 = 7;
-export const TRAIL_X = 8;
-export const TRAIL_Y = 9;
-export const VX = 10;
-export const VY = 11;
-export const SPEED = 12;
-export const SLOW = 13;
-export const PEAK = 14;
 export const STATES = 15;
 export function usable(t, x, y) {
   return Math.abs(t) < $records.LATEST_S && Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
 }
-export function follow(memory, t, x, y, pressed) {
-  const dt = t - memory[T];
-  const released = memory[PRESSED] === 1 && pressed === 0;
-  const starts = memory[KNOWN] === 0 || released || dt > PAUSE_S + $records.ROUNDING_S;
+export function follow(s, t, x, y, pressed, s_at = 0) {
+  const dt = t - s[s_at + 1];
+  const released = s[s_at + 4] === 1 && pressed === 0;
+  const starts = s[s_at] === 0 || released || dt > PAUSE_S + $records.ROUNDING_S;
   if (starts) {
-    memory[T0] = t;
-    memory[X0] = x;
-    memory[Y0] = y;
-    memory[TRAIL_X] = x;
-    memory[TRAIL_Y] = y;
-    memory[VX] = memory[VY] = memory[SPEED] = memory[SLOW] = memory[PEAK] = 0;
+    s[s_at + 5] = t;
+    s[s_at + 6] = x;
+    s[s_at + 7] = y;
+    s[s_at + 8] = x;
+    s[s_at + 9] = y;
+    s[s_at + 10] = s[s_at + 11] = s[s_at + 12] = s[s_at + 13] = s[s_at + 14] = 0;
   } else {
-    const way = hypot(x - memory[X], y - memory[Y]);
-    const far = hypot(x - memory[X0], y - memory[Y0]);
+    const way = hypot(x - s[s_at + 2], y - s[s_at + 3]);
+    const far = hypot(x - s[s_at + 6], y - s[s_at + 7]);
     let share = far > 0 ? 1 - Math.exp(-way / (TRAIL_SHARE * far)) : 1;
-    memory[TRAIL_X] += share * (x - memory[TRAIL_X]);
-    memory[TRAIL_Y] += share * (y - memory[TRAIL_Y]);
+    s[s_at + 8] += share * (x - s[s_at + 8]);
+    s[s_at + 9] += share * (y - s[s_at + 9]);
     if (dt > 0) {
       share = 1 - Math.exp(-dt / SPEED_S);
-      memory[VX] += share * ((x - memory[X]) / dt - memory[VX]);
-      memory[VY] += share * ((y - memory[Y]) / dt - memory[VY]);
-      memory[SPEED] = hypot(memory[VX], memory[VY]);
-      memory[SLOW] += (1 - Math.exp(-dt / SLOWER_S)) * (memory[SPEED] - memory[SLOW]);
+      s[s_at + 10] += share * ((x - s[s_at + 2]) / dt - s[s_at + 10]);
+      s[s_at + 11] += share * ((y - s[s_at + 3]) / dt - s[s_at + 11]);
+      s[s_at + 12] = hypot(s[s_at + 10], s[s_at + 11]);
+      s[s_at + 13] += (1 - Math.exp(-dt / SLOWER_S)) * (s[s_at + 12] - s[s_at + 13]);
     }
-    memory[PEAK] = larger(memory[PEAK], memory[SPEED]);
+    s[s_at + 14] = larger(s[s_at + 14], s[s_at + 12]);
   }
-  memory[KNOWN] = 1;
-  memory[PRESSED] = pressed;
-  memory[T] = t;
-  memory[X] = x;
-  memory[Y] = y;
+  s[s_at] = 1;
+  s[s_at + 4] = pressed;
+  s[s_at + 1] = t;
+  s[s_at + 2] = x;
+  s[s_at + 3] = y;
   return released;
 }
-export function until(memory, x, y, width, height) {
-  const dx = larger(Math.abs(x - memory[X]) - 0.5 * width, 0);
-  const dy = larger(Math.abs(y - memory[Y]) - 0.5 * height, 0);
+export function until(s, x, y, width, height, s_at = 0) {
+  const dx = larger(Math.abs(x - s[s_at + 2]) - 0.5 * width, 0);
+  const dy = larger(Math.abs(y - s[s_at + 3]) - 0.5 * height, 0);
   const way = hypot(dx, dy);
   if (way === 0) {
     return 0;
   }
-  return memory[SPEED] > 0 ? way / memory[SPEED] : Infinity;
+  return s[s_at + 12] > 0 ? way / s[s_at + 12] : Infinity;
 }

@@ -29,8 +29,8 @@ export function rank(shares, count, order) {
     }
   }
 }
-export function early(memory, row, remaining_s, least_s) {
-  let left = $cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
+export function early(s, row, remaining_s, least_s, s_at = 0) {
+  let left = $cursor.until(s, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT], s_at);
   if (left === 0) {
     return false;
   }
@@ -39,7 +39,7 @@ export function early(memory, row, remaining_s, least_s) {
   }
   return left >= least_s;
 }
-export function decide(memory, table, shares, standing, remaining_s, bounds) {
+export function decide(s, table, shares, standing, remaining_s, bounds, s_at = 0) {
   const ask = bounds[0];
   const keep = bounds[1];
   const least_s = bounds[2];
@@ -51,8 +51,8 @@ export function decide(memory, table, shares, standing, remaining_s, bounds) {
   if (standing !== NOBODY && (best === standing || shares[best] < ask)) {
     return shares[standing] >= keep ? standing : NOBODY;
   }
-  const far = hypot(memory[$cursor.X] - memory[$cursor.X0], memory[$cursor.Y] - memory[$cursor.Y0]);
-  if (shares[best] >= ask && far >= least_px && early(memory, table[best], remaining_s, least_s)) {
+  const far = hypot(s[s_at + 2] - s[s_at + 6], s[s_at + 3] - s[s_at + 7]);
+  if (shares[best] >= ask && far >= least_px && early(s, table[best], remaining_s, least_s, s_at)) {
     return best;
   }
   if (standing !== NOBODY && shares[standing] >= keep) {

@@ -1,58 +1,53 @@
 // Written by `make laws` from ledger.py: change that and run it again.
 import * as $decision from "./decision.js";
 export const LATEST = 1000;
-export const STANDING = 0;
-export const SINCE = 1;
-export const ENDED = 2;
-export const ENDED_AT = 3;
-export const ENDED_SINCE = 4;
+export const MADE = 0;
+export const ENTRY = 1;
+export const ENTRY_SINCE = 2;
 export const PROPOSED = 5;
 export const RETRACTED = 6;
 export const ENTERED = 7;
 export const STATES = 8;
-export const MADE = 0;
-export const ENTRY = 1;
-export const ENTRY_SINCE = 2;
-export function begin(movement, rows) {
-  movement.fill(0);
-  movement[STANDING] = movement[ENDED] = $decision.NOBODY;
+export function begin(s, rows, s_at = 0) {
+  s.fill(0, s_at, s_at + 8);
+  s[s_at] = s[s_at + 2] = $decision.NOBODY;
   for (let i = 0, end_1 = rows.length; i < end_1; i++) {
     rows[i][MADE] = 0;
     rows[i][ENTRY] = NaN;
     rows[i][ENTRY_SINCE] = NaN;
   }
 }
-export function propose(movement, rows, t, place) {
-  movement[PROPOSED] += 1;
-  movement[STANDING] = place;
-  movement[SINCE] = t;
+export function propose(s, rows, t, place, s_at = 0) {
+  s[s_at + 5] += 1;
+  s[s_at] = place;
+  s[s_at + 1] = t;
   if (place !== $decision.NOBODY) {
     rows[place][MADE] += 1;
   }
 }
-export function withdraw(movement, t, place, released) {
-  if (place === $decision.NOBODY || movement[STANDING] !== place) {
+export function withdraw(s, t, place, released, s_at = 0) {
+  if (place === $decision.NOBODY || s[s_at] !== place) {
     return;
   }
-  movement[STANDING] = $decision.NOBODY;
+  s[s_at] = $decision.NOBODY;
   if (released) {
     const value_1 = place;
     const value_2 = t;
-    const value_3 = movement[SINCE];
-    movement[ENDED] = value_1;
-    movement[ENDED_AT] = value_2;
-    movement[ENDED_SINCE] = value_3;
+    const value_3 = s[s_at + 1];
+    s[s_at + 2] = value_1;
+    s[s_at + 3] = value_2;
+    s[s_at + 4] = value_3;
   } else {
-    movement[RETRACTED] += 1;
+    s[s_at + 6] += 1;
   }
 }
-export function enter(movement, rows, t, place) {
+export function enter(s, rows, t, place, s_at = 0) {
   if (place !== $decision.NOBODY && rows[place][ENTRY] !== rows[place][ENTRY]) {
     rows[place][ENTRY] = t;
-    rows[place][ENTRY_SINCE] = movement[STANDING] === place ? movement[SINCE] : NaN;
+    rows[place][ENTRY_SINCE] = s[s_at] === place ? s[s_at + 1] : NaN;
   }
 }
-export function close(movement, rows, t, place) {
+export function close(s, rows, t, place, s_at = 0) {
   if (place === $decision.NOBODY) {
     return [0, NaN, NaN];
   }
@@ -60,10 +55,10 @@ export function close(movement, rows, t, place) {
   let since = rows[place][ENTRY_SINCE];
   if (entry !== entry) {
     entry = t;
-    if (movement[ENDED] === place && movement[ENDED_AT] === t) {
-      since = movement[ENDED_SINCE];
-    } else if (movement[STANDING] === place) {
-      since = movement[SINCE];
+    if (s[s_at + 2] === place && s[s_at + 3] === t) {
+      since = s[s_at + 4];
+    } else if (s[s_at] === place) {
+      since = s[s_at + 1];
     }
   }
   return [rows[place][MADE], entry - since, t - since];

@@ -1,7 +1,6 @@
 // Written by `make laws` from posterior.py: change that and run it again.
 import { hypot, larger, smaller, square } from "../arithmetic.js";
 import * as $records from "../records.js";
-import * as $cursor from "./cursor.js";
 import * as $rectangle_mass from "./rectangle_mass.js";
 import * as $rectangles from "./rectangles.js";
 export const ANGLE = 0.15;
@@ -9,13 +8,8 @@ export const ALONG = 0.5;
 export const ACROSS = 0.2;
 export const LEAST = 0.1;
 export const FEATURES = 6;
-export const SET = 14;
 export const FITTED = /* @__PURE__ */ new Float64Array([0, -0.2328, -0.4561, -1.789, 0.05295, -0.5663, 0.2747, -0.4731, -0.3258, -0.6721, 0.3524, 0, -0.3208, -2.712, 0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918, 0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329, -0.5535, -1.907]);
 export const FITTED_PAGES = /* @__PURE__ */ new Float64Array([0.5715, -0.06125, -0.3979, 0.03605, 0.02572, -0.07829, 0.5593, -0.2038, -0.07994, 0.2008, -0.07514, 0, -2.534, -1.879, 0, -0.1784, -0.4685, -0.001198, 0.03061, -1.652, 0.0001214, -0.3341, -0.31, 0.07046, 0.01493, -0.6832, -2.639, -1.233]);
-export const PRECISION = 0;
-export const ELSEWHERE = 1;
-export const LEAST_LEAD_S = 2;
-export const LEAST_WAY_PX = 3;
 export const LOWEST = [0.01, 1e-06, 0, 0];
 export const HIGHEST = [0.999, 0.999999, 10, 1000];
 export const USUAL = [0.5, 0.02, 0, 3];
@@ -34,11 +28,11 @@ export function bend(u, g, far2, size) {
   const angle = Math.atan2(ux * gy - uy * gx, ux * gx + uy * gy);
   return Math.log(1 + angle * angle / (ANGLE * ANGLE + 0.0625 * size * size / far2));
 }
-export function unclaimed(memory, x, y) {
-  let gx = x - memory[$cursor.X];
-  let gy = y - memory[$cursor.Y];
-  const done_x = memory[$cursor.X] - memory[$cursor.X0];
-  const done_y = memory[$cursor.Y] - memory[$cursor.Y0];
+export function unclaimed(s, x, y, s_at = 0) {
+  let gx = x - s[s_at + 2];
+  let gy = y - s[s_at + 3];
+  const done_x = s[s_at + 2] - s[s_at + 6];
+  const done_y = s[s_at + 3] - s[s_at + 7];
   const left = hypot(gx, gy);
   const done = hypot(done_x, done_y);
   if (left === 0) {
@@ -56,15 +50,15 @@ export function unclaimed(memory, x, y) {
   const uy = gy / size;
   return [across + more * ux * ux, more * ux * uy, across + more * uy * uy];
 }
-export function situation(memory) {
-  const x = memory[$cursor.X];
-  const y = memory[$cursor.Y];
-  const way = hypot(x - memory[$cursor.X0], y - memory[$cursor.Y0]);
-  const sweep = memory[$cursor.SPEED] * (memory[$cursor.T] - memory[$cursor.T0]);
-  const trail_x = x - memory[$cursor.TRAIL_X];
-  const trail_y = y - memory[$cursor.TRAIL_Y];
-  const vx = memory[$cursor.VX];
-  const vy = memory[$cursor.VY];
+export function situation(s, s_at = 0) {
+  const x = s[s_at + 2];
+  const y = s[s_at + 3];
+  const way = hypot(x - s[s_at + 6], y - s[s_at + 7]);
+  const sweep = s[s_at + 12] * (s[s_at + 1] - s[s_at + 5]);
+  const trail_x = x - s[s_at + 8];
+  const trail_y = y - s[s_at + 9];
+  const vx = s[s_at + 10];
+  const vy = s[s_at + 11];
   return [x, y, trail_x, trail_y, vx, vy, Math.log(larger(way, 1)), Math.log(larger(sweep, 1))];
 }
 export function feature(row, now, predicted, mass) {
@@ -95,7 +89,7 @@ export function lawful(predicted) {
   }
   return sxx * syy - sxy * sxy > FLATTEST * sxx * syy && (tail !== tail || TAILS[0] <= tail && tail <= TAILS[1]);
 }
-export function scores(memory, table, answer, coefficients, elsewhere, out) {
+export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0, coefficients_at = 0) {
   let x = answer[1];
   let y = answer[2];
   let sxx = answer[3];
@@ -104,24 +98,24 @@ export function scores(memory, table, answer, coefficients, elsewhere, out) {
   const tail = answer[8];
   const claimed = Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
   if (!claimed) {
-    x = memory[$cursor.X];
-    y = memory[$cursor.Y];
+    x = s[s_at + 2];
+    y = s[s_at + 3];
   }
-  let first = 0;
+  let fit_at = coefficients_at;
   let predicted = [x, y, sxx, sxy, syy, tail];
   if (!claimed || !lawful(predicted)) {
-    const values_1 = unclaimed(memory, x, y);
+    const values_1 = unclaimed(s, x, y, s_at);
     sxx = values_1[0];
     sxy = values_1[1];
     syy = values_1[2];
-    first = SET;
+    fit_at = coefficients_at + 14;
     predicted = [x, y, sxx, sxy, syy, NaN];
   }
-  const now = situation(memory);
+  const now = situation(s, s_at);
   const weight = new Float64Array(FEATURES);
-  const fast = memory[$cursor.PEAK] > 0 ? smaller(memory[$cursor.SPEED] / memory[$cursor.PEAK], 1) : 0;
+  const fast = s[s_at + 14] > 0 ? smaller(s[s_at + 12] / s[s_at + 14], 1) : 0;
   for (let j = 0; j < FEATURES; j++) {
-    weight[j] = (1 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j];
+    weight[j] = (1 - fast) * coefficients[fit_at + j] + fast * coefficients[fit_at + j + 6];
   }
   const count = table.length;
   const mass = weight[0] !== 0;
@@ -141,8 +135,7 @@ export function scores(memory, table, answer, coefficients, elsewhere, out) {
     const score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2;
     out[i] = table[i][$rectangles.LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5;
   }
-  const at = first + 2 * FEATURES;
-  const none = (1 - fast) * coefficients[at] + fast * coefficients[at + 1];
+  const none = (1 - fast) * coefficients[fit_at + 12] + fast * coefficients[fit_at + 13];
   out[count] = none + Math.log(elsewhere / FITTED_NONE);
 }
 export function normalise(out) {

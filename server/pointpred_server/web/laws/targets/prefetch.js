@@ -8,8 +8,6 @@ export const FIRED = 1;
 export const RESTING = 2;
 export const PREDICTED = 3;
 export const ENTERED = 4;
-export const BEGAN = 15;
-export const COUNT = 16;
 export const STATES = 17;
 export const PATHS = 8;
 export const NEGLIGIBLE = 0.001;
@@ -22,16 +20,6 @@ export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
 export const THRESHOLD = 0.5;
 export const ELSEWHERE = 0.02;
-export const BASE = 0;
-export const END = 1;
-export const SPENT = 2;
-export const NEAR = 3;
-export const FAR = 4;
-export const AGE = 5;
-export const PASSED = 6;
-export const SURE = 7;
-export const LATE_S = 8;
-export const LATE = 9;
 export const FITTED = [1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477];
 export function contact(x, y, dx, dy, row) {
   let enters = 0;
@@ -75,40 +63,40 @@ export function visit(x, y, table, shares, out) {
     out[i] = total;
   }
 }
-export function begin(memory, table, fired) {
+export function begin(s, table, fired, s_at = 0) {
   for (let i = 0, end_1 = table.length; i < end_1; i++) {
     if (fired[i] === PREDICTED || fired[i] === ENTERED) {
       fired[i] = FIRED;
     }
   }
-  if (memory[BEGAN] === memory[$cursor.T0]) {
+  if (s[s_at + 15] === s[s_at + 5]) {
     return;
   }
-  memory[BEGAN] = memory[$cursor.T0];
-  memory[COUNT] = 0;
+  s[s_at + 15] = s[s_at + 5];
+  s[s_at + 16] = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (fired[i] !== ARMED) {
-      fired[i] = inside(memory[$cursor.X0], memory[$cursor.Y0], table[i]) ? RESTING : ARMED;
+      fired[i] = inside(s[s_at + 6], s[s_at + 7], table[i]) ? RESTING : ARMED;
     }
   }
 }
-export function urgency(memory, row, settings) {
-  const left_s = $cursor.until(memory, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT]);
+export function urgency(s, row, settings, s_at = 0, settings_at = 0) {
+  const left_s = $cursor.until(s, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT], s_at);
   const near = -Math.log(smaller(larger(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S);
-  return settings[NEAR] * near - settings[FAR] * near * near;
+  return settings[settings_at + 3] * near - settings[settings_at + 4] * near * near;
 }
 export function log_odds(p) {
   p = smaller(larger(p, SMALLEST), 1 - SMALLEST);
   return Math.log(p / (1 - p));
 }
-export function step(memory, targets, shares, settings) {
+export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
   const table = targets[0];
   const thresholds = targets[1];
   const visits = targets[2];
   const fired = targets[3];
-  begin(memory, table, fired);
-  const x = memory[$cursor.X];
-  const y = memory[$cursor.Y];
+  begin(s, table, fired, s_at);
+  const x = s[s_at + 2];
+  const y = s[s_at + 3];
   visit(x, y, table, shares, visits);
   let passed = 0;
   let sure = 0;
@@ -118,9 +106,9 @@ export function step(memory, targets, shares, settings) {
       sure = larger(sure, shares[i]);
     }
   }
-  let common = settings[BASE] + settings[PASSED] * Math.log(larger(passed, LEAST_VISITS)) - settings[SURE] * sure;
-  common += settings[AGE] * smaller(memory[$cursor.T] - memory[$cursor.T0], AGE_S);
-  const moves = hypot(x - memory[$cursor.X0], y - memory[$cursor.Y0]) >= LEAST_WAY_PX;
+  let common = settings[settings_at] + settings[settings_at + 6] * Math.log(larger(passed, LEAST_VISITS)) - settings[settings_at + 7] * sure;
+  common += settings[settings_at + 5] * smaller(s[s_at + 1] - s[s_at + 5], AGE_S);
+  const moves = hypot(x - s[s_at + 6], y - s[s_at + 7]) >= LEAST_WAY_PX;
   let count = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
@@ -140,15 +128,15 @@ export function step(memory, targets, shares, settings) {
       continue;
     }
     const likely = larger(visits[i], SMALLEST);
-    let score = common + log_odds(likely) + settings[END] * Math.log(larger(shares[i], SMALLEST) / likely);
-    score += urgency(memory, table[i], settings) - settings[SPENT] * (memory[COUNT] + count);
-    const line_s = contact(x, y, memory[$cursor.VX], memory[$cursor.VY], table[i]);
-    const late = line_s <= settings[LATE_S] && likely >= larger(settings[LATE], thresholds[i]);
+    let score = common + log_odds(likely) + settings[settings_at + 1] * Math.log(larger(shares[i], SMALLEST) / likely);
+    score += urgency(s, table[i], settings, s_at, settings_at) - settings[settings_at + 2] * (s[s_at + 16] + count);
+    const line_s = contact(x, y, s[s_at + 10], s[s_at + 11], table[i]);
+    const late = line_s <= settings[settings_at + 8] && likely >= larger(settings[settings_at + 9], thresholds[i]);
     if (late || score >= log_odds(thresholds[i])) {
       fired[i] = PREDICTED;
       count = count + 1;
     }
   }
-  memory[COUNT] += count;
+  s[s_at + 16] += count;
   return count;
 }

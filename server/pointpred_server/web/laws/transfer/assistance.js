@@ -2,15 +2,9 @@
 import { hypot, larger, smaller } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $pixels from "./pixels.js";
-export const RHO = 0;
-export const STRENGTH = 1;
-export const SIDEWAYS = 2;
-export const UNCERTAIN = 3;
-export const UNCLAIMED = 4;
-export const GUARDED = 5;
-export const OWED = 22;
-export const END = 24;
 export const USUAL_GUARD = [0.5, 0.5, 0.25];
+export const SETTINGS = 17;
+export const END = 24;
 export function spread(way_px, sxx, sxy, syy, unclaimed) {
   if (sxx !== sxx) {
     return unclaimed;
@@ -20,7 +14,7 @@ export function spread(way_px, sxx, sxy, syy, unclaimed) {
   }
   return Math.sqrt(larger(0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy), 0)) / way_px;
 }
-export function guide(memory, at, dt, own, way) {
+export function guide(guard, dt, own, way, guard_at = 0) {
   const own_x = own[0];
   const own_y = own[1];
   const off_x = way[0];
@@ -33,7 +27,7 @@ export function guide(memory, at, dt, own, way) {
   if (!((0 < moved && moved < Infinity) && (0 < distance && distance < Infinity))) {
     return [0, 0];
   }
-  const trust = 1 - spread(distance, sxx, sxy, syy, memory[at + UNCLAIMED]) / memory[at + UNCERTAIN];
+  const trust = 1 - spread(distance, sxx, sxy, syy, guard[guard_at + 4]) / guard[guard_at + 3];
   const to_x = own_x / moved;
   const to_y = own_y / moved;
   const ahead = off_x * to_x + off_y * to_y;
@@ -41,26 +35,26 @@ export function guide(memory, at, dt, own, way) {
   if (!(trust > 0 && ahead > 0)) {
     return [0, 0];
   }
-  const share = -Math.expm1(-memory[at + RHO] * dt);
-  const longest = memory[at + STRENGTH] * moved;
-  const widest = memory[at + SIDEWAYS] * longest;
+  const share = -Math.expm1(-guard[guard_at] * dt);
+  const longest = guard[guard_at + 1] * moved;
+  const widest = guard[guard_at + 2] * longest;
   const along = trust * smaller(smaller(share * ahead, longest), larger(ahead - moved, 0));
   const across = trust * smaller(larger(share * beside * (ahead / distance), -widest), widest);
   return [along * to_x - across * to_y, along * to_y + across * to_x];
 }
-export function add(memory, at, owed, dt, own, way) {
-  const values_1 = guide(memory, at, dt, own, way);
+export function add(guard, owed, dt, own, way, guard_at = 0, owed_at = 0) {
+  const values_1 = guide(guard, dt, own, way, guard_at);
   const x = values_1[0];
   const y = values_1[1];
-  const whole_x = $pixels.carry(memory, owed, x);
-  const whole_y = $pixels.carry(memory, owed + 1, y);
+  const whole_x = $pixels.carry(owed, 0, x, owed_at);
+  const whole_y = $pixels.carry(owed, 1, y, owed_at);
   if (whole_x * own[0] + whole_y * own[1] < 0) {
-    memory[owed] = memory[owed + 1] = 0;
+    owed.fill(0, owed_at, owed_at + 2);
     return [0, 0];
   }
   return [whole_x, whole_y];
 }
-export function guarded_step(memory, report) {
+export function guarded_step(memory, report, memory_at = 0) {
   const values_1 = report;
   const t = values_1[0];
   const dx = values_1[1];
@@ -70,19 +64,19 @@ export function guarded_step(memory, report) {
   const sxx = values_1[5];
   const sxy = values_1[6];
   const syy = values_1[7];
-  const values_2 = $pixels.accept(memory, GUARDED, t, dx, dy);
+  const values_2 = $pixels.accept(memory, t, dx, dy, memory_at + 5);
   const usable = values_2[0];
   const dt = values_2[1];
   if (!usable || Math.abs(off_x) > $records.LARGEST || Math.abs(off_y) > $records.LARGEST) {
     return [NaN, NaN, NaN, NaN, NaN];
   }
-  const scale = $pixels.turn(memory, GUARDED, t, dt, dx, dy);
+  const scale = $pixels.turn(memory, t, dt, dx, dy, memory_at + 5);
   const own_x = scale * dx;
   const own_y = scale * dy;
-  const carried = GUARDED + $pixels.CARRY;
-  const x = $pixels.carry(memory, carried, own_x);
-  const y = $pixels.carry(memory, carried + 1, own_y);
-  const values_3 = add(memory, 0, OWED, dt, [own_x, own_y], [off_x, off_y, sxx, sxy, syy]);
+  const carried_at = memory_at + 20;
+  const x = $pixels.carry(memory, 0, own_x, carried_at);
+  const y = $pixels.carry(memory, 1, own_y, carried_at);
+  const values_3 = add(memory, memory, dt, [own_x, own_y], [off_x, off_y, sxx, sxy, syy], memory_at, memory_at + 22);
   const add_x = values_3[0];
   const add_y = values_3[1];
   return [t, x + add_x, y + add_y, add_x, add_y];

@@ -2,53 +2,48 @@
 import { hypot, smaller } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $functions from "./functions.js";
-export const PX_PER_COUNT = 0;
-export const METRES_PER_COUNT = 1;
-export const PERIOD_S = 2;
-export const GAP_S = 3;
-export const FUNCTION = 4;
-export const STARTED = 12;
-export const T = 13;
-export const GAIN = 14;
-export const CARRY = 15;
-export const SETTINGS = 12;
 export const USUAL_TIMES_S = [0.001, 0.1];
-export function carry(memory, at, moved_px) {
-  const rest = memory[at] * moved_px >= 0 ? memory[at] : 0;
+export function carry(carried, axis, moved_px, carried_at = 0) {
+  const rest = carried[carried_at + axis] * moved_px >= 0 ? carried[carried_at + axis] : 0;
   const whole = Math.trunc(rest + moved_px);
-  memory[at] = rest + moved_px - whole;
+  carried[carried_at + axis] = rest + moved_px - whole;
   return whole;
 }
-export function accept(memory, at, t, dx, dy) {
+export function accept(memory, t, dx, dy, memory_at = 0) {
+  const settings_at = memory_at;
+  const s_at = memory_at + 12;
   const fine = Math.abs(t) <= $records.LATEST_S && Math.abs(dx) <= $records.LARGEST && Math.abs(dy) <= $records.LARGEST;
-  if (memory[at + STARTED] === 0) {
-    return [fine, memory[at + PERIOD_S]];
+  if (memory[s_at] === 0) {
+    return [fine, memory[settings_at + 2]];
   }
-  return [fine && t >= memory[at + T], smaller(t - memory[at + T], memory[at + GAP_S])];
+  return [fine && t >= memory[s_at + 1], smaller(t - memory[s_at + 1], memory[settings_at + 3])];
 }
-export function turn(memory, at, t, dt, dx, dy) {
+export function turn(memory, t, dt, dx, dy, memory_at = 0) {
+  const settings_at = memory_at;
+  const s_at = memory_at + 12;
   if (dt > 0) {
-    const speed = hypot(dx, dy) * memory[at + METRES_PER_COUNT] / dt;
-    memory[at + GAIN] = $functions.gain(memory, at + FUNCTION, speed);
+    const speed = hypot(dx, dy) * memory[settings_at + 1] / dt;
+    memory[s_at + 2] = $functions.gain(memory, speed, settings_at + 4);
   }
-  memory[at + STARTED] = 1;
-  memory[at + T] = t;
-  return memory[at + GAIN] * memory[at + PX_PER_COUNT];
+  memory[s_at] = 1;
+  memory[s_at + 1] = t;
+  return memory[s_at + 2] * memory[settings_at];
 }
-export function lay_out(memory, own, device, function_) {
+export function lay_out(memory, own, device, function_, function_at = 0) {
   const cpi = device[0];
   const dpi = device[1];
   const period_s = device[2];
   const gap_s = device[3];
-  const at = own.length;
-  for (let i = 0; i < at; i++) {
+  for (let i = 0, end_1 = own.length; i < end_1; i++) {
     memory[i] = own[i];
   }
-  memory[at + PX_PER_COUNT] = dpi / cpi;
-  memory[at + METRES_PER_COUNT] = $records.METRES_PER_INCH / cpi;
-  memory[at + PERIOD_S] = period_s;
-  memory[at + GAP_S] = gap_s;
-  for (let i = 0; i < $functions.SLOTS; i++) {
-    memory[at + FUNCTION + i] = function_[i];
+  const settings_at = own.length;
+  memory[settings_at] = dpi / cpi;
+  memory[settings_at + 1] = $records.METRES_PER_INCH / cpi;
+  memory[settings_at + 2] = period_s;
+  memory[settings_at + 3] = gap_s;
+  memory[settings_at + 4] = function_[function_at];
+  for (let i = 0; i < 7; i++) {
+    memory[settings_at + i + 5] = function_[function_at + i + 1];
   }
 }
