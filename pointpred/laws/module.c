@@ -8629,7 +8629,7 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
   Table a0;
   Table a1;
   Table a2;
-  Vector a3;
+  targets_posterior_Coefficients * a3;
   double a4;
   Table a5;
   (void)self, (void)view;
@@ -8641,8 +8641,8 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "shares", 'd', 2, true, &view)
         && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
@@ -8838,15 +8838,15 @@ static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const
   static const char law[] = "pointpred.simulation.loop:acceleration";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   simulation_loop_Place a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", false, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_tuple(args[2], law, "place", 6)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
@@ -8864,7 +8864,7 @@ static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.simulation.loop:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -8872,8 +8872,8 @@ static PyObject *py_simulation_loop_advance(PyObject *self, PyObject *const *arg
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -8887,7 +8887,7 @@ static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:assist";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -8895,8 +8895,8 @@ static PyObject *py_simulation_loop_assist(PyObject *self, PyObject *const *args
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", false, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -8909,14 +8909,14 @@ static PyObject *py_simulation_loop_ballistic_force(PyObject *self, PyObject *co
   static const char law[] = "pointpred.simulation.loop:ballistic_force";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", false, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   result = simulation_loop_ballistic_force(a0, a1);
@@ -8927,13 +8927,13 @@ static PyObject *py_simulation_loop_correct(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.simulation.loop:correct";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   simulation_loop_correct(a0, a1);
@@ -8963,15 +8963,15 @@ static PyObject *py_simulation_loop_cursor_distance(PyObject *self, PyObject *co
   static const char law[] = "pointpred.simulation.loop:cursor_distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Settings * a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "settings", false, 55, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -8983,7 +8983,7 @@ static PyObject *py_simulation_loop_cursor_in_mind(PyObject *self, PyObject *con
   static const char law[] = "pointpred.simulation.loop:cursor_in_mind";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   double a2;
   double a3;
@@ -8991,8 +8991,8 @@ static PyObject *py_simulation_loop_cursor_in_mind(PyObject *self, PyObject *con
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", false, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
@@ -9005,15 +9005,15 @@ static PyObject *py_simulation_loop_cursor_rate(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.simulation.loop:cursor_rate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Settings * a0;
   double a1;
   double a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "settings", false, 55, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9025,13 +9025,13 @@ static PyObject *py_simulation_loop_decide(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:decide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
     return let_go(&held);
   simulation_loop_decide(a0, a1);
@@ -9042,14 +9042,14 @@ static PyObject *py_simulation_loop_enter(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.simulation.loop:enter";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_State * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 1047, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9061,15 +9061,15 @@ static PyObject *py_simulation_loop_hand_distance(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.simulation.loop:hand_distance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Settings * a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "settings", false, 55, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9081,14 +9081,14 @@ static PyObject *py_simulation_loop_launch(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:launch";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   int64_t a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9100,15 +9100,15 @@ static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.simulation.loop:play";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   Table a1;
   Table a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
@@ -9139,15 +9139,15 @@ static PyObject *py_simulation_loop_report(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.simulation.loop:report";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   double a1;
   double a2;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9159,14 +9159,14 @@ static PyObject *py_simulation_loop_step(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.simulation.loop:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  simulation_loop_Memory * a0;
   T5d a1;
   T14d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1102, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "chance", 5)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9316,19 +9316,19 @@ static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.targets.choice_law:propose";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   T4d a1;
   bool a2;
   double a3;
   T_Table_2_Vector_ a4;
-  Vector a5;
+  targets_posterior_Settings a5;
   int64_t a6;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 7)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9343,8 +9343,11 @@ static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *
         && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 1, true, &view)
         && (a4.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[5], law, "settings", 'd', 1, false, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
         && take_int64_t(args[6], &a6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_propose(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
@@ -9355,18 +9358,19 @@ static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.choice_law:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   T4d a1;
   T10d a2;
   T_Table_2_Vector_ a3;
-  T2_Vector_ a4;
-  int64_t a5;
+  targets_posterior_Coefficients * a4;
+  targets_posterior_Settings a5;
+  int64_t a6;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 7)
+        && take_memory(&held, args[0], law, "s", true, 15, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9390,14 +9394,16 @@ static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[4], law, "model", 2)
-        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
-        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
-        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[5], &a5)))
+        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
+        && take_int64_t(args[6], &a6)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T3q(result);
 }
@@ -9405,18 +9411,18 @@ static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject
   static const char law[] = "pointpred.targets.choice_law:step_with_shares";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   T4d a1;
   double a2;
   T_Table_2_Vector_ a3;
-  Vector a4;
+  targets_posterior_Settings a4;
   int64_t a5;
   T3q result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 15, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 4)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -9430,8 +9436,11 @@ static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "settings", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[4], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.precision)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.elsewhere)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.least_lead_s)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.least_way_px)
         && take_int64_t(args[5], &a5)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step_with_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
@@ -9442,14 +9451,14 @@ static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.choice_law:unusable";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Table a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -9461,18 +9470,19 @@ static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.choice_law:walk";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   T3_Table_ a1;
   int64_t a2;
   T_Table_2_Vector_ a3;
-  T2_Vector_ a4;
-  T2q a5;
+  targets_posterior_Coefficients * a4;
+  targets_posterior_Settings a5;
+  T2q a6;
   T4q result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 7)
+        && take_memory(&held, args[0], law, "s", true, 15, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "tables", 3)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "tables", 'd', 2, true, &view)
         && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -9488,16 +9498,18 @@ static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[4], law, "model", 2)
-        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "model", 'd', 1, false, &view)
-        && (a4.f0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "model", 'd', 1, false, &view)
-        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[5], law, "proposed", 2)
-        && take_int64_t(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_int64_t(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && (a4 = view->buf, true)
+        && take_tuple(args[5], law, "settings", 4)
+        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
+        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
+        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
+        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
+        && take_tuple(args[6], law, "proposed", 2)
+        && take_int64_t(PyTuple_GetItem(args[6], 0), &a6.f0)
+        && take_int64_t(PyTuple_GetItem(args[6], 1), &a6.f1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T4q(result);
 }
@@ -9505,7 +9517,7 @@ static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.targets.cursor:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   double a1;
   double a2;
   double a3;
@@ -9514,8 +9526,8 @@ static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args,
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 15, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -9529,7 +9541,7 @@ static PyObject *py_targets_cursor_until(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.cursor:until";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   double a1;
   double a2;
   double a3;
@@ -9538,8 +9550,8 @@ static PyObject *py_targets_cursor_until(PyObject *self, PyObject *const *args, 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -9572,7 +9584,7 @@ static PyObject *py_targets_decision_decide(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.decision:decide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Table a1;
   Vector a2;
   int64_t a3;
@@ -9582,8 +9594,8 @@ static PyObject *py_targets_decision_decide(PyObject *self, PyObject *const *arg
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
@@ -9604,7 +9616,7 @@ static PyObject *py_targets_decision_early(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.decision:early";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Vector a1;
   double a2;
   double a3;
@@ -9612,8 +9624,8 @@ static PyObject *py_targets_decision_early(PyObject *self, PyObject *const *args
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
@@ -9705,13 +9717,13 @@ static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_ledger_State * a0;
   Table a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -9723,7 +9735,7 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:close";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
@@ -9731,8 +9743,8 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -9746,15 +9758,15 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.targets.ledger:enter";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -9768,15 +9780,15 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.ledger:propose";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_ledger_State * a0;
   Table a1;
   double a2;
   int64_t a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[2], &a2)
@@ -9790,15 +9802,15 @@ static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.targets.ledger:withdraw";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_ledger_State * a0;
   double a1;
   int64_t a2;
   bool a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "movement", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 8, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_int64_t(args[2], &a2)
         && take_bool(args[3], &a3)))
@@ -9872,15 +9884,15 @@ static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.targets.posterior:features";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Table a1;
   targets_posterior_Law a2;
   Table a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_tuple(args[2], law, "predicted", 6)
@@ -9937,17 +9949,17 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.targets.posterior:scores";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Table a1;
   T10d a2;
-  Vector a3;
+  targets_posterior_Coefficients * a3;
   double a4;
   Vector a5;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_tuple(args[2], law, "answer", 10)
@@ -9961,8 +9973,8 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
         && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
         && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
-        && take_array(&held, args[3], law, "coefficients", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)))
@@ -9975,13 +9987,13 @@ static PyObject *py_targets_posterior_situation(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.posterior:situation";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   targets_posterior_Situation result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   result = targets_posterior_situation(a0);
   let_go(&held);
@@ -9991,15 +10003,15 @@ static PyObject *py_targets_posterior_unclaimed(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.targets.posterior:unclaimed";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   double a1;
   double a2;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -10011,14 +10023,14 @@ static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.targets.prefetch:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_prefetch_State * a0;
   Table a1;
   Vector a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[2], law, "fired", 'd', 1, true, &view)
@@ -10091,16 +10103,16 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.targets.prefetch:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_prefetch_State * a0;
   T_Table_3_Vector_ a1;
   Vector a2;
-  Vector a3;
+  targets_prefetch_Settings * a3;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
         && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -10112,8 +10124,8 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
         && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "settings", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[3], law, "settings", false, 10, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_prefetch_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -10123,19 +10135,19 @@ static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.targets.prefetch:urgency";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  targets_cursor_State * a0;
   Vector a1;
-  Vector a2;
+  targets_prefetch_Settings * a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "settings", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "settings", false, 10, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   result = targets_prefetch_urgency(a0, a1, a2);
   let_go(&held);
@@ -10331,32 +10343,31 @@ static PyObject *py_transfer_assistance_add(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.transfer.assistance:add";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  T2d a4;
-  T5d a5;
+  transfer_assistance_Guard * a0;
+  transfer_pixels_Carried * a1;
+  double a2;
+  T2d a3;
+  T5d a4;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "own", 2)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "guard", false, 5, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "owed", true, 2, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "way", 5)
         && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
         && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_tuple(args[5], law, "way", 5)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.f3)
-        && take_double(PyTuple_GetItem(args[5], 4), &a5.f4)))
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
+        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
+        && take_double(PyTuple_GetItem(args[4], 4), &a4.f4)))
     return let_go(&held);
-  result = transfer_assistance_add(a0, a1, a2, a3, a4, a5);
+  result = transfer_assistance_add(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T2d(result);
 }
@@ -10364,14 +10375,14 @@ static PyObject *py_transfer_assistance_assisted_step(PyObject *self, PyObject *
   static const char law[] = "pointpred.transfer.assistance:assisted_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_assistance_Assisted * a0;
   T5d a1;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 19, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 5)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10387,14 +10398,14 @@ static PyObject *py_transfer_assistance_guarded_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred.transfer.assistance:guarded_step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_assistance_Guarded * a0;
   T8d a1;
   T5d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 24, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 8)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10413,30 +10424,28 @@ static PyObject *py_transfer_assistance_guide(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.transfer.assistance:guide";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T2d a3;
-  T5d a4;
+  transfer_assistance_Guard * a0;
+  double a1;
+  T2d a2;
+  T5d a3;
   T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "own", 2)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "guard", false, 5, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "own", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "way", 5)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_tuple(args[4], law, "way", 5)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.f3)
-        && take_double(PyTuple_GetItem(args[4], 4), &a4.f4)))
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)))
     return let_go(&held);
-  result = transfer_assistance_guide(a0, a1, a2, a3, a4);
+  result = transfer_assistance_guide(a0, a1, a2, a3);
   let_go(&held);
   return give_T2d(result);
 }
@@ -10529,26 +10538,25 @@ static PyObject *py_transfer_bands_learn(PyObject *self, PyObject *const *args, 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  transfer_bands_Model a2;
-  double a3;
-  int64_t a4;
-  double a5;
+  transfer_bands_Model a1;
+  double a2;
+  Vector a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
+  if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_tuple(args[2], law, "model", 3)
-        && take_int64_t(PyTuple_GetItem(args[2], 0), &a2.n)
-        && take_int64_t(PyTuple_GetItem(args[2], 1), &a2.linear)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.forgetting)
-        && take_double(args[3], &a3)
-        && take_int64_t(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_tuple(args[1], law, "model", 3)
+        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.n)
+        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.linear)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.forgetting)
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  transfer_bands_learn(a0, a1, a2, a3, a4, a5);
+  transfer_bands_learn(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -10571,19 +10579,17 @@ static PyObject *py_transfer_functions_cursor_speed(PyObject *self, PyObject *co
   static const char law[] = "pointpred.transfer.functions:cursor_speed";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  transfer_functions_Function * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "f", false, 8, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = transfer_functions_cursor_speed(a0, a1, a2);
+  result = transfer_functions_cursor_speed(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -10591,15 +10597,15 @@ static PyObject *py_transfer_functions_evaluate(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.transfer.functions:evaluate";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_functions_Function * a0;
   Vector a1;
   bool a2;
   Vector a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "f", false, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "speeds", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_bool(args[2], &a2)
@@ -10614,19 +10620,17 @@ static PyObject *py_transfer_functions_gain(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.transfer.functions:gain";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
+  transfer_functions_Function * a0;
+  double a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "f", false, 8, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = transfer_functions_gain(a0, a1, a2);
+  result = transfer_functions_gain(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -10652,20 +10656,23 @@ static PyObject *py_transfer_identification_gather(PyObject *self, PyObject *con
   static const char law[] = "pointpred.transfer.identification:gather";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  double a1;
+  transfer_identification_Settings * a0;
+  transfer_identification_Window * a1;
   double a2;
   double a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "settings", false, 9, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "window", true, 18, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  transfer_identification_gather(a0, a1, a2, a3);
+  transfer_identification_gather(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -10673,16 +10680,17 @@ static PyObject *py_transfer_identification_learn(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.transfer.identification:learn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  transfer_identification_Memory * a0;
+  Vector a1;
   double a2;
   double a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "memory", true, 267, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
     return let_go(&held);
@@ -10694,14 +10702,14 @@ static PyObject *py_transfer_identification_learn_speeds(PyObject *self, PyObjec
   static const char law[] = "pointpred.transfer.identification:learn_speeds";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_identification_Memory * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 267, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -10713,12 +10721,12 @@ static PyObject *py_transfer_identification_open_window(PyObject *self, PyObject
   static const char law[] = "pointpred.transfer.identification:open_window";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_identification_State * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[0], law, "s", true, 24, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
   transfer_identification_open_window(a0);
   let_go(&held);
@@ -10728,14 +10736,14 @@ static PyObject *py_transfer_identification_step(PyObject *self, PyObject *const
   static const char law[] = "pointpred.transfer.identification:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_identification_Memory * a0;
   T6d a1;
   Td result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 267, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10752,23 +10760,21 @@ static PyObject *py_transfer_pixels_accept(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.transfer.pixels:accept";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  transfer_pixels_Memory * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   Tbd result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "memory", false, 17, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = transfer_pixels_accept(a0, a1, a2, a3, a4);
+  result = transfer_pixels_accept(a0, a1, a2, a3);
   let_go(&held);
   return give_Tbd(result);
 }
@@ -10776,15 +10782,15 @@ static PyObject *py_transfer_pixels_carry(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred.transfer.pixels:carry";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_pixels_Carried * a0;
   int64_t a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "carried", true, 2, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -10799,21 +10805,21 @@ static PyObject *py_transfer_pixels_lay_out(PyObject *self, PyObject *const *arg
   Vector a0;
   Vector a1;
   T4d a2;
-  Vector a3;
+  transfer_functions_Function * a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && take_array(&held, args[1], law, "own", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[2], law, "device", 4)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
         && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
         && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
-        && take_array(&held, args[3], law, "function", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[3], law, "function", false, 8, &view)
+        && (a3 = view->buf, true)))
     return let_go(&held);
   transfer_pixels_lay_out(a0, a1, a2, a3);
   let_go(&held);
@@ -10841,14 +10847,14 @@ static PyObject *py_transfer_pixels_step(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.transfer.pixels:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  transfer_pixels_Memory * a0;
   T3d a1;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 17, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "report", 3)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -10862,25 +10868,23 @@ static PyObject *py_transfer_pixels_turn(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.transfer.pixels:turn";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  transfer_pixels_Memory * a0;
+  double a1;
   double a2;
   double a3;
   double a4;
-  double a5;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "memory", true, 17, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  result = transfer_pixels_turn(a0, a1, a2, a3, a4, a5);
+  result = transfer_pixels_turn(a0, a1, a2, a3, a4);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -11344,6 +11348,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "fd173708028ce1b0943271f8af4e2a1565a31e24b81030823853d2a874b8abd6", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "a47ebc0b2d66f79cfb114ad9c8789e3a15312cede1a99705af451381590194af", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

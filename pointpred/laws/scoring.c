@@ -41,11 +41,11 @@ static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_ledger_FIELDS = 3;
 
 /* The shares of all targets after each event, in a row of ``shares``. */
-void scoring_target_choice_weigh(Table events, Table answers, Table table, posterior_Coefficients * coefficients, double elsewhere, Table shares) {
-  cursor_State * memory;
+void scoring_target_choice_weigh(Table events, Table answers, Table table, targets_posterior_Coefficients * coefficients, double elsewhere, Table shares) {
+  targets_cursor_State * memory;
   double buffer_1[15];
   memset(buffer_1, 0, sizeof buffer_1);
-  memory = (cursor_State *)((Vector){buffer_1, 15}.p);
+  memory = (targets_cursor_State *)((Vector){buffer_1, 15}.p);
   for (int64_t i = 0; i < events.n; i++) {
     targets_cursor_follow(memory, events.p[i * events.m + 0], events.p[i * events.m + 1], events.p[i * events.m + 2], 0.0);
     targets_posterior_scores(memory, table, records_row_at(answers, i), coefficients, elsewhere, (Vector){shares.p + i * shares.m, shares.m});
@@ -89,8 +89,8 @@ void scoring_target_choice_read(Table events, Table table, Table shares, int64_t
 
 /* Decide after each event at one precision, and the account of the movement by the laws of the ledger. */
 void scoring_target_choice_account(Table events, Table answers, Table table, Table shares, int64_t right, double ask, double least_s, double least_px, Vector out) {
-  cursor_State * memory;
-  ledger_State * movement;
+  targets_cursor_State * memory;
+  targets_ledger_State * movement;
   Table rows;
   int64_t standing, chosen;
   double t, x, y, made, lead_entry_s, lead_click_s;
@@ -100,9 +100,9 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
   double buffer_2[8];
   double buffer_3[6];
   memset(buffer_1, 0, sizeof buffer_1);
-  memory = (cursor_State *)((Vector){buffer_1, 15}.p);
+  memory = (targets_cursor_State *)((Vector){buffer_1, 15}.p);
   memset(buffer_2, 0, sizeof buffer_2);
-  movement = (ledger_State *)((Vector){buffer_2, 8}.p);
+  movement = (targets_ledger_State *)((Vector){buffer_2, 8}.p);
   memset(buffer_3, 0, sizeof buffer_3);
   rows = (Table){buffer_3, 2, targets_ledger_FIELDS};
   targets_ledger_begin(movement, rows);

@@ -9,87 +9,48 @@ static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
 static const double targets_choice_law_OUTSIDE = 0.0;
 static const double targets_choice_law_RELEASED = 3.0;
-static const int64_t targets_cursor_KNOWN = 0;
 static const double targets_cursor_PAUSE_S = 0.3;
-static const int64_t targets_cursor_PEAK = 14;
-static const int64_t targets_cursor_PRESSED = 4;
-static const int64_t targets_cursor_SLOW = 13;
 static const double targets_cursor_SLOWER_S = 0.06;
-static const int64_t targets_cursor_SPEED = 12;
 static const double targets_cursor_SPEED_S = 0.03;
-static const int64_t targets_cursor_T = 1;
-static const int64_t targets_cursor_T0 = 5;
 static const double targets_cursor_TRAIL_SHARE = 0.35;
-static const int64_t targets_cursor_TRAIL_X = 8;
-static const int64_t targets_cursor_TRAIL_Y = 9;
-static const int64_t targets_cursor_VX = 10;
-static const int64_t targets_cursor_VY = 11;
-static const int64_t targets_cursor_X = 2;
-static const int64_t targets_cursor_X0 = 6;
-static const int64_t targets_cursor_Y = 3;
-static const int64_t targets_cursor_Y0 = 7;
 static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_expectation_BEFORE = 3;
 static const int64_t targets_expectation_NONE = -1;
 static const int64_t targets_expectation_SPREAD = 4;
 static const int64_t targets_expectation_X = 0;
 static const int64_t targets_expectation_Y = 1;
-static const int64_t targets_ledger_ENDED = 2;
-static const int64_t targets_ledger_ENDED_AT = 3;
-static const int64_t targets_ledger_ENDED_SINCE = 4;
 static const int64_t targets_ledger_ENTRY = 1;
 static const int64_t targets_ledger_ENTRY_SINCE = 2;
 static const int64_t targets_ledger_MADE = 0;
-static const int64_t targets_ledger_PROPOSED = 5;
-static const int64_t targets_ledger_RETRACTED = 6;
-static const int64_t targets_ledger_SINCE = 1;
-static const int64_t targets_ledger_STANDING = 0;
 static const double targets_posterior_ACROSS = 0.2;
 static const double targets_posterior_ALONG = 0.5;
 static const double targets_posterior_ANGLE = 0.15;
-static const int64_t targets_posterior_ELSEWHERE = 1;
 static const int64_t targets_posterior_FEATURES = 6;
 static const double targets_posterior_FITTED_NONE = 0.25;
 static const double targets_posterior_FITTED_TARGETS = 16.0;
 static const double targets_posterior_FLATTEST = 1e-12;
 static const int64_t targets_posterior_HEADING = 2;
 static const double targets_posterior_LEAST = 0.1;
-static const int64_t targets_posterior_LEAST_LEAD_S = 2;
-static const int64_t targets_posterior_LEAST_WAY_PX = 3;
 static const int64_t targets_posterior_MASS = 0;
 static const int64_t targets_posterior_NEAR = 5;
 static const int64_t targets_posterior_PER_SPEED = 4;
 static const int64_t targets_posterior_PER_WAY = 3;
-static const int64_t targets_posterior_PRECISION = 0;
-static const int64_t targets_posterior_SET = 14;
 static const T2d targets_posterior_TAILS = {0.001, 1000000000.0};
 static const int64_t targets_posterior_TRAIL = 1;
-static const int64_t targets_prefetch_AGE = 5;
 static const double targets_prefetch_AGE_S = 1.0;
 static const double targets_prefetch_ARMED = 0.0;
-static const int64_t targets_prefetch_BASE = 0;
-static const int64_t targets_prefetch_BEGAN = 15;
-static const int64_t targets_prefetch_COUNT = 16;
-static const int64_t targets_prefetch_END = 1;
 static const double targets_prefetch_ENTERED = 4.0;
-static const int64_t targets_prefetch_FAR = 4;
 static const double targets_prefetch_FIRED = 1.0;
-static const int64_t targets_prefetch_LATE = 9;
-static const int64_t targets_prefetch_LATE_S = 8;
 static const double targets_prefetch_LEAST_VISITS = 0.05;
 static const double targets_prefetch_LEAST_WAY_PX = 3.0;
 static const double targets_prefetch_LONGEST_S = 5.0;
-static const int64_t targets_prefetch_NEAR = 3;
 static const double targets_prefetch_NEGLIGIBLE = 0.001;
-static const int64_t targets_prefetch_PASSED = 6;
 static const int64_t targets_prefetch_PATHS = 8;
 static const double targets_prefetch_PREDICTED = 3.0;
 static const double targets_prefetch_REFERENCE_S = 0.25;
 static const double targets_prefetch_RESTING = 2.0;
 static const double targets_prefetch_SHORTEST_S = 0.005;
 static const double targets_prefetch_SMALLEST = 1e-06;
-static const int64_t targets_prefetch_SPENT = 2;
-static const int64_t targets_prefetch_SURE = 7;
 static const T6q targets_rectangle_mass_BEGINS = {0, 0, 0, 0, 3, 7};
 static const double targets_rectangle_mass_EFFECTIVE = 4.133;
 static const double targets_rectangle_mass_FLAT3 = 16.0;
@@ -113,43 +74,43 @@ static const int64_t targets_rectangles_LOG_WEIGHT = 4;
 static const int64_t targets_rectangles_WIDTH = 2;
 
 /* Take an event in, a usable one that is not before the last; returns whether a button was released. */
-bool targets_cursor_follow(Vector memory, double t, double x, double y, double pressed) {
+bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed) {
   double dt, way, far, share;
   bool released, starts;
-  dt = t - memory.p[targets_cursor_T];
-  released = memory.p[targets_cursor_PRESSED] == 1.0 && pressed == 0.0;
-  starts = memory.p[targets_cursor_KNOWN] == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
+  dt = t - s->t;
+  released = s->pressed == 1.0 && pressed == 0.0;
+  starts = s->known == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
   if (starts) {
-    memory.p[targets_cursor_T0] = t;
-    memory.p[targets_cursor_X0] = x;
-    memory.p[targets_cursor_Y0] = y;
-    memory.p[targets_cursor_TRAIL_X] = x;
-    memory.p[targets_cursor_TRAIL_Y] = y;
-    memory.p[targets_cursor_PEAK] = 0.0;
-    memory.p[targets_cursor_SLOW] = memory.p[targets_cursor_PEAK];
-    memory.p[targets_cursor_SPEED] = memory.p[targets_cursor_PEAK];
-    memory.p[targets_cursor_VY] = memory.p[targets_cursor_PEAK];
-    memory.p[targets_cursor_VX] = memory.p[targets_cursor_PEAK];
+    s->t0 = t;
+    s->x0 = x;
+    s->y0 = y;
+    s->trail_x = x;
+    s->trail_y = y;
+    s->peak = 0.0;
+    s->slow = s->peak;
+    s->speed = s->peak;
+    s->vy = s->peak;
+    s->vx = s->peak;
   } else {
-    way = hypot(x - memory.p[targets_cursor_X], y - memory.p[targets_cursor_Y]);
-    far = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]);
+    way = hypot(x - s->x, y - s->y);
+    far = hypot(x - s->x0, y - s->y0);
     share = far > 0.0 ? 1.0 - exp(-way / (targets_cursor_TRAIL_SHARE * far)) : 1.0;
-    memory.p[targets_cursor_TRAIL_X] += share * (x - memory.p[targets_cursor_TRAIL_X]);
-    memory.p[targets_cursor_TRAIL_Y] += share * (y - memory.p[targets_cursor_TRAIL_Y]);
+    s->trail_x += share * (x - s->trail_x);
+    s->trail_y += share * (y - s->trail_y);
     if (dt > 0.0) {
       share = 1.0 - exp(-dt / targets_cursor_SPEED_S);
-      memory.p[targets_cursor_VX] += share * ((x - memory.p[targets_cursor_X]) / dt - memory.p[targets_cursor_VX]);
-      memory.p[targets_cursor_VY] += share * ((y - memory.p[targets_cursor_Y]) / dt - memory.p[targets_cursor_VY]);
-      memory.p[targets_cursor_SPEED] = hypot(memory.p[targets_cursor_VX], memory.p[targets_cursor_VY]);
-      memory.p[targets_cursor_SLOW] += (1.0 - exp(-dt / targets_cursor_SLOWER_S)) * (memory.p[targets_cursor_SPEED] - memory.p[targets_cursor_SLOW]);
+      s->vx += share * ((x - s->x) / dt - s->vx);
+      s->vy += share * ((y - s->y) / dt - s->vy);
+      s->speed = hypot(s->vx, s->vy);
+      s->slow += (1.0 - exp(-dt / targets_cursor_SLOWER_S)) * (s->speed - s->slow);
     }
-    memory.p[targets_cursor_PEAK] = max_float(memory.p[targets_cursor_PEAK], memory.p[targets_cursor_SPEED]);
+    s->peak = max_float(s->peak, s->speed);
   }
-  memory.p[targets_cursor_KNOWN] = 1.0;
-  memory.p[targets_cursor_PRESSED] = pressed;
-  memory.p[targets_cursor_T] = t;
-  memory.p[targets_cursor_X] = x;
-  memory.p[targets_cursor_Y] = y;
+  s->known = 1.0;
+  s->pressed = pressed;
+  s->t = t;
+  s->x = x;
+  s->y = y;
   return released;
 }
 
@@ -167,12 +128,12 @@ bool targets_posterior_lawful(targets_posterior_Law predicted) {
 }
 
 /* The scale matrix of a law for which the predictor claims none: long along the way left, px^2. */
-T3d targets_posterior_unclaimed(Vector memory, double x, double y) {
+T3d targets_posterior_unclaimed(targets_cursor_State * s, double x, double y) {
   double gx, gy, done_x, done_y, left, done, size, reach, across, more, ux, uy;
-  gx = x - memory.p[targets_cursor_X];
-  gy = y - memory.p[targets_cursor_Y];
-  done_x = memory.p[targets_cursor_X] - memory.p[targets_cursor_X0];
-  done_y = memory.p[targets_cursor_Y] - memory.p[targets_cursor_Y0];
+  gx = x - s->x;
+  gy = y - s->y;
+  done_x = s->x - s->x0;
+  done_y = s->y - s->y0;
   left = hypot(gx, gy);
   done = hypot(done_x, done_y);
   if (left == 0.0) {
@@ -192,16 +153,16 @@ T3d targets_posterior_unclaimed(Vector memory, double x, double y) {
 }
 
 /* What the features of all targets share. */
-targets_posterior_Situation targets_posterior_situation(Vector memory) {
+targets_posterior_Situation targets_posterior_situation(targets_cursor_State * s) {
   double x, y, way, sweep, trail_x, trail_y, vx, vy;
-  x = memory.p[targets_cursor_X];
-  y = memory.p[targets_cursor_Y];
-  way = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]);
-  sweep = memory.p[targets_cursor_SPEED] * (memory.p[targets_cursor_T] - memory.p[targets_cursor_T0]);
-  trail_x = x - memory.p[targets_cursor_TRAIL_X];
-  trail_y = y - memory.p[targets_cursor_TRAIL_Y];
-  vx = memory.p[targets_cursor_VX];
-  vy = memory.p[targets_cursor_VY];
+  x = s->x;
+  y = s->y;
+  way = hypot(x - s->x0, y - s->y0);
+  sweep = s->speed * (s->t - s->t0);
+  trail_x = x - s->trail_x;
+  trail_y = y - s->trail_y;
+  vx = s->vx;
+  vy = s->vy;
   return (targets_posterior_Situation){x, y, trail_x, trail_y, vx, vy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
 }
 
@@ -392,13 +353,14 @@ T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targe
 }
 
 /* The logarithm of each target's share, up to a constant; behind them that of none of them. */
-void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector coefficients, double elsewhere, Vector out) {
+void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer, targets_posterior_Coefficients * coefficients, double elsewhere, Vector out) {
   double x, y, sxx, sxy, syy, tail, fast, usual, f0, f1, f2, f3, f4, f5, score, none;
   bool claimed, mass;
-  int64_t first, count, at;
+  targets_posterior_Weights * fit;
   targets_posterior_Law predicted;
   targets_posterior_Situation now;
   Vector weight;
+  int64_t count;
   double buffer_2[6];
   x = answer.f1;
   y = answer.f2;
@@ -408,24 +370,24 @@ void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector co
   tail = answer.f8;
   claimed = fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
   if (!claimed) {
-    x = memory.p[targets_cursor_X];
-    y = memory.p[targets_cursor_Y];
+    x = s->x;
+    y = s->y;
   }
-  first = 0;
+  fit = &coefficients->claimed;
   predicted = (targets_posterior_Law){x, y, sxx, sxy, syy, tail};
   if (!claimed || !targets_posterior_lawful(predicted)) {
-    T3d values_1 = targets_posterior_unclaimed(memory, x, y);
+    T3d values_1 = targets_posterior_unclaimed(s, x, y);
     sxx = values_1.f0;
     sxy = values_1.f1;
     syy = values_1.f2;
-    first = targets_posterior_SET;
+    fit = &coefficients->unclaimed;
     predicted = (targets_posterior_Law){x, y, sxx, sxy, syy, NAN};
   }
-  now = targets_posterior_situation(memory);
+  now = targets_posterior_situation(s);
   weight = (Vector){buffer_2, targets_posterior_FEATURES};
-  fast = memory.p[targets_cursor_PEAK] > 0.0 ? min_float(memory.p[targets_cursor_SPEED] / memory.p[targets_cursor_PEAK], 1.0) : 0.0;
+  fast = s->peak > 0.0 ? min_float(s->speed / s->peak, 1.0) : 0.0;
   for (int64_t j = 0; j < targets_posterior_FEATURES; j++) {
-    weight.p[j] = (1.0 - fast) * coefficients.p[first + j] + fast * coefficients.p[first + targets_posterior_FEATURES + j];
+    weight.p[j] = (1.0 - fast) * fit->slow[j] + fast * fit->fast[j];
   }
   count = table.n;
   mass = weight.p[0] != 0.0;
@@ -445,8 +407,7 @@ void targets_posterior_scores(Vector memory, Table table, T10d answer, Vector co
     score = weight.p[0] * f0 + weight.p[1] * f1 + weight.p[2] * f2;
     out.p[i] = table.p[i * table.m + targets_rectangles_LOG_WEIGHT] + usual + score + weight.p[3] * f3 + weight.p[4] * f4 + weight.p[5] * f5;
   }
-  at = first + 2 * targets_posterior_FEATURES;
-  none = (1.0 - fast) * coefficients.p[at] + fast * coefficients.p[at + 1];
+  none = (1.0 - fast) * fit->none[0] + fast * fit->none[1];
   out.p[count] = none + log(elsewhere / targets_posterior_FITTED_NONE);
 }
 
@@ -480,10 +441,10 @@ int64_t targets_decision_likeliest(Vector shares, int64_t count) {
 }
 
 /* Nothing is known of a movement yet, nor of the targets of these rows. */
-void targets_ledger_begin(Vector movement, Table rows) {
-  fill((Vector){movement.p, movement.n}, 0.0);
-  movement.p[targets_ledger_ENDED] = targets_decision_NOBODY;
-  movement.p[targets_ledger_STANDING] = movement.p[targets_ledger_ENDED];
+void targets_ledger_begin(targets_ledger_State * s, Table rows) {
+  memset(s, 0, sizeof(targets_ledger_State));
+  s->ended = targets_decision_NOBODY;
+  s->standing = s->ended;
   for (int64_t i = 0; i < rows.n; i++) {
     rows.p[i * rows.m + targets_ledger_MADE] = 0.0;
     rows.p[i * rows.m + targets_ledger_ENTRY] = NAN;
@@ -492,29 +453,29 @@ void targets_ledger_begin(Vector movement, Table rows) {
 }
 
 /* The cursor goes into a target; only the first time in a movement counts. */
-void targets_ledger_enter(Vector movement, Table rows, double t, int64_t place) {
+void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place) {
   if (place != targets_decision_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
     rows.p[place * rows.m + targets_ledger_ENTRY] = t;
-    rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = movement.p[targets_ledger_STANDING] == place ? movement.p[targets_ledger_SINCE] : NAN;
+    rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = s->standing == place ? s->since : NAN;
   }
 }
 
 /* Seconds until the cursor enters a rectangle at its present speed; 0 inside, infinite at rest. */
-double targets_cursor_until(Vector memory, double x, double y, double width, double height) {
+double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height) {
   double dx, dy, way;
-  dx = max_float(fabs(x - memory.p[targets_cursor_X]) - 0.5 * width, 0.0);
-  dy = max_float(fabs(y - memory.p[targets_cursor_Y]) - 0.5 * height, 0.0);
+  dx = max_float(fabs(x - s->x) - 0.5 * width, 0.0);
+  dy = max_float(fabs(y - s->y) - 0.5 * height, 0.0);
   way = hypot(dx, dy);
   if (way == 0.0) {
     return 0.0;
   }
-  return memory.p[targets_cursor_SPEED] > 0.0 ? way / memory.p[targets_cursor_SPEED] : INFINITY;
+  return s->speed > 0.0 ? way / s->speed : INFINITY;
 }
 
 /* Whether a proposal of this target would still come in time: the cursor is not there at once. */
-bool targets_decision_early(Vector memory, Vector row, double remaining_s, double least_s) {
+bool targets_decision_early(targets_cursor_State * s, Vector row, double remaining_s, double least_s) {
   double left;
-  left = targets_cursor_until(memory, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
+  left = targets_cursor_until(s, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
   if (left == 0.0) {
     return false;
   }
@@ -525,7 +486,7 @@ bool targets_decision_early(Vector memory, Vector row, double remaining_s, doubl
 }
 
 /* The target that is proposed from now on, NOBODY for none; ``bounds``: (ask, keep, least_s, least_px). */
-int64_t targets_decision_decide(Vector memory, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds) {
+int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds) {
   double ask, keep, least_s, least_px, far;
   int64_t best;
   ask = bounds.f0;
@@ -539,8 +500,8 @@ int64_t targets_decision_decide(Vector memory, Table table, Vector shares, int64
   if (standing != targets_decision_NOBODY && (best == standing || shares.p[best] < ask)) {
     return shares.p[standing] >= keep ? standing : targets_decision_NOBODY;
   }
-  far = hypot(memory.p[targets_cursor_X] - memory.p[targets_cursor_X0], memory.p[targets_cursor_Y] - memory.p[targets_cursor_Y0]);
-  if (shares.p[best] >= ask && far >= least_px && targets_decision_early(memory, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
+  far = hypot(s->x - s->x0, s->y - s->y0);
+  if (shares.p[best] >= ask && far >= least_px && targets_decision_early(s, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
     return best;
   }
   if (standing != targets_decision_NOBODY && shares.p[standing] >= keep) {
@@ -550,35 +511,35 @@ int64_t targets_decision_decide(Vector memory, Table table, Vector shares, int64
 }
 
 /* The proposal that stands ends; where this target's does not stand, nothing happens. */
-void targets_ledger_withdraw(Vector movement, double t, int64_t place, bool released) {
-  if (place == targets_decision_NOBODY || movement.p[targets_ledger_STANDING] != place) {
+void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released) {
+  if (place == targets_decision_NOBODY || s->standing != place) {
     return;
   }
-  movement.p[targets_ledger_STANDING] = targets_decision_NOBODY;
+  s->standing = targets_decision_NOBODY;
   if (released) {
     int64_t value_1 = place;
     double value_2 = t;
-    double value_3 = movement.p[targets_ledger_SINCE];
-    movement.p[targets_ledger_ENDED] = value_1;
-    movement.p[targets_ledger_ENDED_AT] = value_2;
-    movement.p[targets_ledger_ENDED_SINCE] = value_3;
+    double value_3 = s->since;
+    s->ended = value_1;
+    s->ended_at = value_2;
+    s->ended_since = value_3;
   } else {
-    movement.p[targets_ledger_RETRACTED] += 1.0;
+    s->retracted += 1.0;
   }
 }
 
 /* A proposal is made; it takes the place of one that stands. */
-void targets_ledger_propose(Vector movement, Table rows, double t, int64_t place) {
-  movement.p[targets_ledger_PROPOSED] += 1.0;
-  movement.p[targets_ledger_STANDING] = place;
-  movement.p[targets_ledger_SINCE] = t;
+void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place) {
+  s->proposed += 1.0;
+  s->standing = place;
+  s->since = t;
   if (place != targets_decision_NOBODY) {
     rows.p[place * rows.m + targets_ledger_MADE] += 1.0;
   }
 }
 
 /* How often the target of the movement was proposed, and the leads before its entry and its click, s. */
-T3d targets_ledger_close(Vector movement, Table rows, double t, int64_t place) {
+T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place) {
   double entry, since;
   if (place == targets_decision_NOBODY) {
     return (T3d){0.0, NAN, NAN};
@@ -587,10 +548,10 @@ T3d targets_ledger_close(Vector movement, Table rows, double t, int64_t place) {
   since = rows.p[place * rows.m + targets_ledger_ENTRY_SINCE];
   if (entry != entry) {
     entry = t;
-    if (movement.p[targets_ledger_ENDED] == place && movement.p[targets_ledger_ENDED_AT] == t) {
-      since = movement.p[targets_ledger_ENDED_SINCE];
-    } else if (movement.p[targets_ledger_STANDING] == place) {
-      since = movement.p[targets_ledger_SINCE];
+    if (s->ended == place && s->ended_at == t) {
+      since = s->ended_since;
+    } else if (s->standing == place) {
+      since = s->since;
     }
   }
   return (T3d){rows.p[place * rows.m + targets_ledger_MADE], entry - since, t - since};
@@ -660,7 +621,7 @@ int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y,
 }
 
 /* What follows from the shares at an event that ``cursor.follow`` has taken in, as ``step``. */
-T3q targets_choice_law_propose(Vector memory, T4d event, bool released, double remaining_s, T_Table_2_Vector_ targets, Vector settings, int64_t standing) {
+T3q targets_choice_law_propose(targets_cursor_State * s, T4d event, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing) {
   double x, y, ask, least_s;
   Table table;
   Vector inside, shares;
@@ -675,31 +636,31 @@ T3q targets_choice_law_propose(Vector memory, T4d event, bool released, double r
     standing = targets_decision_NOBODY;
   }
   count = targets_choice_law_enter(table, inside, x, y, released);
-  ask = settings.p[targets_posterior_PRECISION];
-  least_s = settings.p[targets_posterior_LEAST_LEAD_S];
-  bounds = (T4d){ask, targets_choice_law_KEEP * ask, least_s, settings.p[targets_posterior_LEAST_WAY_PX]};
-  chosen = targets_decision_decide(memory, table, shares, standing, remaining_s, bounds);
+  ask = settings.precision;
+  least_s = settings.least_lead_s;
+  bounds = (T4d){ask, targets_choice_law_KEEP * ask, least_s, settings.least_way_px};
+  chosen = targets_decision_decide(s, table, shares, standing, remaining_s, bounds);
   over = targets_choice_law_innermost(table, inside);
   return (T3q){chosen, over == chosen ? targets_decision_NOBODY : over, count};
 }
 
 /* ``step`` where the shares have been written by somebody who knows them. */
-T3q targets_choice_law_step_with_shares(Vector memory, T4d event, double remaining_s, T_Table_2_Vector_ targets, Vector settings, int64_t standing) {
+T3q targets_choice_law_step_with_shares(targets_cursor_State * s, T4d event, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing) {
   double t, x, y, pressed;
   bool released;
   t = event.f0;
   x = event.f1;
   y = event.f2;
   pressed = event.f3;
-  released = targets_cursor_follow(memory, t, x, y, pressed);
-  return targets_choice_law_propose(memory, event, released, remaining_s, targets, settings, standing);
+  released = targets_cursor_follow(s, t, x, y, pressed);
+  return targets_choice_law_propose(s, event, released, remaining_s, targets, settings, standing);
 }
 
 /* Take in one usable event (t, x, y, pressed), with the prediction made at it. */
-T3q targets_choice_law_step(Vector memory, T4d event, T10d answer, T_Table_2_Vector_ targets, T2_Vector_ model, int64_t standing) {
+T3q targets_choice_law_step(targets_cursor_State * s, T4d event, T10d answer, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, int64_t standing) {
   double t, x, y, pressed;
   Table table;
-  Vector shares, coefficients, settings;
+  Vector shares;
   records_PredictionRow p;
   bool released;
   t = event.f0;
@@ -708,13 +669,11 @@ T3q targets_choice_law_step(Vector memory, T4d event, T10d answer, T_Table_2_Vec
   pressed = event.f3;
   table = targets.f0;
   shares = targets.f2;
-  coefficients = model.f0;
-  settings = model.f1;
   p = records_PredictionRow_of_T10d(answer);
-  released = targets_cursor_follow(memory, t, x, y, pressed);
-  targets_posterior_scores(memory, table, answer, coefficients, settings.p[targets_posterior_ELSEWHERE], shares);
+  released = targets_cursor_follow(s, t, x, y, pressed);
+  targets_posterior_scores(s, table, answer, coefficients, settings.elsewhere, shares);
   targets_posterior_normalise(shares);
-  return targets_choice_law_propose(memory, event, released, p.remaining_s, targets, settings, standing);
+  return targets_choice_law_propose(s, event, released, p.remaining_s, targets, settings, standing);
 }
 
 /* What ends and what begins: a prediction and an entry that end, a prediction and an entry that begin. */
@@ -753,9 +712,9 @@ bool targets_cursor_usable(double t, double x, double y) {
 }
 
 /* The first row that ``step`` must not be given, -1 where all are usable. */
-int64_t targets_choice_law_unusable(Vector memory, Table events) {
+int64_t targets_choice_law_unusable(targets_cursor_State * s, Table events) {
   double before, t;
-  before = memory.p[targets_cursor_KNOWN] == 1.0 ? memory.p[targets_cursor_T] : -INFINITY;
+  before = s->known == 1.0 ? s->t : -INFINITY;
   for (int64_t i = 0; i < events.n; i++) {
     t = events.p[i * events.m + 0];
     if (!targets_cursor_usable(t, events.p[i * events.m + 1], events.p[i * events.m + 2]) || t < before) {
@@ -787,7 +746,7 @@ void targets_decision_rank(Vector shares, int64_t count, Vector order) {
 }
 
 /* Take in rows, from ``first`` up to and with the one at which there is something to note. */
-T4q targets_choice_law_walk(Vector memory, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, T2_Vector_ model, T2q proposed) {
+T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, T2q proposed) {
   Table events, answers, likeliest, table;
   Vector shares;
   int64_t standing, over, most, chosen, now_over, entered, place;
@@ -802,7 +761,7 @@ T4q targets_choice_law_walk(Vector memory, T3_Table_ tables, int64_t first, T_Ta
   most = floor_divided_whole(likeliest.m, 2);
   for (int64_t i = first; i < events.n; i++) {
     event = (T4d){events.p[i * events.m + 0], events.p[i * events.m + 1], events.p[i * events.m + 2], (double)((int64_t)events.p[i * events.m + 5] & 1)};
-    T3q values_1 = targets_choice_law_step(memory, event, records_row_at(answers, i), targets, model, standing);
+    T3q values_1 = targets_choice_law_step(s, event, records_row_at(answers, i), targets, coefficients, settings, standing);
     chosen = values_1.f0;
     now_over = values_1.f1;
     entered = values_1.f2;
@@ -875,10 +834,10 @@ void targets_expectation_expect(Table table, Vector own, Table known) {
 }
 
 /* A row of features for each target and a predicted law. */
-void targets_posterior_features(Vector memory, Table table, targets_posterior_Law predicted, Table out) {
+void targets_posterior_features(targets_cursor_State * s, Table table, targets_posterior_Law predicted, Table out) {
   targets_posterior_Situation now;
   Vector f;
-  now = targets_posterior_situation(memory);
+  now = targets_posterior_situation(s);
   for (int64_t i = 0; i < table.n; i++) {
     f = (Vector){out.p + i * out.m, out.m};
     T6d values_1 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted, true);
@@ -945,30 +904,30 @@ void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vect
 }
 
 /* Arm every target anew where a movement has begun; those that it starts in first have to be left. */
-void targets_prefetch_begin(Vector memory, Table table, Vector fired) {
+void targets_prefetch_begin(targets_prefetch_State * s, Table table, Vector fired) {
   for (int64_t i = 0; i < table.n; i++) {
     if (fired.p[i] == targets_prefetch_PREDICTED || fired.p[i] == targets_prefetch_ENTERED) {
       fired.p[i] = targets_prefetch_FIRED;
     }
   }
-  if (memory.p[targets_prefetch_BEGAN] == memory.p[targets_cursor_T0]) {
+  if (s->began == s->cursor.t0) {
     return;
   }
-  memory.p[targets_prefetch_BEGAN] = memory.p[targets_cursor_T0];
-  memory.p[targets_prefetch_COUNT] = 0.0;
+  s->began = s->cursor.t0;
+  s->count = 0.0;
   for (int64_t i = 0; i < table.n; i++) {
     if (fired.p[i] != targets_prefetch_ARMED) {
-      fired.p[i] = targets_prefetch_inside(memory.p[targets_cursor_X0], memory.p[targets_cursor_Y0], (Vector){table.p + i * table.m, table.m}) ? targets_prefetch_RESTING : targets_prefetch_ARMED;
+      fired.p[i] = targets_prefetch_inside(s->cursor.x0, s->cursor.y0, (Vector){table.p + i * table.m, table.m}) ? targets_prefetch_RESTING : targets_prefetch_ARMED;
     }
   }
 }
 
 /* The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S. */
-double targets_prefetch_urgency(Vector memory, Vector row, Vector settings) {
+double targets_prefetch_urgency(targets_cursor_State * s, Vector row, targets_prefetch_Settings * settings) {
   double left_s, near;
-  left_s = targets_cursor_until(memory, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
+  left_s = targets_cursor_until(s, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
   near = -log(min_float(max_float(left_s, targets_prefetch_SHORTEST_S), targets_prefetch_LONGEST_S) / targets_prefetch_REFERENCE_S);
-  return settings.p[targets_prefetch_NEAR] * near - settings.p[targets_prefetch_FAR] * near * near;
+  return settings->near * near - settings->far * near * near;
 }
 
 /* Logarithm of p over 1 - p, finite also at 0 and 1. */
@@ -978,7 +937,7 @@ double targets_prefetch_log_odds(double p) {
 }
 
 /* Decide which targets fire now; returns how many. */
-int64_t targets_prefetch_step(Vector memory, T_Table_3_Vector_ targets, Vector shares, Vector settings) {
+int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings) {
   Table table;
   Vector thresholds, visits, fired;
   double x, y, passed, sure, common, likely, score, line_s;
@@ -988,9 +947,9 @@ int64_t targets_prefetch_step(Vector memory, T_Table_3_Vector_ targets, Vector s
   thresholds = targets.f1;
   visits = targets.f2;
   fired = targets.f3;
-  targets_prefetch_begin(memory, table, fired);
-  x = memory.p[targets_cursor_X];
-  y = memory.p[targets_cursor_Y];
+  targets_prefetch_begin(s, table, fired);
+  x = s->cursor.x;
+  y = s->cursor.y;
   targets_prefetch_visit(x, y, table, shares, visits);
   passed = 0.0;
   sure = 0.0;
@@ -1000,9 +959,9 @@ int64_t targets_prefetch_step(Vector memory, T_Table_3_Vector_ targets, Vector s
       sure = max_float(sure, shares.p[i]);
     }
   }
-  common = settings.p[targets_prefetch_BASE] + settings.p[targets_prefetch_PASSED] * log(max_float(passed, targets_prefetch_LEAST_VISITS)) - settings.p[targets_prefetch_SURE] * sure;
-  common += settings.p[targets_prefetch_AGE] * min_float(memory.p[targets_cursor_T] - memory.p[targets_cursor_T0], targets_prefetch_AGE_S);
-  moves = hypot(x - memory.p[targets_cursor_X0], y - memory.p[targets_cursor_Y0]) >= targets_prefetch_LEAST_WAY_PX;
+  common = settings->base + settings->passed * log(max_float(passed, targets_prefetch_LEAST_VISITS)) - settings->sure * sure;
+  common += settings->age * min_float(s->cursor.t - s->cursor.t0, targets_prefetch_AGE_S);
+  moves = hypot(x - s->cursor.x0, y - s->cursor.y0) >= targets_prefetch_LEAST_WAY_PX;
   count = 0;
   for (int64_t i = 0; i < table.n; i++) {
     if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
@@ -1022,16 +981,16 @@ int64_t targets_prefetch_step(Vector memory, T_Table_3_Vector_ targets, Vector s
       continue;
     }
     likely = max_float(visits.p[i], targets_prefetch_SMALLEST);
-    score = common + targets_prefetch_log_odds(likely) + settings.p[targets_prefetch_END] * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
-    score += targets_prefetch_urgency(memory, (Vector){table.p + i * table.m, table.m}, settings) - settings.p[targets_prefetch_SPENT] * (memory.p[targets_prefetch_COUNT] + count);
-    line_s = targets_prefetch_contact(x, y, memory.p[targets_cursor_VX], memory.p[targets_cursor_VY], (Vector){table.p + i * table.m, table.m});
-    late = line_s <= settings.p[targets_prefetch_LATE_S] && likely >= max_float(settings.p[targets_prefetch_LATE], thresholds.p[i]);
+    score = common + targets_prefetch_log_odds(likely) + settings->end * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
+    score += targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings) - settings->spent * (s->count + count);
+    line_s = targets_prefetch_contact(x, y, s->cursor.vx, s->cursor.vy, (Vector){table.p + i * table.m, table.m});
+    late = line_s <= settings->late_s && likely >= max_float(settings->late, thresholds.p[i]);
     if (late || score >= targets_prefetch_log_odds(thresholds.p[i])) {
       fired.p[i] = targets_prefetch_PREDICTED;
       count = count + 1;
     }
   }
-  memory.p[targets_prefetch_COUNT] += count;
+  s->count += count;
   return count;
 }
 
