@@ -81,9 +81,10 @@ REFUSED, TAKEN, LEFT_OUT = -1.0, 0.0, 1.0
 def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
     """Add output = row . c at a speed of the hand to the recursion and to its band."""
     n = int(memory[N])
+    w, _, _ = least_squares.parts(least_squares.Triangle(memory, SOLVER), n)
     for j in range(n):
-        memory[SOLVER + least_squares.REGRESSOR + j] = memory[row + j]
-    least_squares.advance(memory, SOLVER, n, memory[FORGETTING], output)
+        w[j] = memory[row + j]
+    least_squares.advance(least_squares.Triangle(memory, SOLVER), n, memory[FORGETTING], output)
     band = (speed - memory[SPEED_LOW]) / memory[BAND_WIDTH]
     model = bands.Model(n, 1 - int(memory[POWER]), memory[FORGETTING])
     bands.learn(memory, BANDS, model, band, row, output)
@@ -308,7 +309,7 @@ class PolynomialIdentifier(CompiledStage):
         samples lie. ``"gain"`` weighs bands of speed so that the largest relative error of the gain is small;
         with fewer bands than coefficients it uses the samples.
         """
-        fitted = fit(self._memory, SOLVER, self.count, self.least_excitation)
+        fitted = fit(least_squares.Triangle(self._memory, SOLVER), self.count, self.least_excitation)
         shift = 0 if self.offset else 1
         linear = 1 - shift
         skipped = int(self._memory[SKIPPED])
