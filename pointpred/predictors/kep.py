@@ -119,7 +119,8 @@ class Settings(Layout):
 class Fit(Layout):
     """The regression of speed on powers of the distance, and its solution, from the constant up."""
 
-    regression: Annotated[FloatArray, least_squares.states(TERMS)]
+    sums: least_squares.Sums
+    numbers: Annotated[FloatArray, least_squares.numbers(TERMS)]
     coefficients: Annotated[FloatArray, TERMS]
 
 
@@ -150,19 +151,19 @@ class Memory(Layout):
 @law
 def add(fit: Fit, degree: int, distance: float, speed: float) -> None:
     """Take the row (1, d, d^2, ... | speed) into the fit."""
-    w, _, _ = least_squares.parts(fit.regression, degree + 1)
+    regression = least_squares.parts(fit.numbers, degree + 1)
     power = 1.0
     for j in range(degree + 1):
-        w[j] = power
+        regression.w[j] = power
         power *= distance
-    least_squares.advance(fit.regression, degree + 1, 1.0, speed)
+    least_squares.advance(fit.sums, regression, 1.0, speed)
 
 
 @law
 def remaining(fit: Fit, degree: int, reach: float, travelled: float) -> float:
     """Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN."""
-    c = fit.coefficients
-    if not (travelled > 0.0 and least_squares.solve(fit.regression, degree + 1, EXCITATION_LEAST, c)):
+    c, regression = fit.coefficients, least_squares.parts(fit.numbers, degree + 1)
+    if not (travelled > 0.0 and least_squares.solve(regression, EXCITATION_LEAST, c)):
         return nan
     # The distance travelled is the unit of what follows.
     c0, c1, c2 = c[0], c[1] * travelled, c[2] * travelled**2

@@ -4,15 +4,15 @@ The information A = sum of d^(k-i) w_i w_i' is kept as its triangular root R (A 
 Plane rotations merge each sample into the triangle, so the condition number is that of the data, not its
 square. Rotations commute with a change of the regressor's units: no scaling is needed.
 
-A stage that has a regression keeps ``states(n)`` floats for it, writes the regressor w of ``parts`` and calls
-``advance``. All zeros: no samples.
+A stage that has a regression keeps its ``Sums`` and ``numbers(n)`` floats, writes the regressor w of
+``parts`` and calls ``advance``. All zeros: no samples.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import exp, hypot, inf, isfinite, sqrt
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -26,32 +26,41 @@ from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import CompiledStage
 
 
-class Triangle(Layout):
-    """A regression of n unknowns: its samples, how many with forgetting, the sum of squared residuals."""
+class Sums(Layout):
+    """How many samples there were, the same with forgetting, the sum of squared residuals with forgetting."""
 
     samples: float
     effective: float
     residual: float
-    numbers: Annotated[FloatArray, None]
-    """w, z and R: see ``parts``."""
+
+
+class Regression(NamedTuple):
+    """The numbers of a regression of n unknowns."""
+
+    w: FloatArray
+    """The regressor, which ``advance`` overwrites."""
+    z: FloatArray
+    R: FloatTable
+    """n x n, upper."""
 
 
 @layout
-def states(n: int) -> int:
-    """Floats that n unknowns need."""
-    return Triangle.length + 2 * n + n * n
+def numbers(n: int) -> int:
+    """Floats that n unknowns need besides the sums."""
+    return 2 * n + n * n
 
 
 @law
-def parts(s: Triangle, n: int) -> tuple[FloatArray, FloatArray, FloatTable]:
-    """The regressor w (n), which ``advance`` overwrites, z (n) and R (n x n, upper)."""
-    return s.numbers[:n], s.numbers[n : 2 * n], s.numbers[2 * n : 2 * n + n * n].reshape(n, n)
+def parts(memory: FloatArray, n: int) -> Regression:
+    """The parts of ``numbers(n)`` floats."""
+    return Regression(memory[:n], memory[n : 2 * n], memory[2 * n : 2 * n + n * n].reshape(n, n))
 
 
 @law
-def advance(s: Triangle, n: int, forgetting: float, output: float) -> None:
+def advance(s: Sums, regression: Regression, forgetting: float, output: float) -> None:
     """A = d A + w w', psi = d psi + w y for the regressor w and y = ``output``."""
-    w, z, r = parts(s, n)
+    w, z, r = regression
+    n = len(w)
     if forgetting < 1.0:
         keep = sqrt(forgetting)
         for i in range(n):
@@ -85,9 +94,10 @@ def excitation(r: FloatTable, j: int) -> float:
 
 
 @law
-def solve(s: Triangle, n: int, least: float, out: FloatArray) -> bool:
+def solve(regression: Regression, least: float, out: FloatArray) -> bool:
     """Write the estimate to ``out``; False, without writing, if an excitation is below ``least``."""
-    _, z, r = parts(s, n)
+    _, z, r = regression
+    n = len(z)
     for j in range(n):
         if excitation(r, j) < least:
             return False
@@ -109,7 +119,8 @@ class Memory(Layout):
     ridge: float
     started: float
     t: float
-    triangle: Triangle
+    sums: Sums
+    numbers: Annotated[FloatArray, None]
 
 
 class Fit(msgspec.Struct, frozen=True):
@@ -188,7 +199,7 @@ class RecursiveLeastSquares(CompiledStage):
             )
         self.count = int(self.count)
         self._start = starting(self.count, self.start)
-        self.states = 2 + states(self.count)
+        self.states = 2 + Sums.length + numbers(self.count)
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
@@ -208,19 +219,19 @@ class RecursiveLeastSquares(CompiledStage):
         h = 0.0 if last_t is None or now is None else now - last_t
         if now is not None:
             memory.started, memory.t = 1.0, now
-        regressor_now, z, root = parts(memory.triangle, self.count)
-        if memory.ridge > 0.0 and memory.triangle.samples == 0.0:
+        regression = parts(memory.numbers, self.count)
+        if memory.ridge > 0.0 and memory.sums.samples == 0.0:
             # The start of a ridge regression: A = r I, psi = r start.
             weight = sqrt(float(memory.ridge))
-            np.fill_diagonal(root, weight)
-            z[:] = weight * self._start
-        regressor_now[:] = w
-        advance(memory.triangle.memory, self.count, memory.forgetting * exp(-memory.rate * h), y)
+            np.fill_diagonal(regression.R, weight)
+            regression.z[:] = weight * self._start
+        regression.w[:] = w
+        advance(memory.sums, regression, memory.forgetting * exp(-memory.rate * h), y)
 
     def fit(self) -> Fit:
         """The current estimate and its quality."""
         memory = Memory(self._memory)
-        return fit(memory.triangle, self.count, float(memory.least))
+        return fit(memory.sums, parts(memory.numbers, self.count), float(memory.least))
 
 
 def starting(count: int, start: ArrayLike | None) -> FloatArray:
@@ -270,9 +281,10 @@ def moment(t: float, last_t: float | None) -> float:
     return now
 
 
-def fit(s: Triangle, count: int, least: float) -> Fit:
-    """The fit of a regression."""
-    _, z, triangle = parts(s, count)
+def fit(s: Sums, regression: Regression, least: float) -> Fit:
+    """The estimate of a regression and its quality."""
+    _, z, triangle = regression
+    count = len(z)
     sines = [excitation(triangle, j) for j in range(count)]
     unexcited = tuple(j for j, sine in enumerate(sines) if sine < least)
     samples, effective, square = int(s.samples), float(s.effective), float(s.residual)

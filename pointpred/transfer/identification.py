@@ -47,7 +47,8 @@ N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LO
 (
     _,
     SKIPPED,
-    SOLVER,
+    SUMS,
+    NUMBERS,
     BANDS,
     ROW,
     STARTED,
@@ -66,7 +67,8 @@ N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LO
 ) = offsets(
     LEARNED,
     1,
-    least_squares.states(COEFFICIENTS_MOST),
+    least_squares.Sums.length,
+    least_squares.numbers(COEFFICIENTS_MOST),
     bands.states(COEFFICIENTS_MOST),
     COEFFICIENTS_MOST,
     *[1] * 10,
@@ -81,10 +83,10 @@ REFUSED, TAKEN, LEFT_OUT = -1.0, 0.0, 1.0
 def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
     """Add output = row . c at a speed of the hand to the recursion and to its band."""
     n = int(memory[N])
-    w, _, _ = least_squares.parts(least_squares.Triangle(memory, SOLVER), n)
+    regression = least_squares.parts(memory[NUMBERS:BANDS], n)
     for j in range(n):
-        w[j] = memory[row + j]
-    least_squares.advance(least_squares.Triangle(memory, SOLVER), n, memory[FORGETTING], output)
+        regression.w[j] = memory[row + j]
+    least_squares.advance(least_squares.Sums(memory, SUMS), regression, memory[FORGETTING], output)
     band = (speed - memory[SPEED_LOW]) / memory[BAND_WIDTH]
     model = bands.Model(n, 1 - int(memory[POWER]), memory[FORGETTING])
     bands.learn(memory, BANDS, model, band, row, output)
@@ -309,7 +311,11 @@ class PolynomialIdentifier(CompiledStage):
         samples lie. ``"gain"`` weighs bands of speed so that the largest relative error of the gain is small;
         with fewer bands than coefficients it uses the samples.
         """
-        fitted = fit(least_squares.Triangle(self._memory, SOLVER), self.count, self.least_excitation)
+        fitted = fit(
+            least_squares.Sums(self._memory, SUMS),
+            least_squares.parts(self._memory[NUMBERS:BANDS], self.count),
+            self.least_excitation,
+        )
         shift = 0 if self.offset else 1
         linear = 1 - shift
         skipped = int(self._memory[SKIPPED])

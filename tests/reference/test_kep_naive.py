@@ -63,8 +63,9 @@ def fitted(distances: FloatArray, speeds: FloatArray, degree: int) -> FloatArray
     """Coefficients of the recursive fit, from the constant up, of the distance in px."""
     fit = kep.Fit(np.zeros(kep.Fit.length))
     for distance, speed in zip(distances, speeds, strict=True):
-        kep.add(fit.memory, degree, distance, speed)
-    assert least_squares.solve(fit.regression, degree + 1, kep.EXCITATION_LEAST, fit.coefficients)
+        kep.add(fit, degree, distance, speed)
+    regression = least_squares.parts(fit.numbers, degree + 1)
+    assert least_squares.solve(regression, kep.EXCITATION_LEAST, fit.coefficients)
     return fit.coefficients[: degree + 1]
 
 
