@@ -12,8 +12,8 @@ from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.regression import drem
 
-UNKNOWNS = 3
-"""theta = (1/b2, b1/b2, T)"""
+UNKNOWNS, T = 3, 2
+"""theta = (1/b2, b1/b2, T); where T is in it."""
 
 
 class Settings(Layout):
@@ -67,10 +67,10 @@ def advance(settings: Settings, axis: Axis, t: float, x: float, v: float, a: flo
     w, theta = regression.w, regression.theta
     w[0], w[1], w[2] = -a, -v, 1.0
     if abs(v) < settings.threshold * axis.peak:
-        theta[2] = before
+        theta[T] = before
         solved = drem.advance(axis.regression, regression, settings.delay_s, settings.gamma, t, x)
-        if solved and abs(theta[2] - before) < settings.bound * abs(x):
-            axis.endpoint = theta[2]
+        if solved and abs(theta[T] - before) < settings.bound * abs(x):
+            axis.endpoint = theta[T]
     else:
         drem.remember(axis.regression, regression, settings.delay_s, t, x)
         if a * v >= 0.0:

@@ -47,7 +47,7 @@ class Regression(NamedTuple):
     """The mixed output Y~."""
     Phi: FloatTable
     """The extended regressor."""
-    scratch: FloatTable
+    scratch: FloatArray
     past: FloatArray
     """The ring of past w and y."""
 
@@ -70,7 +70,7 @@ def parts(memory: FloatArray, n: int) -> Regression:
         memory[3 * n : 4 * n],
         memory[4 * n : 5 * n],
         memory[tables : tables + n * n].reshape(n, n),
-        memory[tables + n * n : ring].reshape(n, n),
+        memory[tables + n * n : ring],
         memory[ring:],
     )
 
@@ -116,8 +116,8 @@ def mix3(a: FloatTable, y: FloatArray, out: FloatArray) -> float:
 
 
 @law
-def mix(a: FloatTable, y: FloatArray, out: FloatArray, scratch: FloatTable) -> float:
-    """Write adj(A) y to ``out`` and return det A.
+def mix(a: FloatTable, y: FloatArray, out: FloatArray, scratch: FloatArray) -> float:
+    """Write adj(A) y to ``out`` and return det A; ``scratch`` has room for A.
 
     Entry i of adj(A) y is the determinant of A with column i replaced by y (Cramer), which holds, and is
     smooth, for singular A as well: it is never formed from an inverse.
@@ -125,11 +125,12 @@ def mix(a: FloatTable, y: FloatArray, out: FloatArray, scratch: FloatTable) -> f
     n = len(y)
     if n == 3:
         return mix3(a, y, out)
+    replaced = scratch.reshape(n, n)
     for column in range(-1, n):
         for i in range(n):
             for j in range(n):
-                scratch[i, j] = y[i] if j == column else a[i, j]
-        value = determinant(scratch)
+                replaced[i, j] = y[i] if j == column else a[i, j]
+        value = determinant(replaced)
         if column < 0:
             phi = value
         else:
@@ -145,9 +146,10 @@ def extend(r: Regression, delay_s: float, t: float) -> bool:
     the determinant lies in [-1, 1] in any units.
     """
     n = len(r.w)
+    past, samples = delay.Ring(r.past), delay.capacity(n - 1)
     for i in range(n):
         row = r.Phi[i]
-        known, y = delay.delayed(delay.Ring(r.past), delay.capacity(n - 1), t - i * delay_s, row)
+        known, y = delay.delayed(past, samples, t - i * delay_s, row)
         if not known:
             return False
         square = 0.0

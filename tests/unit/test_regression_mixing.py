@@ -33,7 +33,7 @@ def exact_adjugate_times(rows: list[list[Fraction]], y: list[Fraction]) -> list[
 def mix(matrix: np.ndarray, y: np.ndarray) -> tuple[float, np.ndarray]:
     n = len(y)
     given, mixed = (matrix.copy(), y.copy()), np.zeros(n)
-    phi = drem.mix(matrix, y, mixed, np.zeros((n, n)))
+    phi = drem.mix(matrix, y, mixed, np.zeros(n * n))
     assert np.array_equal(matrix, given[0])
     assert np.array_equal(y, given[1])
     return phi, mixed
