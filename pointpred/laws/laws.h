@@ -110,9 +110,11 @@ typedef struct { double f0; double f1; double f2; double f3; double f4; double f
 typedef struct { int64_t f0; features_Frame f1; } Tq_features_Frame_;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; int64_t f4; } T5q;
 typedef struct { double c0; double c1; double c2; double c3; double c4; } kep_Quartic;
+typedef struct { Vector w; Vector z; Table R; } least_squares_Regression;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; double f9; double f10; double f11; double f12; double f13; double f14; double f15; double f16; double f17; double f18; double f19; double f20; double f21; } T22d;
 typedef struct { bool f0; double f1; double f2; double f3; } Tb3d;
-typedef struct { bool f0; int64_t f1; int64_t f2; double f3; } Tb2qd;
+typedef struct { Vector w; Vector largest; Vector theta; Vector Y; Vector mixed; Table Phi; Vector scratch; Vector past; } drem_Regression;
+typedef struct { bool f0; double f1; } Tbd;
 typedef struct { double x; double y; double sxx; double sxy; double syy; double tail; } posterior_Law;
 typedef struct { double x; double y; double trail_x; double trail_y; double vx; double vy; double log_way; double log_sweep; } posterior_Situation;
 typedef struct { double far; double gx; double gy; double gxy; double hx; double hy; } rectangle_mass_Distance;
@@ -127,7 +129,6 @@ typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; } T4q;
 typedef struct { Table f0; Table f1; Table f2; } T3_Table_;
 typedef struct { Table f0; Vector f1; Vector f2; Vector f3; } T_Table_3_Vector_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; } T8d;
-typedef struct { bool f0; double f1; } Tbd;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; } assistance_OffsetReport;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; double sxx; double sxy; double syy; } assistance_GuidedReport;
 typedef struct { int64_t n; int64_t linear; double forgetting; } bands_Model;
@@ -139,13 +140,7 @@ typedef struct {
   double v[2];
   double a[2];
   double span_s;
-} difference_Differences;
-typedef struct {
-  double metres_per_count;
-  double metres_per_px;
-  double gap_s;
-  double pause_s;
-} sampling_Settings;
+} differentiators_difference_Differences;
 typedef struct {
   double started;
   double t;
@@ -159,49 +154,55 @@ typedef struct {
   double since;
   double last_u;
   double last_v;
-} sampling_State;
+} differentiators_sampling_State;
 typedef struct {
-  sampling_Settings sampling;
+  double metres_per_count;
+  double metres_per_px;
+  double gap_s;
+  double pause_s;
+} differentiators_sampling_Settings;
+typedef struct {
+  differentiators_sampling_State sampling;
+  differentiators_difference_Differences last;
+} differentiators_difference_State;
+typedef struct {
+  differentiators_sampling_Settings sampling;
   double shortest_s;
-} difference_Settings;
+} differentiators_difference_Settings;
 typedef struct {
-  sampling_State sampling;
-  difference_Differences last;
-} difference_State;
+  differentiators_difference_Settings settings;
+  differentiators_difference_State state;
+} differentiators_difference_Memory;
 typedef struct {
-  difference_Settings settings;
-  difference_State state;
-} difference_Memory;
-typedef struct {
-  double z[8];
-} homogeneous_Axis;
-typedef struct {
-  sampling_Settings sampling;
+  differentiators_sampling_Settings sampling;
   double order;
   double alpha;
   double step_s;
   double hold;
   double settle_s;
   double gain[8];
-} homogeneous_Settings;
+} differentiators_homogeneous_Settings;
 typedef struct {
-  homogeneous_Axis x;
-  homogeneous_Axis y;
+  double z[8];
+} differentiators_homogeneous_Axis;
+typedef struct {
+  differentiators_homogeneous_Axis x;
+  differentiators_homogeneous_Axis y;
   double slope[2];
-} homogeneous_Estimates;
+} differentiators_homogeneous_Estimates;
 typedef struct {
-  sampling_State sampling;
-  homogeneous_Estimates estimates;
-} homogeneous_State;
+  differentiators_sampling_State sampling;
+  differentiators_homogeneous_Estimates estimates;
+} differentiators_homogeneous_State;
 typedef struct {
-  homogeneous_Settings settings;
-  homogeneous_State state;
-} homogeneous_Memory;
+  differentiators_homogeneous_Settings settings;
+  differentiators_homogeneous_State state;
+} differentiators_homogeneous_Memory;
 typedef struct {
-  sampling_Settings sampling;
+  differentiators_sampling_Settings sampling;
   double jerk_density;
   double noise;
-} kalman_Settings;
+} differentiators_kalman_Settings;
 typedef struct {
   double p00;
   double p01;
@@ -209,20 +210,20 @@ typedef struct {
   double p11;
   double p12;
   double p22;
-} kalman_Covariance;
+} differentiators_kalman_Covariance;
 typedef struct {
   double x[3];
   double y[3];
-  kalman_Covariance covariance;
-} kalman_Plane;
+  differentiators_kalman_Covariance covariance;
+} differentiators_kalman_Plane;
 typedef struct {
-  sampling_State sampling;
-  kalman_Plane plane;
-} kalman_State;
+  differentiators_sampling_State sampling;
+  differentiators_kalman_Plane plane;
+} differentiators_kalman_State;
 typedef struct {
-  kalman_Settings settings;
-  kalman_State state;
-} kalman_Memory;
+  differentiators_kalman_Settings settings;
+  differentiators_kalman_State state;
+} differentiators_kalman_Memory;
 typedef struct {
   double known;
   double t;
@@ -233,7 +234,155 @@ typedef struct {
   double y0;
   double peak;
   double path;
-} movement_State;
+} predictors_movement_State;
+typedef struct {
+  double x;
+  double y;
+  double unit_x;
+  double unit_y;
+  double fallen;
+} predictors_delphian_Peak;
+typedef struct {
+  double slope;
+  double offset;
+  double fall;
+} predictors_delphian_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_delphian_Peak peak;
+} predictors_delphian_State;
+typedef struct {
+  predictors_delphian_Settings settings;
+  predictors_delphian_State state;
+} predictors_delphian_Memory;
+typedef struct {
+  double horizon_s;
+  double jerk_density;
+  double noise_px;
+  double gap_s;
+} predictors_kalman_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  differentiators_kalman_Plane expected;
+} predictors_kalman_State;
+typedef struct {
+  predictors_kalman_Settings settings;
+  predictors_kalman_State state;
+} predictors_kalman_Memory;
+typedef struct {
+  double samples;
+  double effective;
+  double residual;
+} regression_least_squares_Sums;
+typedef struct {
+  regression_least_squares_Sums sums;
+  double numbers[35];
+  double coefficients[5];
+} predictors_kep_Fit;
+typedef struct {
+  double predicted;
+  double accepted;
+  double x;
+  double y;
+} predictors_kep_Check;
+typedef struct {
+  double degree;
+  double reach;
+  double change_most;
+} predictors_kep_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_kep_Fit fit;
+  predictors_kep_Check check;
+} predictors_kep_State;
+typedef struct {
+  predictors_kep_Settings settings;
+  predictors_kep_State state;
+} predictors_kep_Memory;
+typedef struct {
+  double count;
+  double samples[8][3];
+} predictors_linear_Past;
+typedef struct {
+  double horizon_s;
+  double window_s;
+} predictors_linear_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_linear_Past past;
+} predictors_linear_State;
+typedef struct {
+  predictors_linear_Settings settings;
+  predictors_linear_State state;
+} predictors_linear_Memory;
+typedef struct {
+  double count;
+  double newest;
+  double samples[];
+} regression_delay_Ring;
+typedef struct {
+  double started;
+  double t;
+  double phi;
+  double excitation;
+} regression_drem_State;
+typedef struct {
+  double threshold;
+  double bound;
+  double delay_s;
+  double gamma;
+} predictors_switched_Settings;
+typedef struct {
+  double peak;
+  double x;
+  double endpoint;
+  regression_drem_State regression;
+  double numbers[695];
+} predictors_switched_Axis;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_switched_Axis x;
+  predictors_switched_Axis y;
+} predictors_switched_State;
+typedef struct {
+  predictors_switched_Settings settings;
+  predictors_switched_State state;
+} predictors_switched_Memory;
+typedef struct {
+  double peak;
+  double peak_x;
+  double peak_y;
+  double valley;
+  double valley_x;
+  double valley_y;
+  double start_x;
+  double start_y;
+} predictors_switched_direction_Submovement;
+typedef struct {
+  double vx;
+  double vy;
+  double x;
+  double y;
+  double cross;
+  double square_;
+} predictors_switched_direction_Hand;
+typedef struct {
+  double rise;
+  double typical_s;
+  double own;
+  double turn;
+  double watched;
+  double stopping;
+} predictors_switched_direction_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_switched_direction_Submovement submovement;
+  predictors_switched_direction_Hand hand;
+} predictors_switched_direction_State;
+typedef struct {
+  predictors_switched_direction_Settings settings;
+  predictors_switched_direction_State state;
+} predictors_switched_direction_Memory;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
 static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
 static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
@@ -241,28 +390,28 @@ static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { 
 static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 static inline pixels_CountsRow pixels_CountsRow_of_T3d(T3d value) { return (pixels_CountsRow){value.f0, value.f1, value.f2}; }
-void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt);
-T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event);
-double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
-double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double place, double h, int64_t steps);
-void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * settings);
-void differentiators_homogeneous_place_poles(homogeneous_Settings * settings, double gain_lambda, double gain_xi);
-void differentiators_homogeneous_settle(homogeneous_Memory * memory);
-double differentiators_homogeneous_settling(homogeneous_Memory * memory, double speed, double h, int64_t steps);
-T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_EventRow event);
-void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double noise, double measured);
-void differentiators_kalman_fill(Vector values, kalman_Settings * settings);
-void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
-void differentiators_kalman_narrow(kalman_Covariance * p, double noise);
+void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt);
+T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event);
+double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
+double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * memory, double place, double h, int64_t steps);
+void differentiators_homogeneous_fill(Vector values, differentiators_homogeneous_Settings * settings);
+void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi);
+void differentiators_homogeneous_settle(differentiators_homogeneous_Memory * memory);
+double differentiators_homogeneous_settling(differentiators_homogeneous_Memory * memory, double speed, double h, int64_t steps);
+T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event);
+void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
+void differentiators_kalman_fill(Vector values, differentiators_kalman_Settings * settings);
+void differentiators_kalman_follow(differentiators_kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
+void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise);
 void differentiators_kalman_predict(Vector axis, double dt);
-void differentiators_kalman_restart(kalman_Plane * plane, double noise);
-double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_State * samples);
-void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, double dt);
-T10d differentiators_kalman_step(kalman_Memory * memory, records_EventRow event);
-Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_State * s, records_EventRow event);
+void differentiators_kalman_restart(differentiators_kalman_Plane * plane, double noise);
+double differentiators_kalman_settle_s(differentiators_kalman_Settings * settings, differentiators_sampling_State * samples);
+void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt);
+T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event);
+Tq3db differentiators_sampling_accept(differentiators_sampling_Settings * settings, differentiators_sampling_State * s, records_EventRow event);
 void differentiators_sampling_fill(Vector values, Vector memory);
-T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
-double differentiators_sampling_settled(sampling_State * s, double samples, double settle_s);
+T10d differentiators_sampling_motion(differentiators_sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
+double differentiators_sampling_settled(differentiators_sampling_State * s, double samples, double settle_s);
 bool follow__predictors_adaptation_predictor_step(Vector memory, T10d row, Vector shared_0);
 bool follow__predictors_delphian_step(Vector memory, T10d row);
 bool follow__predictors_hold_step(Vector memory, T10d row);
@@ -462,19 +611,19 @@ void predictors_adaptation_time_left_learn(Vector memory, T3q place, T2d span, d
 void predictors_adaptation_time_left_solve(Vector memory, int64_t person, Vector prior, Vector weights);
 T2d predictors_adaptation_time_left_stated(Vector memory, T3q place, T3d cursor, double since, double median, time_left_Estimates estimates, time_left_Way way, time_left_Pace pace);
 T7d predictors_adaptation_time_left_terms(time_left_Estimates estimates, time_left_Way way, time_left_Pace pace, double since, double median);
-T10d predictors_delphian_step(Vector memory, T10d motion);
-T10d predictors_hold_step(Vector memory, T10d motion);
-T3d predictors_kalman_correct(Vector memory, int64_t mean, double measured);
-void predictors_kalman_expect(Vector memory, double dt, double x, double y);
-void predictors_kalman_expect_rest(Vector memory, double x, double y);
-T10d predictors_kalman_step(Vector memory, T10d motion);
-void predictors_kep_add(Vector memory, double distance, double speed);
+T10d predictors_delphian_step(predictors_delphian_Memory * memory, T10d motion);
+T10d predictors_hold_step(predictors_movement_State * s, T10d motion);
+T3d predictors_kalman_corrected(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
+void predictors_kalman_expect(differentiators_kalman_Plane * plane, double noise, double jerk_density, double dt, double x, double y);
+void predictors_kalman_expect_rest(differentiators_kalman_Plane * plane, double noise, double x, double y);
+T10d predictors_kalman_step(predictors_kalman_Memory * memory, T10d motion);
+void predictors_kep_add(predictors_kep_Fit * fit, int64_t degree, double distance, double speed);
 T2d predictors_kep_bends(kep_Quartic p, double far);
 kep_Quartic predictors_kep_derivative(kep_Quartic p);
 double predictors_kep_first_zero(kep_Quartic p, double far);
-void predictors_kep_judge(Vector memory, double length, double x, double y);
-double predictors_kep_remaining(Vector memory, double travelled);
-T10d predictors_kep_step(Vector memory, T10d motion);
+void predictors_kep_judge(predictors_kep_Check * check, double change_most, double length, double x, double y);
+double predictors_kep_remaining(predictors_kep_Fit * fit, int64_t degree, double reach, double travelled);
+T10d predictors_kep_step(predictors_kep_Memory * memory, T10d motion);
 double predictors_kep_value(kep_Quartic p, double w);
 double predictors_kep_zero_between(kep_Quartic p, double low, double high);
 double predictors_kinematic_features_ahead(double ratio);
@@ -514,11 +663,11 @@ T10d predictors_ktm_step(Vector memory, T10d motion);
 int64_t predictors_ktm_template(Vector memory, int64_t k);
 int64_t predictors_ktm_template_count(Vector memory);
 int64_t predictors_ktm_winner(Vector memory, int64_t at, double times);
-Tb3d predictors_linear_before(Vector memory, double t);
-void predictors_linear_remember(Vector memory, double t, double x, double y);
-T10d predictors_linear_step(Vector memory, T10d motion);
+Tb3d predictors_linear_before(predictors_linear_Past * past, double window_s, double t);
+void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y);
+T10d predictors_linear_step(predictors_linear_Memory * memory, T10d motion);
 T2d predictors_minimum_jerk_progress(double ratio);
-T10d predictors_minimum_jerk_step(Vector memory, T10d motion);
+T10d predictors_minimum_jerk_step(predictors_movement_State * s, T10d motion);
 double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points);
 double predictors_mixture_corrected_probability(double level, double tail, double near, double far);
 double predictors_mixture_corrected_radius(double level, double heavy, double offset);
@@ -538,18 +687,18 @@ double predictors_mixture_share_above(Table parts, int64_t count, int64_t points
 double predictors_mixture_squared_radius(double share, double tail);
 double predictors_mixture_squared_radius_over_tail(double level, double heavy);
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points);
-int64_t predictors_movement_fault_of(movement_State * s, records_MotionRow m);
-Tqbd predictors_movement_follow(movement_State * s, records_MotionRow m);
-double predictors_movement_phase(movement_State * s, records_MotionRow m);
-T10d predictors_movement_refuse(movement_State * s, records_MotionRow m, int64_t fault);
-double predictors_switched_advance(Vector memory, int64_t axis, double t, double place, double v, double a);
-double predictors_switched_direction_approach(Vector memory, double px_m, double x, double y, double speed);
-void predictors_switched_direction_begin_submovement(Vector memory, int64_t at, double x, double y);
-void predictors_switched_direction_follow_submovement(Vector memory, int64_t at, double rise, double x, double y, double speed);
-double predictors_switched_direction_gain(Vector memory, double dt, double away_x, double away_y, double vx, double vy);
-T10d predictors_switched_direction_step(Vector memory, T10d motion);
+int64_t predictors_movement_fault_of(predictors_movement_State * s, records_MotionRow m);
+Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m);
+double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m);
+T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault);
+double predictors_switched_advance(predictors_switched_Settings * settings, predictors_switched_Axis * axis, double t, double x, double v, double a);
+double predictors_switched_direction_approach(predictors_switched_direction_Settings * settings, predictors_switched_direction_Submovement * s, double px_m, double x, double y, double speed);
+void predictors_switched_direction_begin_submovement(predictors_switched_direction_Submovement * s, double x, double y);
+void predictors_switched_direction_follow_submovement(predictors_switched_direction_Submovement * s, double rise, double x, double y, double speed);
+double predictors_switched_direction_gain(predictors_switched_direction_Hand * hand, double dt, double away_x, double away_y, double vx, double vy);
+T10d predictors_switched_direction_step(predictors_switched_direction_Memory * memory, T10d motion);
 double predictors_switched_direction_time_constant(double own, double typical_s, double done, double peak);
-T10d predictors_switched_step(Vector memory, T10d motion);
+T10d predictors_switched_step(predictors_switched_Memory * memory, T10d motion);
 T10d records_endpoint(double t, double x, double y, double phase);
 T6d records_event_at(Table table, int64_t i);
 int64_t records_fault_of_event(records_EventRow event);
@@ -557,26 +706,24 @@ T10d records_refused(int64_t code, double value);
 T10d records_row_at(Table table, int64_t i);
 double regions_reach(double level, double tail);
 int64_t regression_delay_capacity(int64_t delays);
-Tb2qd regression_delay_find(Vector memory, int64_t at, int64_t width, int64_t samples, double t);
-int64_t regression_delay_push(Vector memory, int64_t at, int64_t width, int64_t samples, double spacing, double t);
-int64_t regression_delay_states(int64_t width, int64_t samples);
-bool regression_drem_advance(Vector memory, int64_t at, int64_t n, double delay_s, double gamma, T2d sample);
-double regression_drem_determinant(Vector memory, int64_t at, int64_t n);
-int64_t regression_drem_estimates(int64_t at, int64_t n);
-bool regression_drem_extend(Vector memory, int64_t at, int64_t n, double delay_s, double t);
-double regression_drem_mix(Vector memory, int64_t a, int64_t y, int64_t n, int64_t out, int64_t scratch);
-double regression_drem_mix3(Vector memory, int64_t a, int64_t y, int64_t out);
-double regression_drem_remember(Vector memory, int64_t at, int64_t n, double delay_s, double t, double output);
-int64_t regression_drem_ring(int64_t at, int64_t n);
-int64_t regression_drem_states(int64_t n);
-int64_t regression_drem_work(int64_t n);
+Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, double t, Vector w);
+void regression_delay_push(regression_delay_Ring * ring, int64_t samples, double spacing, double t, Vector w, double y);
+int64_t regression_delay_states(int64_t n, int64_t samples);
+bool regression_drem_advance(regression_drem_State * s, drem_Regression r, double delay_s, double gamma, double t, double y);
+double regression_drem_determinant(Table a);
+bool regression_drem_extend(drem_Regression r, double delay_s, double t);
+double regression_drem_mix(Table a, Vector y, Vector out, Vector scratch);
+double regression_drem_mix3(Table a, Vector y, Vector out);
+int64_t regression_drem_numbers(int64_t n);
+drem_Regression regression_drem_parts(Vector memory, int64_t n);
+double regression_drem_remember(regression_drem_State * s, drem_Regression r, double delay_s, double t, double y);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
 void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h);
-void regression_least_squares_advance(Vector memory, int64_t at, int64_t n, double forgetting, double output);
-double regression_least_squares_excitation(Vector memory, int64_t at, int64_t n, int64_t j);
-int64_t regression_least_squares_root(int64_t at, int64_t n);
-bool regression_least_squares_solve(Vector memory, int64_t at, int64_t n, double least, int64_t out);
-int64_t regression_least_squares_states(int64_t n);
+void regression_least_squares_advance(regression_least_squares_Sums * s, least_squares_Regression regression, double forgetting, double output);
+double regression_least_squares_excitation(Table r, int64_t j);
+int64_t regression_least_squares_numbers(int64_t n);
+least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n);
+bool regression_least_squares_solve(least_squares_Regression regression, double least, Vector out);
 void scoring_measures_endpoint_hits(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Table discs, Vector shares, Table out);
 void scoring_measures_endpoint_measure(Table rows, Table answers, Vector fractions, WholeVector offsets, WholeVector arrivals, Table out, WholeVector faults);
 int64_t scoring_measures_endpoint_measure_trial(Table rows, Table answers, Vector fractions, int64_t arrival, Vector out);

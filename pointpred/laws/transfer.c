@@ -5,7 +5,6 @@ static const double records_LARGEST = 1000000000.0;
 static const double records_LATEST_S = 100000000000.0;
 static const double records_METRES_PER_INCH = 0.0254;
 static const double records_ROUNDING_S = 1e-06;
-static const int64_t regression_least_squares_REGRESSOR = 3;
 static const int64_t transfer_assistance_ASSISTED = 2;
 static const int64_t transfer_assistance_GUARDED = 5;
 static const int64_t transfer_assistance_OWED = 22;
@@ -39,6 +38,7 @@ static const double transfer_identification_LEFT_OUT = 1.0;
 static const int64_t transfer_identification_METRES_PER_COUNT = 2;
 static const int64_t transfer_identification_METRES_PER_PX = 3;
 static const int64_t transfer_identification_N = 0;
+static const int64_t transfer_identification_NUMBERS = 13;
 static const int64_t transfer_identification_PATH = 251;
 static const int64_t transfer_identification_POWER = 1;
 static const double transfer_identification_REFUSED = -1.0;
@@ -46,11 +46,11 @@ static const int64_t transfer_identification_ROW = 236;
 static const int64_t transfer_identification_ROW_X = 253;
 static const int64_t transfer_identification_ROW_Y = 260;
 static const int64_t transfer_identification_SKIPPED = 9;
-static const int64_t transfer_identification_SOLVER = 10;
 static const int64_t transfer_identification_SPEED_LOW = 7;
 static const int64_t transfer_identification_STARTED = 243;
 static const int64_t transfer_identification_START_X = 249;
 static const int64_t transfer_identification_START_Y = 250;
+static const int64_t transfer_identification_SUMS = 10;
 static const int64_t transfer_identification_T = 244;
 static const double transfer_identification_TAKEN = 0.0;
 static const int64_t transfer_identification_WAITING_X = 247;
@@ -324,13 +324,15 @@ void transfer_functions_evaluate(Vector memory, Vector speeds, bool wanted_gain,
 /* Add output = row . c at a speed of the hand to the recursion and to its band. */
 void transfer_identification_learn(Vector memory, int64_t row, double output, double speed) {
   int64_t n;
+  least_squares_Regression regression;
   double band;
   bands_Model model;
   n = (int64_t)memory.p[transfer_identification_N];
+  regression = regression_least_squares_parts((Vector){memory.p + transfer_identification_NUMBERS, transfer_identification_BANDS - transfer_identification_NUMBERS}, n);
   for (int64_t j = 0; j < n; j++) {
-    memory.p[transfer_identification_SOLVER + regression_least_squares_REGRESSOR + j] = memory.p[row + j];
+    regression.w.p[j] = memory.p[row + j];
   }
-  regression_least_squares_advance(memory, transfer_identification_SOLVER, n, memory.p[transfer_identification_FORGETTING], output);
+  regression_least_squares_advance((regression_least_squares_Sums *)(memory.p + transfer_identification_SUMS), regression, memory.p[transfer_identification_FORGETTING], output);
   band = (speed - memory.p[transfer_identification_SPEED_LOW]) / memory.p[transfer_identification_BAND_WIDTH];
   model = (bands_Model){n, 1 - (int64_t)memory.p[transfer_identification_POWER], memory.p[transfer_identification_FORGETTING]};
   transfer_bands_learn(memory, transfer_identification_BANDS, model, band, row, output);
