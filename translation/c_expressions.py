@@ -454,6 +454,8 @@ class Expressions:
                 name = member(self.reader, owner, word)
             case ast.Attribute(value=array, attr="copy") if not node.args:
                 return self._copy(node, self.value(array))
+            case ast.Attribute(value=array, attr="reshape"):
+                return self._table(node, self.value(array))
             case _:
                 raise self.error(node, f"call of {ast.unparse(node.func)}")
         if (layout := layout_of(name)) is not None:
@@ -524,6 +526,8 @@ class Expressions:
                 return set().union(*map(self.base, parts))
             case ast.Call(func=ast.Attribute(attr="empty" | "zeros" | "copy")):
                 return set()
+            case ast.Call(func=ast.Attribute(value=value, attr="reshape")):
+                return self.base(value)
             case ast.Call(args=parts):
                 return set().union(*map(self.base, parts))
         return set()
@@ -534,6 +538,14 @@ class Expressions:
         name, of, array = self._buffer(node), value.kind.of.c, value.within(CALL)
         self.before.append(f"RELEASED {of} *{name} = copied({array}.p, sizeof({of}) * {array}.n);")
         return Value(f"({value.kind.c}){{{name}, {array}.n}}", value.kind, CALL)
+
+    def _table(self, node: ast.Call, value: Value) -> Value:
+        """The numbers of an array as rows."""
+        if not isinstance(value.kind, Array) or value.kind.dimensions != 1 or len(node.args) != 2:
+            raise self.error(node, f"{ast.unparse(node)} of {value.kind.c}")
+        kind = Array(value.kind.of, 2)
+        rows, columns = (self.whole(one).text for one in node.args)
+        return Value(f"({kind.c}){{{value.within(CALL)}.p, {rows}, {columns}}}", kind, CALL)
 
     def _buffer(self, node: ast.AST) -> str:
         if self._guarded:

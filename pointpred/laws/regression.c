@@ -1,42 +1,36 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const int64_t regression_delay_COUNT = 0;
-static const int64_t regression_delay_NEWEST = 1;
 static const int64_t regression_delay_PER_DELAY = 64;
-static const int64_t regression_delay_SAMPLES = 2;
-static const int64_t regression_drem_EXCITATION = 3;
-static const int64_t regression_drem_PHI = 2;
-static const int64_t regression_drem_REGRESSOR = 4;
-static const int64_t regression_drem_STARTED = 0;
-static const int64_t regression_drem_T = 1;
-static const int64_t regression_least_squares_EFFECTIVE = 1;
-static const int64_t regression_least_squares_REGRESSOR = 3;
-static const int64_t regression_least_squares_RESIDUAL = 2;
-static const int64_t regression_least_squares_SAMPLES = 0;
 
-/* Offset of R; z lies n floats before it. */
-int64_t regression_least_squares_root(int64_t at, int64_t n) {
-  return at + regression_least_squares_REGRESSOR + 2 * n;
+/* The parts of ``numbers(n)`` floats. */
+least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n) {
+  return (least_squares_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Table){(Vector){memory.p + 2 * n, 2 * n + n * n - 2 * n}.p, n, n}};
 }
 
-/* A = d A + w w', psi = d psi + w y for the regressor w at ``at + REGRESSOR`` and y = ``output``. */
-void regression_least_squares_advance(Vector memory, int64_t at, int64_t n, double forgetting, double output) {
-  int64_t w, z, r;
+/* A = d A + w w', psi = d psi + w y for the regressor w and y = ``output``. */
+void regression_least_squares_advance(regression_least_squares_Sums * s, least_squares_Regression regression, double forgetting, double output) {
+  Vector w, z;
+  Table r;
+  int64_t n;
   double keep, rest, top, low, length, cosine, sine, upper, lower;
-  w = at + regression_least_squares_REGRESSOR;
-  z = at + regression_least_squares_REGRESSOR + n;
-  r = regression_least_squares_root(at, n);
+  w = regression.w;
+  z = regression.z;
+  r = regression.R;
+  n = w.n;
   if (forgetting < 1.0) {
     keep = sqrt(forgetting);
-    for (int64_t i = 0, end_1 = n + n * n; i < end_1; i++) {
-      memory.p[z + i] *= keep;
+    for (int64_t i = 0; i < n; i++) {
+      z.p[i] *= keep;
+      for (int64_t j = 0; j < n; j++) {
+        r.p[i * r.m + j] *= keep;
+      }
     }
   }
   rest = output;
   for (int64_t i = 0; i < n; i++) {
-    top = memory.p[r + i * n + i];
-    low = memory.p[w + i];
+    top = r.p[i * r.m + i];
+    low = w.p[i];
     length = hypot(top, low);
     if (low == 0.0 || length == 0.0) {
       continue;
@@ -44,96 +38,95 @@ void regression_least_squares_advance(Vector memory, int64_t at, int64_t n, doub
     cosine = top / length;
     sine = low / length;
     for (int64_t j = i; j < n; j++) {
-      upper = memory.p[r + i * n + j];
-      lower = memory.p[w + j];
-      memory.p[r + i * n + j] = cosine * upper + sine * lower;
-      memory.p[w + j] = cosine * lower - sine * upper;
+      upper = r.p[i * r.m + j];
+      lower = w.p[j];
+      r.p[i * r.m + j] = cosine * upper + sine * lower;
+      w.p[j] = cosine * lower - sine * upper;
     }
-    double value_2 = cosine * memory.p[z + i] + sine * rest;
-    double value_3 = cosine * rest - sine * memory.p[z + i];
-    memory.p[z + i] = value_2;
-    rest = value_3;
+    double value_1 = cosine * z.p[i] + sine * rest;
+    double value_2 = cosine * rest - sine * z.p[i];
+    z.p[i] = value_1;
+    rest = value_2;
   }
-  memory.p[at + regression_least_squares_SAMPLES] += 1.0;
-  memory.p[at + regression_least_squares_EFFECTIVE] = forgetting * memory.p[at + regression_least_squares_EFFECTIVE] + 1.0;
-  memory.p[at + regression_least_squares_RESIDUAL] = forgetting * memory.p[at + regression_least_squares_RESIDUAL] + rest * rest;
+  s->samples += 1.0;
+  s->effective = forgetting * s->effective + 1.0;
+  s->residual = forgetting * s->residual + rest * rest;
 }
 
 /* The sine of the angle between column j of the data and those before it: 0 if it depends on them. */
-double regression_least_squares_excitation(Vector memory, int64_t at, int64_t n, int64_t j) {
-  int64_t r;
+double regression_least_squares_excitation(Table r, int64_t j) {
   double square_;
-  r = regression_least_squares_root(at, n);
   square_ = 0.0;
   for (int64_t i = 0, end_1 = j + 1; i < end_1; i++) {
-    square_ += memory.p[r + i * n + j] * memory.p[r + i * n + j];
+    square_ += r.p[i * r.m + j] * r.p[i * r.m + j];
   }
-  return square_ > 0.0 ? fabs(memory.p[r + j * n + j]) / sqrt(square_) : 0.0;
+  return square_ > 0.0 ? fabs(r.p[j * r.m + j]) / sqrt(square_) : 0.0;
 }
 
-/* Write the estimate at ``out``; False, without writing, if an excitation is below ``least``. */
-bool regression_least_squares_solve(Vector memory, int64_t at, int64_t n, double least, int64_t out) {
-  int64_t r, z, i;
+/* Write the estimate to ``out``; False, without writing, if an excitation is below ``least``. */
+bool regression_least_squares_solve(least_squares_Regression regression, double least, Vector out) {
+  Vector z;
+  Table r;
+  int64_t n, i;
   double value;
+  z = regression.z;
+  r = regression.R;
+  n = z.n;
   for (int64_t j = 0; j < n; j++) {
-    if (regression_least_squares_excitation(memory, at, n, j) < least) {
+    if (regression_least_squares_excitation(r, j) < least) {
       return false;
     }
   }
-  r = regression_least_squares_root(at, n);
-  z = at + regression_least_squares_REGRESSOR + n;
   for (int64_t back = 0; back < n; back++) {
     i = n - 1 - back;
-    value = memory.p[z + i];
+    value = z.p[i];
     for (int64_t j = i + 1; j < n; j++) {
-      value -= memory.p[r + i * n + j] * memory.p[out + j];
+      value -= r.p[i * r.m + j] * out.p[j];
     }
-    memory.p[out + i] = value / memory.p[r + i * n + i];
+    out.p[i] = value / r.p[i * r.m + i];
   }
   return true;
 }
 
-/* Offset of the n estimates. */
-int64_t regression_drem_estimates(int64_t at, int64_t n) {
-  return at + regression_drem_REGRESSOR + 2 * n;
+/* The parts of ``numbers(n)`` floats. */
+drem_Regression regression_drem_parts(Vector memory, int64_t n) {
+  int64_t tables, ring;
+  tables = 5 * n;
+  ring = tables + 2 * n * n;
+  return (drem_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Vector){memory.p + 2 * n, 3 * n - 2 * n}, (Vector){memory.p + 3 * n, 4 * n - 3 * n}, (Vector){memory.p + 4 * n, 5 * n - 4 * n}, (Table){(Vector){memory.p + tables, tables + n * n - tables}.p, n, n}, (Vector){memory.p + (tables + n * n), ring - (tables + n * n)}, (Vector){memory.p + ring, memory.n - ring}};
 }
 
-/* Make room for the sample at ``t`` (never before the last) and return where its first value goes. */
-int64_t regression_delay_push(Vector memory, int64_t at, int64_t width, int64_t samples, double spacing, double t) {
-  int64_t size, count, newest, before;
+/* Store the sample (t, w, y), never before the last. */
+void regression_delay_push(regression_delay_Ring * ring, int64_t samples, double spacing, double t, Vector w, double y) {
+  int64_t n, size, count, newest, before, at;
   bool keep;
   double last_t;
-  size = 1 + width;
-  count = (int64_t)memory.p[at + regression_delay_COUNT];
-  newest = (int64_t)memory.p[at + regression_delay_NEWEST];
+  n = w.n;
+  size = n + 2;
+  count = (int64_t)ring->count;
+  newest = (int64_t)ring->newest;
   keep = count > 0;
   if (keep) {
-    last_t = memory.p[at + regression_delay_SAMPLES + newest * size];
+    last_t = ring->samples[newest * size];
     keep = t > last_t;
     if (keep && count > 1) {
       before = newest > 0 ? newest - 1 : samples - 1;
-      keep = last_t - memory.p[at + regression_delay_SAMPLES + before * size] >= spacing;
+      keep = last_t - ring->samples[before * size] >= spacing;
     }
   }
   if (keep) {
     newest = newest + 1 < samples ? newest + 1 : 0;
   }
   if (keep || count == 0) {
-    memory.p[at + regression_delay_COUNT] = min_whole(count + 1, samples);
-    memory.p[at + regression_delay_NEWEST] = newest;
+    ring->count = min_whole(count + 1, samples);
+    ring->newest = newest;
   }
-  memory.p[at + regression_delay_SAMPLES + newest * size] = t;
-  return at + regression_delay_SAMPLES + newest * size + 1;
-}
-
-/* Floats of scratch space that ``mix`` needs. */
-int64_t regression_drem_work(int64_t n) {
-  return n * n;
-}
-
-/* Offset of the ring of past samples. */
-int64_t regression_drem_ring(int64_t at, int64_t n) {
-  return at + regression_drem_REGRESSOR + 5 * n + n * n + regression_drem_work(n);
+  at = newest * size;
+  ring->samples[at] = t;
+  for (int64_t j = 0; j < n; j++) {
+    ring->samples[at + 1 + j] = w.p[j];
+  }
+  ring->samples[at + 1 + n] = y;
 }
 
 /* Samples needed to span a number of delays: the two newest and one on each side. */
@@ -141,117 +134,114 @@ int64_t regression_delay_capacity(int64_t delays) {
   return delays * regression_delay_PER_DELAY + 4;
 }
 
-/* Store output = regressor . theta at ``t`` without learning; returns the step in s. */
-double regression_drem_remember(Vector memory, int64_t at, int64_t n, double delay_s, double t, double output) {
-  int64_t scale, slot;
-  double h, value;
-  scale = at + regression_drem_REGRESSOR + n;
-  h = memory.p[at + regression_drem_STARTED] == 1.0 ? t - memory.p[at + regression_drem_T] : 0.0;
-  memory.p[at + regression_drem_STARTED] = 1.0;
-  memory.p[at + regression_drem_T] = t;
-  slot = regression_delay_push(memory, regression_drem_ring(at, n), n + 1, regression_delay_capacity(n - 1), delay_s / regression_delay_PER_DELAY, t);
+/* Store y = w'theta at ``t`` without learning; returns the step in s. */
+double regression_drem_remember(regression_drem_State * s, drem_Regression r, double delay_s, double t, double y) {
+  double h;
+  int64_t n;
+  h = s->started == 1.0 ? t - s->t : 0.0;
+  s->started = 1.0;
+  s->t = t;
+  n = r.w.n;
+  regression_delay_push((regression_delay_Ring *)(r.past.p), regression_delay_capacity(n - 1), delay_s / regression_delay_PER_DELAY, t, r.w, y);
   for (int64_t j = 0; j < n; j++) {
-    value = memory.p[at + regression_drem_REGRESSOR + j];
-    memory.p[slot + j] = value;
-    memory.p[scale + j] = max_float(memory.p[scale + j], fabs(value));
+    r.largest.p[j] = max_float(r.largest.p[j], fabs(r.w.p[j]));
   }
-  memory.p[slot + n] = output;
   return h;
 }
 
-/* The samples around ``t``: (history long enough?, place before, place after, weight of after). */
-Tb2qd regression_delay_find(Vector memory, int64_t at, int64_t width, int64_t samples, double t) {
-  int64_t size, count, newest, last, oldest, low, high, before, after, middle, row, place;
-  size = 1 + width;
-  count = (int64_t)memory.p[at + regression_delay_COUNT];
-  newest = (int64_t)memory.p[at + regression_delay_NEWEST];
-  last = at + regression_delay_SAMPLES + newest * size;
-  if (count > 0 && t >= memory.p[last]) {
-    return (Tb2qd){true, last + 1, last + 1, 0.0};
-  }
+/* Write w(t) and return y(t), on a line between the samples around ``t``: (history long enough?, y). */
+Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, double t, Vector w) {
+  int64_t n, size, count, newest, oldest, before, after, low, high, middle, row;
+  double share, first;
+  n = w.n;
+  size = n + 2;
+  count = (int64_t)ring->count;
+  newest = (int64_t)ring->newest;
   oldest = newest - count + 1;
   if (oldest < 0) {
     oldest += samples;
   }
-  if (count == 0 || t < memory.p[at + regression_delay_SAMPLES + oldest * size]) {
-    return (Tb2qd){false, at, at, 0.0};
+  before = newest * size;
+  after = newest * size;
+  share = 0.0;
+  if (count == 0 || t < ring->samples[oldest * size]) {
+    return (Tbd){false, 0.0};
   }
-  low = 0;
-  high = count - 1;
-  before = at + regression_delay_SAMPLES + oldest * size;
-  after = last;
-  while (high - low > 1) {
-    middle = floor_divided_whole(low + high, 2);
-    row = oldest + middle;
-    if (row >= samples) {
-      row -= samples;
+  if (t < ring->samples[after]) {
+    before = oldest * size;
+    low = 0;
+    high = count - 1;
+    while (high - low > 1) {
+      middle = floor_divided_whole(low + high, 2);
+      row = oldest + middle;
+      if (row >= samples) {
+        row -= samples;
+      }
+      if (ring->samples[row * size] <= t) {
+        low = middle;
+        before = row * size;
+      } else {
+        high = middle;
+        after = row * size;
+      }
     }
-    place = at + regression_delay_SAMPLES + row * size;
-    if (memory.p[place] <= t) {
-      low = middle;
-      before = place;
-    } else {
-      high = middle;
-      after = place;
-    }
+    share = (t - ring->samples[before]) / (ring->samples[after] - ring->samples[before]);
   }
-  return (Tb2qd){true, before + 1, after + 1, (t - memory.p[before]) / (memory.p[after] - memory.p[before])};
+  for (int64_t j = 0; j < n; j++) {
+    first = ring->samples[before + 1 + j];
+    w.p[j] = first + share * (ring->samples[after + 1 + j] - first);
+  }
+  first = ring->samples[before + 1 + n];
+  return (Tbd){true, first + share * (ring->samples[after + 1 + n] - first)};
 }
 
-/* Fill the rows w(t - i delay), y(t - i delay); False if the history is too short or a row is zero. */
-bool regression_drem_extend(Vector memory, int64_t at, int64_t n, double delay_s, double t) {
-  int64_t scale, output, rows, past, samples, before, after;
-  bool long_enough;
-  double share, square_, value, norm, y;
-  scale = at + regression_drem_REGRESSOR + n;
-  output = at + regression_drem_REGRESSOR + 3 * n;
-  rows = output + 2 * n;
-  past = regression_drem_ring(at, n);
+/* Phi and Y: row i is w and y at t - i delay_s; False if the history is too short or a row is zero. */
+bool regression_drem_extend(drem_Regression r, double delay_s, double t) {
+  int64_t n, samples;
+  regression_delay_Ring * past;
+  Vector row;
+  bool known;
+  double y, square_, norm;
+  n = r.w.n;
+  past = (regression_delay_Ring *)(r.past.p);
   samples = regression_delay_capacity(n - 1);
   for (int64_t i = 0; i < n; i++) {
-    Tb2qd values_1 = regression_delay_find(memory, past, n + 1, samples, t - i * delay_s);
-    long_enough = values_1.f0;
-    before = values_1.f1;
-    after = values_1.f2;
-    share = values_1.f3;
-    if (!long_enough) {
+    row = (Vector){r.Phi.p + i * r.Phi.m, r.Phi.m};
+    Tbd values_1 = regression_delay_delayed(past, samples, t - i * delay_s, row);
+    known = values_1.f0;
+    y = values_1.f1;
+    if (!known) {
       return false;
     }
     square_ = 0.0;
     for (int64_t j = 0; j < n; j++) {
-      value = memory.p[before + j] + share * (memory.p[after + j] - memory.p[before + j]);
-      value = memory.p[scale + j] > 0.0 ? value / memory.p[scale + j] : 0.0;
-      memory.p[rows + i * n + j] = value;
-      square_ += value * value;
+      row.p[j] = r.largest.p[j] > 0.0 ? row.p[j] / r.largest.p[j] : 0.0;
+      square_ += row.p[j] * row.p[j];
     }
     if (square_ == 0.0) {
       return false;
     }
     norm = sqrt(square_);
     for (int64_t j = 0; j < n; j++) {
-      memory.p[rows + i * n + j] = memory.p[rows + i * n + j] / norm;
+      row.p[j] = row.p[j] / norm;
     }
-    y = memory.p[before + n] + share * (memory.p[after + n] - memory.p[before + n]);
-    memory.p[output + i] = y / norm;
+    r.Y.p[i] = y / norm;
   }
   return true;
 }
 
 /* ``mix`` for n = 3 in closed form. */
-double regression_drem_mix3(Vector memory, int64_t a, int64_t y, int64_t out) {
-  double a11, a12, a13, a21, a22, a23, a31, a32, a33, y1, y2, y3, c11, c12, c13, c21, c22, c23, c31, c32, c33;
-  a11 = memory.p[a];
-  a12 = memory.p[a + 1];
-  a13 = memory.p[a + 2];
-  a21 = memory.p[a + 3];
-  a22 = memory.p[a + 4];
-  a23 = memory.p[a + 5];
-  a31 = memory.p[a + 6];
-  a32 = memory.p[a + 7];
-  a33 = memory.p[a + 8];
-  y1 = memory.p[y];
-  y2 = memory.p[y + 1];
-  y3 = memory.p[y + 2];
+double regression_drem_mix3(Table a, Vector y, Vector out) {
+  double a11, a12, a13, a21, a22, a23, a31, a32, a33, c11, c12, c13, c21, c22, c23, c31, c32, c33;
+  a11 = a.p[0 * a.m + 0];
+  a12 = a.p[0 * a.m + 1];
+  a13 = a.p[0 * a.m + 2];
+  a21 = a.p[1 * a.m + 0];
+  a22 = a.p[1 * a.m + 1];
+  a23 = a.p[1 * a.m + 2];
+  a31 = a.p[2 * a.m + 0];
+  a32 = a.p[2 * a.m + 1];
+  a33 = a.p[2 * a.m + 2];
   c11 = a22 * a33 - a23 * a32;
   c12 = a23 * a31 - a21 * a33;
   c13 = a21 * a32 - a22 * a31;
@@ -261,67 +251,70 @@ double regression_drem_mix3(Vector memory, int64_t a, int64_t y, int64_t out) {
   c31 = a12 * a23 - a13 * a22;
   c32 = a13 * a21 - a11 * a23;
   c33 = a11 * a22 - a12 * a21;
-  memory.p[out] = c11 * y1 + c21 * y2 + c31 * y3;
-  memory.p[out + 1] = c12 * y1 + c22 * y2 + c32 * y3;
-  memory.p[out + 2] = c13 * y1 + c23 * y2 + c33 * y3;
+  out.p[0] = c11 * y.p[0] + c21 * y.p[1] + c31 * y.p[2];
+  out.p[1] = c12 * y.p[0] + c22 * y.p[1] + c32 * y.p[2];
+  out.p[2] = c13 * y.p[0] + c23 * y.p[1] + c33 * y.p[2];
   return a11 * c11 + a12 * c12 + a13 * c13;
 }
 
-/* The determinant of the row-major n x n matrix at ``at``, which is destroyed. */
-double regression_drem_determinant(Vector memory, int64_t at, int64_t n) {
+/* The determinant of a square matrix, which is destroyed, by elimination with row pivoting. */
+double regression_drem_determinant(Table a) {
+  int64_t n, pivot;
   double result, value, factor;
-  int64_t pivot, top, low;
+  n = a.n;
   result = 1.0;
   for (int64_t k = 0; k < n; k++) {
     pivot = k;
     for (int64_t i = k + 1; i < n; i++) {
-      if (fabs(memory.p[at + i * n + k]) > fabs(memory.p[at + pivot * n + k])) {
+      if (fabs(a.p[i * a.m + k]) > fabs(a.p[pivot * a.m + k])) {
         pivot = i;
       }
     }
-    value = memory.p[at + pivot * n + k];
+    value = a.p[pivot * a.m + k];
     if (value == 0.0) {
       return 0.0;
     }
     if (pivot != k) {
       result = -result;
       for (int64_t j = k; j < n; j++) {
-        top = at + k * n + j;
-        low = at + pivot * n + j;
-        double value_1 = memory.p[low];
-        double value_2 = memory.p[top];
-        memory.p[top] = value_1;
-        memory.p[low] = value_2;
+        double value_1 = a.p[pivot * a.m + j];
+        double value_2 = a.p[k * a.m + j];
+        a.p[k * a.m + j] = value_1;
+        a.p[pivot * a.m + j] = value_2;
       }
     }
     result *= value;
     for (int64_t i = k + 1; i < n; i++) {
-      factor = memory.p[at + i * n + k] / value;
+      factor = a.p[i * a.m + k] / value;
       for (int64_t j = k + 1; j < n; j++) {
-        memory.p[at + i * n + j] -= factor * memory.p[at + k * n + j];
+        a.p[i * a.m + j] -= factor * a.p[k * a.m + j];
       }
     }
   }
   return result;
 }
 
-/* Write adj(A) y at ``out`` and return det A; A is the row-major n x n matrix at ``a``. */
-double regression_drem_mix(Vector memory, int64_t a, int64_t y, int64_t n, int64_t out, int64_t scratch) {
+/* Write adj(A) y to ``out`` and return det A; ``scratch`` has room for A. */
+double regression_drem_mix(Table a, Vector y, Vector out, Vector scratch) {
+  int64_t n;
+  Table replaced;
   double value, phi;
+  n = y.n;
   if (n == 3) {
-    return regression_drem_mix3(memory, a, y, out);
+    return regression_drem_mix3(a, y, out);
   }
+  replaced = (Table){scratch.p, n, n};
   for (int64_t column = -1; column < n; column++) {
     for (int64_t i = 0; i < n; i++) {
       for (int64_t j = 0; j < n; j++) {
-        memory.p[scratch + i * n + j] = j == column ? memory.p[y + i] : memory.p[a + i * n + j];
+        replaced.p[i * replaced.m + j] = j == column ? y.p[i] : a.p[i * a.m + j];
       }
     }
-    value = regression_drem_determinant(memory, scratch, n);
+    value = regression_drem_determinant(replaced);
     if (column < 0) {
       phi = value;
     } else {
-      memory.p[out + column] = value;
+      out.p[column] = value;
     }
   }
   return phi;
@@ -337,42 +330,33 @@ double regression_gradient_descend(double theta, double mixed, double phi, doubl
   return theta - expm1(-exponent) / phi * (mixed - phi * theta);
 }
 
-/* Process a sample (t, regressor . theta); False while the history is shorter than (n - 1) delays. */
-bool regression_drem_advance(Vector memory, int64_t at, int64_t n, double delay_s, double gamma, T2d sample) {
-  int64_t scale, theta, extended, mixed, rows;
-  double t, output, h, phi, target;
-  scale = at + regression_drem_REGRESSOR + n;
-  theta = regression_drem_estimates(at, n);
-  extended = at + regression_drem_REGRESSOR + 3 * n;
-  mixed = extended + n;
-  rows = extended + 2 * n;
-  t = sample.f0;
-  output = sample.f1;
-  h = regression_drem_remember(memory, at, n, delay_s, t, output);
-  memory.p[at + regression_drem_PHI] = 0.0;
-  if (!regression_drem_extend(memory, at, n, delay_s, t)) {
+/* Learn from y = w'theta at ``t``; False while the history is shorter than (n - 1) delays. */
+bool regression_drem_advance(regression_drem_State * s, drem_Regression r, double delay_s, double gamma, double t, double y) {
+  double h, phi;
+  h = regression_drem_remember(s, r, delay_s, t, y);
+  s->phi = 0.0;
+  if (!regression_drem_extend(r, delay_s, t)) {
     return false;
   }
-  phi = regression_drem_mix(memory, rows, extended, n, mixed, rows + n * n);
-  memory.p[at + regression_drem_PHI] = phi;
-  memory.p[at + regression_drem_EXCITATION] += gamma * phi * phi * h;
-  for (int64_t i = 0; i < n; i++) {
-    if (memory.p[scale + i] > 0.0) {
-      target = memory.p[mixed + i] / memory.p[scale + i];
-      memory.p[theta + i] = regression_gradient_descend(memory.p[theta + i], target, phi, gamma, h);
+  phi = regression_drem_mix(r.Phi, r.Y, r.mixed, r.scratch);
+  s->phi = phi;
+  s->excitation += gamma * phi * phi * h;
+  for (int64_t i = 0, end_1 = r.theta.n; i < end_1; i++) {
+    if (r.largest.p[i] > 0.0) {
+      r.theta.p[i] = regression_gradient_descend(r.theta.p[i], r.mixed.p[i] / r.largest.p[i], phi, gamma, h);
     }
   }
   return true;
 }
 
-/* Floats of a ring for that many samples of ``width`` values. */
-int64_t regression_delay_states(int64_t width, int64_t samples) {
-  return regression_delay_SAMPLES + samples * (1 + width);
+/* Floats of a ring for that many samples of n + 1 values. */
+int64_t regression_delay_states(int64_t n, int64_t samples) {
+  return 2 + samples * (n + 2);
 }
 
-/* Floats that n parameters need. */
-int64_t regression_drem_states(int64_t n) {
-  return regression_drem_ring(0, n) + regression_delay_states(n + 1, regression_delay_capacity(n - 1));
+/* Floats that n unknowns need besides the state. */
+int64_t regression_drem_numbers(int64_t n) {
+  return 5 * n + 2 * n * n + regression_delay_states(n, regression_delay_capacity(n - 1));
 }
 
 /* Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant; theta, w, G lie ``at``. */
@@ -402,7 +386,7 @@ void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double 
   }
 }
 
-/* Floats that n parameters need. */
-int64_t regression_least_squares_states(int64_t n) {
-  return regression_least_squares_REGRESSOR + 2 * n + n * n;
+/* Floats that n unknowns need besides the sums. */
+int64_t regression_least_squares_numbers(int64_t n) {
+  return 2 * n + n * n;
 }

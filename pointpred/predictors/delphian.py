@@ -9,45 +9,71 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
 from pointpred.errors import ParameterError
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
-from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-from pointpred.stage import offsets
+from pointpred.records import FINE, MotionRow, TenFloats, endpoint
 
-# The parameters; the movement; where the speed was highest, its direction from the start, whether it has
-# fallen since.
-SLOPE, OFFSET, FALL, AT, PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN, END = offsets(
-    1, 1, 1, movement.State.length, 1, 1, 1, 1, 1
-)
+
+class Settings(Layout):
+    """The parameters."""
+
+    slope: float
+    offset: float
+    fall: float
+
+
+class Peak(Layout):
+    """Where the speed was highest; its direction from the start; whether the speed has fallen since."""
+
+    x: float
+    y: float
+    unit_x: float
+    unit_y: float
+    fallen: float
+
+
+class State(Layout):
+    """What is remembered of the movement."""
+
+    movement: movement.State
+    peak: Peak
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
     m = MotionRow(*motion)
-    before = movement.State(memory, AT).peak
-    fault, new, _ = movement.follow(movement.State(memory, AT), m)
+    settings, s, peak = memory.settings, memory.state.movement, memory.state.peak
+    before = s.peak
+    fault, new, _ = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    phase = movement.phase(movement.State(memory, AT), m)
+        return movement.refuse(s, m, fault)
+    phase = movement.phase(s, m)
     if new:
-        memory[PEAK_X:] = 0.0
-    peak, speed = movement.State(memory, AT).peak, hypot(m.vx, m.vy)
-    if new or peak > before:
-        away_x, away_y = m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0
+        clear(peak)
+    speed = hypot(m.vx, m.vy)
+    if new or s.peak > before:
+        away_x, away_y = m.x - s.x0, m.y - s.y0
         away = hypot(away_x, away_y)
-        memory[PEAK_X], memory[PEAK_Y], memory[FALLEN] = m.x, m.y, 0.0
-        memory[UNIT_X] = away_x / away if away > 0.0 else 0.0
-        memory[UNIT_Y] = away_y / away if away > 0.0 else 0.0
-    elif speed < (1.0 - memory[FALL]) * peak and peak >= movement.STILL_M_S:
-        memory[FALLEN] = 1.0
-    if memory[FALLEN] == 0.0 or (memory[UNIT_X] == 0.0 and memory[UNIT_Y] == 0.0):
+        peak.x, peak.y, peak.fallen = m.x, m.y, 0.0
+        peak.unit_x = away_x / away if away > 0.0 else 0.0
+        peak.unit_y = away_y / away if away > 0.0 else 0.0
+    elif speed < (1.0 - settings.fall) * s.peak and s.peak >= movement.STILL_M_S:
+        peak.fallen = 1.0
+    if peak.fallen == 0.0 or (peak.unit_x == 0.0 and peak.unit_y == 0.0):
         return endpoint(m.t, nan, nan, phase)
-    ahead = max(memory[SLOPE] * peak + memory[OFFSET], 0.0)
-    end_x, end_y = memory[PEAK_X] + ahead * memory[UNIT_X], memory[PEAK_Y] + ahead * memory[UNIT_Y]
-    return endpoint(m.t, end_x, end_y, phase)
+    ahead = max(settings.slope * s.peak + settings.offset, 0.0)
+    return endpoint(m.t, peak.x + ahead * peak.unit_x, peak.y + ahead * peak.unit_y, phase)
 
 
 class DelphianPredictor(Predictor):
@@ -84,7 +110,7 @@ class DelphianPredictor(Predictor):
     )
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length
 
 
 def fit_line(recording: Recording, differentiator: Differentiator) -> tuple[float, float]:

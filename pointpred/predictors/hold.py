@@ -5,19 +5,17 @@ from __future__ import annotations
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-
-AT = 0
+from pointpred.records import FINE, MotionRow, TenFloats, endpoint
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(s: movement.State, motion: TenFloats) -> TenFloats:
     """The cursor's position is the answer."""
     m = MotionRow(*motion)
-    fault, _, _ = movement.follow(movement.State(memory, AT), m)
+    fault, _, _ = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    return endpoint(m.t, m.x, m.y, movement.phase(movement.State(memory, AT), m))
+        return movement.refuse(s, m, fault)
+    return endpoint(m.t, m.x, m.y, movement.phase(s, m))
 
 
 class HoldPredictor(Predictor):

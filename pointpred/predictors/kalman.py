@@ -4,80 +4,93 @@ from __future__ import annotations
 
 from pointpred.compiled import law
 from pointpred.differentiators import kalman
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, TenFloats, endpoint
-from pointpred.stage import offsets
 
 PRIOR_SPEED = 100.0
 """Standard deviation (px/s) of the velocity before a movement's first sample."""
 PRIOR_ACCELERATION = 1000.0
 """Standard deviation (px/s^2) of the acceleration before a movement's first sample."""
 
-# The parameters; the movement; what was expected at the last time, before its position came, relative to the
-# movement's start: position, velocity, acceleration of x, of y, the covariance (pp pv pa vv va aa) of both.
-HORIZON_S, JERK_DENSITY, NOISE_PX, GAP_S, AT, MEAN_X, MEAN_Y, SPREAD, END = offsets(
-    1, 1, 1, 1, movement.State.length, 3, 3, 6
-)
+
+class Settings(Layout):
+    """The parameters."""
+
+    horizon_s: float
+    jerk_density: float
+    noise_px: float
+    gap_s: float
+
+
+class State(Layout):
+    """The movement; what was expected at its last time, before the position came, relative to its start."""
+
+    movement: movement.State
+    expected: kalman.Plane
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def expect_rest(memory: FloatArray, x: float, y: float) -> None:
+def expect_rest(plane: kalman.Plane, noise: float, x: float, y: float) -> None:
     """Expect a cursor that rests at (x, y)."""
-    memory[MEAN_X:END] = 0.0
-    memory[MEAN_X], memory[MEAN_Y] = x, y
-    memory[SPREAD] = memory[NOISE_PX] ** 2
-    memory[SPREAD + 3] = PRIOR_SPEED**2
-    memory[SPREAD + 5] = PRIOR_ACCELERATION**2
+    clear(plane)
+    plane.x[0], plane.y[0] = x, y
+    plane.covariance.p00 = noise
+    plane.covariance.p11 = PRIOR_SPEED**2
+    plane.covariance.p22 = PRIOR_ACCELERATION**2
 
 
 @law
-def correct(memory: FloatArray, mean: int, measured: float) -> tuple[float, float, float]:
+def corrected(
+    axis: FloatArray, p: kalman.Covariance, noise: float, measured: float
+) -> tuple[float, float, float]:
     """Position, velocity and acceleration of one axis after its position was measured."""
-    total = memory[SPREAD] + memory[NOISE_PX] ** 2
-    share = (measured - memory[mean]) / total
-    return (
-        memory[mean] + memory[SPREAD] * share,
-        memory[mean + 1] + memory[SPREAD + 1] * share,
-        memory[mean + 2] + memory[SPREAD + 2] * share,
-    )
+    share = (measured - axis[0]) / (p.p00 + noise)
+    return axis[0] + p.p00 * share, axis[1] + p.p01 * share, axis[2] + p.p02 * share
 
 
 @law
-def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
+def expect(plane: kalman.Plane, noise: float, jerk_density: float, dt: float, x: float, y: float) -> None:
     """Take the last position (x, y) in and expect the state ``dt`` later."""
-    noise = memory[NOISE_PX] ** 2
-    plane = kalman.Plane(memory, MEAN_X)
     kalman.correct(plane.x, plane.covariance, noise, x)
     kalman.predict(plane.x, dt)
     kalman.correct(plane.y, plane.covariance, noise, y)
     kalman.predict(plane.y, dt)
     kalman.narrow(plane.covariance, noise)
-    kalman.spread(plane.covariance, memory[JERK_DENSITY], dt)
+    kalman.spread(plane.covariance, jerk_density, dt)
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """One position through the filter of both axes, and its state carried over the horizon."""
     m = MotionRow(*motion)
-    last_x, last_y = movement.State(memory, AT).x, movement.State(memory, AT).y
-    fault, new, dt = movement.follow(movement.State(memory, AT), m)
+    settings, s, plane = memory.settings, memory.state.movement, memory.state.expected
+    last_x, last_y = s.x, s.y
+    fault, new, dt = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    x0, y0 = movement.State(memory, AT).x0, movement.State(memory, AT).y0
-    if new or dt > memory[GAP_S] + ROUNDING_S:
-        expect_rest(memory, m.x - x0, m.y - y0)
+        return movement.refuse(s, m, fault)
+    noise = settings.noise_px**2
+    if new or dt > settings.gap_s + ROUNDING_S:
+        expect_rest(plane, noise, m.x - s.x0, m.y - s.y0)
     elif dt > 0.0:
-        expect(memory, dt, last_x - x0, last_y - y0)
-    h = memory[HORIZON_S]
-    px, vx_px, ax_px = correct(memory, MEAN_X, m.x - x0)
-    py, vy_px, ay_px = correct(memory, MEAN_Y, m.y - y0)
+        expect(plane, noise, settings.jerk_density, dt, last_x - s.x0, last_y - s.y0)
+    px, vx_px, ax_px = corrected(plane.x, plane.covariance, noise, m.x - s.x0)
+    py, vy_px, ay_px = corrected(plane.y, plane.covariance, noise, m.y - s.y0)
+    h = settings.horizon_s
     return endpoint(
         m.t,
-        x0 + px + h * (vx_px + 0.5 * h * ax_px),
-        y0 + py + h * (vy_px + 0.5 * h * ay_px),
-        movement.phase(movement.State(memory, AT), m),
+        s.x0 + px + h * (vx_px + 0.5 * h * ax_px),
+        s.y0 + py + h * (vy_px + 0.5 * h * ay_px),
+        movement.phase(s, m),
     )
 
 
@@ -123,4 +136,4 @@ class KalmanPredictor(Predictor):
     )
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from math import hypot, nan, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from pointpred.compiled import law
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.regression import least_squares
-from pointpred.stage import offsets
 
 STEPS_MOST = 80
 """Bound on the cost of a zero: some six steps suffice, some forty where two zeros nearly meet."""
@@ -56,7 +56,7 @@ def bends(p: Quartic, far: float) -> tuple[float, float]:
 
 @law
 def zero_between(p: Quartic, low: float, high: float) -> float:
-    """The zero zero_between low and high where the polynomial is monotone; ``high`` if there is none.
+    """The zero between low and high where the polynomial is monotone; ``high`` if there is none.
 
     Newton's steps as long as they stay within the bracket, which every step narrows; else it is halved.
     """
@@ -104,38 +104,71 @@ def first_zero(p: Quartic, far: float) -> float:
 
 DEGREE_MOST = 4
 TERMS = DEGREE_MOST + 1
-# The parameters; the movement, the fit and its solution; the stability check: the length predicted after the
-# sample before, whether an endpoint was accepted, which.
-DEGREE, REACH, CHANGE_MOST, AT, FIT, COEFFICIENTS, LENGTH, ACCEPTED, ACCEPTED_X, ACCEPTED_Y, END = offsets(
-    1, 1, 1, movement.State.length, least_squares.states(TERMS), TERMS, 1, 1, 1, 1
-)
-
 EXCITATION_LEAST = 1e-5
 """A power of the distance whose own part is smaller than this share depends on the lower powers."""
 
 
+class Settings(Layout):
+    """The parameters; ``change_most`` 0: no check."""
+
+    degree: float
+    reach: float
+    change_most: float
+
+
+class Fit(Layout):
+    """The regression of speed on powers of the distance, and its solution, from the constant up."""
+
+    sums: least_squares.Sums
+    numbers: Annotated[FloatArray, least_squares.numbers(TERMS)]
+    coefficients: Annotated[FloatArray, TERMS]
+
+
+class Check(Layout):
+    """The length predicted after the sample before, in px; whether an endpoint was accepted, and which."""
+
+    predicted: float
+    accepted: float
+    x: float
+    y: float
+
+
+class State(Layout):
+    """What is remembered of the movement."""
+
+    movement: movement.State
+    fit: Fit
+    check: Check
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
+
+
 @law
-def add(memory: FloatArray, distance: float, speed: float) -> None:
+def add(fit: Fit, degree: int, distance: float, speed: float) -> None:
     """Take the row (1, d, d^2, ... | speed) into the fit."""
-    terms = int(memory[DEGREE]) + 1
+    regression = least_squares.parts(fit.numbers, degree + 1)
     power = 1.0
-    for j in range(terms):
-        memory[FIT + least_squares.REGRESSOR + j] = power
+    for j in range(degree + 1):
+        regression.w[j] = power
         power *= distance
-    least_squares.advance(memory, FIT, terms, 1.0, speed)
+    least_squares.advance(fit.sums, regression, 1.0, speed)
 
 
 @law
-def remaining(memory: FloatArray, travelled: float) -> float:
+def remaining(fit: Fit, degree: int, reach: float, travelled: float) -> float:
     """Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN."""
-    degree = int(memory[DEGREE])
-    if not (travelled > 0.0 and least_squares.solve(memory, FIT, degree + 1, EXCITATION_LEAST, COEFFICIENTS)):
+    c, regression = fit.coefficients, least_squares.parts(fit.numbers, degree + 1)
+    if not (travelled > 0.0 and least_squares.solve(regression, EXCITATION_LEAST, c)):
         return nan
     # The distance travelled is the unit of what follows.
-    c0, c1 = memory[COEFFICIENTS], memory[COEFFICIENTS + 1] * travelled
-    c2 = memory[COEFFICIENTS + 2] * travelled**2
-    c3 = memory[COEFFICIENTS + 3] * travelled**3 if degree > 2 else 0.0
-    c4 = memory[COEFFICIENTS + 4] * travelled**4 if degree > 3 else 0.0
+    c0, c1, c2 = c[0], c[1] * travelled, c[2] * travelled**2
+    c3 = c[3] * travelled**3 if degree > 2 else 0.0
+    c4 = c[4] * travelled**4 if degree > 3 else 0.0
     # The same polynomial of the distance from here.
     here = Quartic(
         value(Quartic(c0, c1, c2, c3, c4), 1.0),
@@ -144,42 +177,44 @@ def remaining(memory: FloatArray, travelled: float) -> float:
         c3 + 4.0 * c4,
         c4,
     )
-    return float(first_zero(here, memory[REACH]) * travelled)
+    return float(first_zero(here, reach) * travelled)
 
 
 @law
-def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
+def judge(check: Check, change_most: float, length: float, x: float, y: float) -> None:
     """Accept an endpoint when the predicted length changed little since the sample before."""
-    before = memory[LENGTH]
-    if before > 0.0 and abs(length - before) < memory[CHANGE_MOST] * before:
-        memory[ACCEPTED], memory[ACCEPTED_X], memory[ACCEPTED_Y] = 1.0, x, y
-    memory[LENGTH] = length if length > 0.0 else 0.0
+    before = check.predicted
+    if before > 0.0 and abs(length - before) < change_most * before:
+        check.accepted, check.x, check.y = 1.0, x, y
+    check.predicted = length if length > 0.0 else 0.0
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Add the motion to the fit and look for its zero ahead."""
     m = MotionRow(*motion)
-    fault, new, dt = movement.follow(movement.State(memory, AT), m)
+    settings, s, fit, check = memory.settings, memory.state.movement, memory.state.fit, memory.state.check
+    fault, new, dt = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    travelled = movement.State(memory, AT).path
+        return movement.refuse(s, m, fault)
     if new:
-        memory[FIT:] = 0.0
+        clear(fit)
+        clear(check)
+    degree, travelled = int(settings.degree), s.path
     if new or dt > 0.0:
-        add(memory, travelled, hypot(m.vx, m.vy))
-    away_x, away_y = m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0
+        add(fit, degree, travelled, hypot(m.vx, m.vy))
+    away_x, away_y = m.x - s.x0, m.y - s.y0
     away = hypot(away_x, away_y)
     end_x, end_y = nan, nan
     if away > 0.0:
-        ahead = remaining(memory, travelled)
+        ahead = remaining(fit, degree, settings.reach, travelled)
         end_x, end_y = m.x + ahead * (away_x / away), m.y + ahead * (away_y / away)
         if dt > 0.0:
-            judge(memory, travelled + ahead, end_x, end_y)
-    if memory[CHANGE_MOST] > 0.0:
-        accepted = memory[ACCEPTED] == 1.0
-        end_x, end_y = memory[ACCEPTED_X] if accepted else nan, memory[ACCEPTED_Y] if accepted else nan
-    return endpoint(m.t, end_x, end_y, movement.phase(movement.State(memory, AT), m))
+            judge(check, settings.change_most, travelled + ahead, end_x, end_y)
+    if settings.change_most > 0.0:
+        accepted = check.accepted == 1.0
+        end_x, end_y = check.x if accepted else nan, check.y if accepted else nan
+    return endpoint(m.t, end_x, end_y, movement.phase(s, m))
 
 
 class KinematicEndpointPredictor(Predictor):
@@ -232,4 +267,4 @@ class KinematicEndpointPredictor(Predictor):
     )
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length

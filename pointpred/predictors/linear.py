@@ -3,62 +3,91 @@
 from __future__ import annotations
 
 from math import nan
+from typing import Annotated
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, ROUNDING_S, FloatArray, MotionRow, TenFloats, endpoint
-from pointpred.stage import offsets
+from pointpred.records import FINE, ROUNDING_S, FloatTable, MotionRow, TenFloats, endpoint
 
 CAPACITY = 8
 """Past samples that are remembered."""
-# The parameters; the movement; how many past samples there are, and (t, x, y) of each, the newest first.
-HORIZON_S, WINDOW_S, AT, COUNT, PAST, END = offsets(1, 1, movement.State.length, 1, 3 * CAPACITY)
+
+
+class Settings(Layout):
+    """The parameters."""
+
+    horizon_s: float
+    window_s: float
+
+
+class Past(Layout):
+    """How many past samples there are, and (t, x, y) of each, the newest first."""
+
+    count: float
+    samples: Annotated[FloatTable, CAPACITY, 3]
+
+
+class State(Layout):
+    """What is remembered of the movement."""
+
+    movement: movement.State
+    past: Past
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def remember(memory: FloatArray, t: float, x: float, y: float) -> None:
+def remember(past: Past, window_s: float, t: float, x: float, y: float) -> None:
     """Remember a sample if the newest is an eighth of the window old; one of the same time is replaced."""
-    count = int(memory[COUNT])
-    same = count > 0 and memory[PAST] == t
-    if count > 0 and not same and t - memory[PAST] < memory[WINDOW_S] / CAPACITY - ROUNDING_S:
+    count = int(past.count)
+    same = count > 0 and past.samples[0, 0] == t
+    if count > 0 and not same and t - past.samples[0, 0] < window_s / CAPACITY - ROUNDING_S:
         return
     if not same:
-        for i in range(3 * CAPACITY - 1, 2, -1):
-            memory[PAST + i] = memory[PAST + i - 3]
-        memory[COUNT] = min(count + 1, CAPACITY)
-    memory[PAST], memory[PAST + 1], memory[PAST + 2] = t, x, y
+        for i in range(CAPACITY - 1, 0, -1):
+            for j in range(3):
+                past.samples[i, j] = past.samples[i - 1, j]
+        past.count = min(count + 1, CAPACITY)
+    past.samples[0, 0], past.samples[0, 1], past.samples[0, 2] = t, x, y
 
 
 @law
-def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
+def before(past: Past, window_s: float, t: float) -> tuple[bool, float, float, float]:
     """Whether there is a sample before ``t``; the oldest within the window, else the newest: (t, x, y)."""
-    place = -1
-    for i in range(int(memory[COUNT])):
-        age = t - memory[PAST + 3 * i]
-        if age > 0.0 and (place < 0 or age <= memory[WINDOW_S] + ROUNDING_S):
-            place = PAST + 3 * i
-    if place < 0:
+    found = -1
+    for i in range(int(past.count)):
+        age = t - past.samples[i, 0]
+        if age > 0.0 and (found < 0 or age <= window_s + ROUNDING_S):
+            found = i
+    if found < 0:
         return False, t, 0.0, 0.0
-    return True, memory[place], memory[place + 1], memory[place + 2]
+    return True, past.samples[found, 0], past.samples[found, 1], past.samples[found, 2]
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Carry the mean velocity of the window on over the horizon."""
     m = MotionRow(*motion)
-    fault, new, _ = movement.follow(movement.State(memory, AT), m)
+    settings, s, past = memory.settings, memory.state.movement, memory.state.past
+    fault, new, _ = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
+        return movement.refuse(s, m, fault)
     if new:
-        memory[COUNT] = 0.0
-    phase = movement.phase(movement.State(memory, AT), m)
-    any_before, before_t, before_x, before_y = before(memory, m.t)
-    remember(memory, m.t, m.x, m.y)
+        past.count = 0.0
+    phase = movement.phase(s, m)
+    any_before, before_t, before_x, before_y = before(past, settings.window_s, m.t)
+    remember(past, settings.window_s, m.t, m.x, m.y)
     if not any_before:
         return endpoint(m.t, nan, nan, phase)
-    ahead = memory[HORIZON_S] / max(m.t - before_t, memory[WINDOW_S] / CAPACITY)
+    ahead = settings.horizon_s / max(m.t - before_t, settings.window_s / CAPACITY)
     return endpoint(m.t, m.x + ahead * (m.x - before_x), m.y + ahead * (m.y - before_y), phase)
 
 
@@ -94,4 +123,4 @@ class LinearPredictor(Predictor):
     window_s: float = parameter("s", 1e-3, 1.0, "over how long the velocity is averaged", default=0.12)
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length

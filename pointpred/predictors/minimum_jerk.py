@@ -7,9 +7,7 @@ from math import hypot, nan, sqrt
 from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-
-AT = 0
+from pointpred.records import FINE, MotionRow, TenFloats, endpoint
 
 
 @law
@@ -20,26 +18,25 @@ def progress(ratio: float) -> tuple[float, float]:
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(s: movement.State, motion: TenFloats) -> TenFloats:
     """Divide the way done by the share that the speed says is done."""
     m = MotionRow(*motion)
-    fault, _, _ = movement.follow(movement.State(memory, AT), m)
+    fault, _, _ = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
-    phase = movement.phase(movement.State(memory, AT), m)
-    peak = movement.State(memory, AT).peak
-    if peak < movement.STILL_M_S:
+        return movement.refuse(s, m, fault)
+    phase = movement.phase(s, m)
+    if s.peak < movement.STILL_M_S:
         return endpoint(m.t, nan, nan, phase)
-    tau, done = progress(hypot(m.vx, m.vy) / peak)
+    tau, done = progress(hypot(m.vx, m.vy) / s.peak)
     ahead = (1.0 - done) / done
     return (
         m.t,
-        m.x + ahead * (m.x - movement.State(memory, AT).x0),
-        m.y + ahead * (m.y - movement.State(memory, AT).y0),
+        m.x + ahead * (m.x - s.x0),
+        m.y + ahead * (m.y - s.y0),
         nan,
         nan,
         nan,
-        (m.t - movement.State(memory, AT).t0) * (1.0 - tau) / tau,
+        (m.t - s.t0) * (1.0 - tau) / tau,
         phase,
         nan,
         nan,

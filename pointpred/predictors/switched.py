@@ -2,66 +2,97 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pointpred.compiled import law
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
 from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
 from pointpred.regression import drem
-from pointpred.stage import offsets
 
-UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
+UNKNOWNS, T = 3, 2
+"""theta = (1/b2, b1/b2, T); where T is in it."""
 
-# State of an axis, relative to its place: largest speed in m/s, displacement and endpoint in px; then DREM.
-PEAK, PLACE, ENDPOINT, DREM, AXIS_STATES = offsets(1, 1, 1, drem.states(UNKNOWNS))
-# The parameters; the movement; both axes.
-THRESHOLD, BOUND, DELAY_S, GAMMA, AT, X_AXIS, Y_AXIS, END = offsets(
-    1, 1, 1, 1, movement.State.length, AXIS_STATES, AXIS_STATES
-)
+
+class Settings(Layout):
+    """The parameters."""
+
+    threshold: float
+    bound: float
+    delay_s: float
+    gamma: float
+
+
+class Axis(Layout):
+    """One axis of the movement."""
+
+    peak: float
+    """The largest speed so far, m/s."""
+    x: float
+    """The displacement, px."""
+    endpoint: float
+    """The estimate of T, px from the movement's start."""
+    regression: drem.State
+    numbers: Annotated[FloatArray, drem.numbers(UNKNOWNS)]
+
+
+class State(Layout):
+    """What is remembered of the movement."""
+
+    movement: movement.State
+    x: Axis
+    y: Axis
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: float) -> float:
+def advance(settings: Settings, axis: Axis, t: float, x: float, v: float, a: float) -> float:
     """One sample of one axis (figure 2.4); returns the endpoint in px from the movement's start.
 
     The regression remembers every phase, because its delayed copies reach back into the phase before; it
     learns, and has a say, in the corrective phase only.
     """
-    moved = place - memory[axis + PLACE]
-    memory[axis + PLACE] = place
-    memory[axis + PEAK] = max(memory[axis + PEAK], abs(v))
-    before = memory[axis + ENDPOINT]
-    regression = axis + DREM
-    memory[regression + drem.REGRESSOR] = -a
-    memory[regression + drem.REGRESSOR + 1] = -v
-    memory[regression + drem.REGRESSOR + 2] = 1.0
-    if abs(v) < memory[THRESHOLD] * memory[axis + PEAK]:
-        third = drem.estimates(regression, UNKNOWNS) + 2
-        memory[third] = before
-        solved = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], (t, place))
-        if solved and abs(memory[third] - before) < memory[BOUND] * abs(place):
-            memory[axis + ENDPOINT] = memory[third]
+    dx, before = x - axis.x, axis.endpoint
+    axis.x = x
+    axis.peak = max(axis.peak, abs(v))
+    regression = drem.parts(axis.numbers, UNKNOWNS)
+    w, theta = regression.w, regression.theta
+    w[0], w[1], w[2] = -a, -v, 1.0
+    if abs(v) < settings.threshold * axis.peak:
+        theta[T] = before
+        solved = drem.advance(axis.regression, regression, settings.delay_s, settings.gamma, t, x)
+        if solved and abs(theta[T] - before) < settings.bound * abs(x):
+            axis.endpoint = theta[T]
     else:
-        drem.remember(memory, regression, UNKNOWNS, memory[DELAY_S], t, place)
+        drem.remember(axis.regression, regression, settings.delay_s, t, x)
         if a * v >= 0.0:
-            memory[axis + ENDPOINT] = before + 2.0 * moved
-    return float(memory[axis + ENDPOINT])
+            axis.endpoint = before + 2.0 * dx
+    return axis.endpoint
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Both axes, each in its own phase (Remark 2.5.1)."""
     m = MotionRow(*motion)
-    fault, new, _ = movement.follow(movement.State(memory, AT), m)
+    settings, s, x, y = memory.settings, memory.state.movement, memory.state.x, memory.state.y
+    fault, new, _ = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
+        return movement.refuse(s, m, fault)
     if new:
-        memory[X_AXIS:] = 0.0
-    x0, y0 = movement.State(memory, AT).x0, movement.State(memory, AT).y0
-    since = m.t - movement.State(memory, AT).t0  # so that the clock's origin leaves no trace in the delays
-    end_x = x0 + advance(memory, X_AXIS, since, m.x - x0, m.vx, m.ax)
-    end_y = y0 + advance(memory, Y_AXIS, since, m.y - y0, m.vy, m.ay)
-    return endpoint(m.t, end_x, end_y, movement.phase(movement.State(memory, AT), m))
+        clear(x)
+        clear(y)
+    since = m.t - s.t0  # so that the clock's origin leaves no trace in the delays
+    end_x = s.x0 + advance(settings, x, since, m.x - s.x0, m.vx, m.ax)
+    end_y = s.y0 + advance(settings, y, since, m.y - s.y0, m.vy, m.ay)
+    return endpoint(m.t, end_x, end_y, movement.phase(s, m))
 
 
 class SwitchedPredictor(Predictor):
@@ -100,4 +131,4 @@ class SwitchedPredictor(Predictor):
     gamma: float = parameter("1/s", 0.0, 1e9, "rate of the regression at full excitation", default=1e4)
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length

@@ -5,66 +5,99 @@ from __future__ import annotations
 from math import hypot
 
 from pointpred.compiled import law
+from pointpred.layout import Layout, clear
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor
-from pointpred.records import FINE, FloatArray, MotionRow, TenFloats, endpoint
-from pointpred.stage import offsets
+from pointpred.records import FINE, MotionRow, TenFloats, endpoint
 
-# State, relative to `at`: highest speed in m/s; where it was; lowest speed since then; where that was; where
-# the sub-movement started.
-PEAK, PEAK_X, PEAK_Y, VALLEY, VALLEY_X, VALLEY_Y, START_X, START_Y, SUBMOVEMENT = range(9)
+
+class Settings(Layout):
+    """The parameters."""
+
+    rise: float
+    typical_s: float
+    own: float
+    turn: float
+    watched: float
+    stopping: float
+
+
+class Submovement(Layout):
+    """The highest speed in m/s and where it was; the lowest since then, where that was; where it started."""
+
+    peak: float
+    peak_x: float
+    peak_y: float
+    valley: float
+    valley_x: float
+    valley_y: float
+    start_x: float
+    start_y: float
+
+
+class Hand(Layout):
+    """The hand's last velocity, its displacement in m since the movement's start; the gain's two sums."""
+
+    vx: float
+    vy: float
+    x: float
+    y: float
+    cross: float
+    square: float
+
+
+class State(Layout):
+    """What is remembered of the movement."""
+
+    movement: movement.State
+    submovement: Submovement
+    hand: Hand
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 @law
-def begin_submovement(memory: FloatArray, at: int, x: float, y: float) -> None:
+def begin_submovement(s: Submovement, x: float, y: float) -> None:
     """A movement starts at rest at (x, y)."""
-    memory[at + PEAK], memory[at + VALLEY] = 0.0, 0.0
-    memory[at + PEAK_X], memory[at + PEAK_Y] = x, y
-    memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
-    memory[at + START_X], memory[at + START_Y] = x, y
+    s.peak, s.valley = 0.0, 0.0
+    s.peak_x, s.peak_y = x, y
+    s.valley_x, s.valley_y = x, y
+    s.start_x, s.start_y = x, y
 
 
 @law
-def follow_submovement(memory: FloatArray, at: int, rise: float, x: float, y: float, speed: float) -> None:
+def follow_submovement(s: Submovement, rise: float, x: float, y: float, speed: float) -> None:
     """Take one sample in; a rise of the speed by ``rise`` of the peak out of a valley is a new sub-movement.
 
     It started in the valley. Two samples of one time are one: the later place replaces.
     """
-    peak, valley = memory[at + PEAK], memory[at + VALLEY]
-    if speed < peak and speed <= valley + rise * peak:
-        if speed <= valley:
-            memory[at + VALLEY] = speed
-            memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
+    if speed < s.peak and speed <= s.valley + rise * s.peak:
+        if speed <= s.valley:
+            s.valley, s.valley_x, s.valley_y = speed, x, y
         return
-    if speed < peak:
-        memory[at + START_X], memory[at + START_Y] = memory[at + VALLEY_X], memory[at + VALLEY_Y]
-    memory[at + PEAK], memory[at + VALLEY] = speed, speed
-    memory[at + PEAK_X], memory[at + PEAK_Y] = x, y
-    memory[at + VALLEY_X], memory[at + VALLEY_Y] = x, y
-
-
-# The parameters.
-RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = range(7)
-# The movement; its sub-movement; the hand's last velocity, its displacement in m since the movement's start;
-# the gain's two sums.
-_, UNIT, VX, VY, HAND_X, HAND_Y, CROSS, SQUARE, END = offsets(
-    AT + movement.State.length, SUBMOVEMENT, 1, 1, 1, 1, 1, 1
-)
+    if speed < s.peak:
+        s.start_x, s.start_y = s.valley_x, s.valley_y
+    s.peak, s.peak_x, s.peak_y = speed, x, y
+    s.valley, s.valley_x, s.valley_y = speed, x, y
 
 
 @law
-def gain(memory: FloatArray, dt: float, away_x: float, away_y: float, vx: float, vy: float) -> float:
+def gain(hand: Hand, dt: float, away_x: float, away_y: float, vx: float, vy: float) -> float:
     """Averaged gain g in px/m by least squares, displacement = g times the hand's; 0 where unknown."""
-    memory[HAND_X] += 0.5 * dt * (vx + memory[VX])
-    memory[HAND_Y] += 0.5 * dt * (vy + memory[VY])
-    memory[VX], memory[VY] = vx, vy
-    hand_x, hand_y = memory[HAND_X], memory[HAND_Y]
-    memory[CROSS] += dt * (away_x * hand_x + away_y * hand_y)
-    memory[SQUARE] += dt * (hand_x * hand_x + hand_y * hand_y)
-    if not (memory[CROSS] > 0.0 and memory[SQUARE] > 0.0):
+    hand.x += 0.5 * dt * (vx + hand.vx)
+    hand.y += 0.5 * dt * (vy + hand.vy)
+    hand.vx, hand.vy = vx, vy
+    hand.cross += dt * (away_x * hand.x + away_y * hand.y)
+    hand.square += dt * (hand.x * hand.x + hand.y * hand.y)
+    if not (hand.cross > 0.0 and hand.square > 0.0):
         return 0.0
-    return float(memory[CROSS] / memory[SQUARE])
+    return hand.cross / hand.square
 
 
 @law
@@ -76,43 +109,42 @@ def time_constant(own: float, typical_s: float, done: float, peak: float) -> flo
 
 
 @law
-def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) -> float:
+def approach(settings: Settings, s: Submovement, px_m: float, x: float, y: float, speed: float) -> float:
     """Rate k in 1/s of the approach V = k (T - x): from the switch and the slope since; 0 where unknown."""
-    peak = memory[UNIT + PEAK]
-    peak_x, peak_y = memory[UNIT + PEAK_X], memory[UNIT + PEAK_Y]
-    done = hypot(peak_x - memory[UNIT + START_X], peak_y - memory[UNIT + START_Y])
+    done = hypot(s.peak_x - s.start_x, s.peak_y - s.start_y)
     if done == 0.0:
         return 0.0
-    at_switch = 1.0 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m)
-    since = hypot(x - peak_x, y - peak_y)
-    slope = (peak - speed) * px_m / since if since > 0.0 else 0.0
-    share = (speed / peak) ** memory[TURN]
-    return float(share * at_switch + (1.0 - share) * memory[WATCHED] * slope)
+    at_switch = 1.0 / time_constant(settings.own, settings.typical_s, done, s.peak * px_m)
+    since = hypot(x - s.peak_x, y - s.peak_y)
+    slope = (s.peak - speed) * px_m / since if since > 0.0 else 0.0
+    share = (speed / s.peak) ** settings.turn
+    return float(share * at_switch + (1.0 - share) * settings.watched * slope)
 
 
 @law
-def step(memory: FloatArray, motion: TenFloats) -> TenFloats:
+def step(memory: Memory, motion: TenFloats) -> TenFloats:
     """Follow the sub-movement and add what is left of it in the direction of the hand."""
     m = MotionRow(*motion)
-    fault, new, dt = movement.follow(movement.State(memory, AT), m)
+    settings, s = memory.settings, memory.state.movement
+    submovement, hand = memory.state.submovement, memory.state.hand
+    fault, new, dt = movement.follow(s, m)
     if fault != FINE:
-        return movement.refuse(movement.State(memory, AT), m, fault)
+        return movement.refuse(s, m, fault)
     if new:
-        memory[VX:END] = 0.0
-    if new or m.t == movement.State(memory, AT).t0:
-        begin_submovement(memory, UNIT, m.x, m.y)
+        clear(hand)
+    if new or m.t == s.t0:
+        begin_submovement(submovement, m.x, m.y)
     speed = hypot(m.vx, m.vy)
-    follow_submovement(memory, UNIT, memory[RISE], m.x, m.y, speed)
-    phase = movement.phase(movement.State(memory, AT), m)
-    px_m = gain(
-        memory, dt, m.x - movement.State(memory, AT).x0, m.y - movement.State(memory, AT).y0, m.vx, m.vy
-    )
-    rate = approach(memory, px_m, m.x, m.y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
+    follow_submovement(submovement, settings.rise, m.x, m.y, speed)
+    px_m = gain(hand, dt, m.x - s.x0, m.y - s.y0, m.vx, m.vy)
+    known = px_m > 0.0 and speed > movement.STILL_M_S
+    rate = approach(settings, submovement, px_m, m.x, m.y, speed) if known else 0.0
     ahead_s = 1.0 / rate if rate > 0.0 else 0.0
     braking = -(m.ax * m.vx + m.ay * m.vy)
-    if braking > 0.0 and ahead_s * braking > memory[STOPPING] * speed * speed:
-        ahead_s = memory[STOPPING] * speed * speed / braking
-    return endpoint(m.t, m.x + ahead_s * px_m * m.vx, m.y + ahead_s * px_m * m.vy, phase)
+    if braking > 0.0 and ahead_s * braking > settings.stopping * speed * speed:
+        ahead_s = settings.stopping * speed * speed / braking
+    end_x, end_y = m.x + ahead_s * px_m * m.vx, m.y + ahead_s * px_m * m.vy
+    return endpoint(m.t, end_x, end_y, movement.phase(s, m))
 
 
 class SwitchedDirectionPredictor(Predictor):
@@ -165,4 +197,4 @@ class SwitchedDirectionPredictor(Predictor):
     stopping: float = parameter("", 0.0, 1e6, "way left at most, in speed^2 / deceleration", default=0.5)
     step = staticmethod(step)
     claims_time = False
-    states = END - AT
+    states = State.length

@@ -1,18 +1,18 @@
-"""Recursive least squares with forgetting, as compiled laws in a flat array: a triangular root, no inverse.
+"""Recursive least squares with forgetting, as compiled laws: a triangular root, no inverse.
 
 The information A = sum of d^(k-i) w_i w_i' is kept as its triangular root R (A = R'R) with z (psi = R'z).
 Plane rotations merge each sample into the triangle, so the condition number is that of the data, not its
 square. Rotations commute with a change of the regressor's units: no scaling is needed.
 
-``advance`` works inside the memory of any stage: give it an offset and ``states(n)`` floats, write the
-regressor at ``at + REGRESSOR``, call. All zeros: no samples.
+A stage that has a regression keeps its ``Sums`` and ``numbers(n)`` floats, writes the regressor w of
+``parts`` and calls ``advance``. All zeros: no samples.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import exp, hypot, inf, isfinite, sqrt
-from typing import Any
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -20,80 +20,107 @@ from numpy.typing import ArrayLike
 
 from pointpred.compiled import law, layout
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import CompiledStage
 
-# Relative to `at`: samples so far, the same with forgetting, sum of squared residuals with forgetting, the
-# regressor (n), which is overwritten; then z (n) and R (n x n, row-major, upper).
-SAMPLES, EFFECTIVE, RESIDUAL, REGRESSOR = 0, 1, 2, 3
+
+class Sums(Layout):
+    """How many samples there were, the same with forgetting, the sum of squared residuals with forgetting."""
+
+    samples: float
+    effective: float
+    residual: float
+
+
+class Regression(NamedTuple):
+    """The numbers of a regression of n unknowns."""
+
+    w: FloatArray
+    """The regressor, which ``advance`` overwrites."""
+    z: FloatArray
+    R: FloatTable
+    """n x n, upper."""
 
 
 @layout
-def root(at: int, n: int) -> int:
-    """Offset of R; z lies n floats before it."""
-    return at + REGRESSOR + 2 * n
-
-
-@layout
-def states(n: int) -> int:
-    """Floats that n parameters need."""
-    return REGRESSOR + 2 * n + n * n
+def numbers(n: int) -> int:
+    """Floats that n unknowns need besides the sums."""
+    return 2 * n + n * n
 
 
 @law
-def advance(memory: FloatArray, at: int, n: int, forgetting: float, output: float) -> None:
-    """A = d A + w w', psi = d psi + w y for the regressor w at ``at + REGRESSOR`` and y = ``output``."""
-    w, z, r = at + REGRESSOR, at + REGRESSOR + n, root(at, n)
+def parts(memory: FloatArray, n: int) -> Regression:
+    """The parts of ``numbers(n)`` floats."""
+    return Regression(memory[:n], memory[n : 2 * n], memory[2 * n : 2 * n + n * n].reshape(n, n))
+
+
+@law
+def advance(s: Sums, regression: Regression, forgetting: float, output: float) -> None:
+    """A = d A + w w', psi = d psi + w y for the regressor w and y = ``output``."""
+    w, z, r = regression
+    n = len(w)
     if forgetting < 1.0:
         keep = sqrt(forgetting)
-        for i in range(n + n * n):
-            memory[z + i] *= keep
+        for i in range(n):
+            z[i] *= keep
+            for j in range(n):
+                r[i, j] *= keep
     rest = output
     for i in range(n):
-        top, low = memory[r + i * n + i], memory[w + i]
+        top, low = r[i, i], w[i]
         length = hypot(top, low)
         if low == 0.0 or length == 0.0:
             continue
         cosine, sine = top / length, low / length
         for j in range(i, n):
-            upper, lower = memory[r + i * n + j], memory[w + j]
-            memory[r + i * n + j] = cosine * upper + sine * lower
-            memory[w + j] = cosine * lower - sine * upper
-        memory[z + i], rest = cosine * memory[z + i] + sine * rest, cosine * rest - sine * memory[z + i]
-    memory[at + SAMPLES] += 1.0
-    memory[at + EFFECTIVE] = forgetting * memory[at + EFFECTIVE] + 1.0
-    memory[at + RESIDUAL] = forgetting * memory[at + RESIDUAL] + rest * rest
+            upper, lower = r[i, j], w[j]
+            r[i, j] = cosine * upper + sine * lower
+            w[j] = cosine * lower - sine * upper
+        z[i], rest = cosine * z[i] + sine * rest, cosine * rest - sine * z[i]
+    s.samples += 1.0
+    s.effective = forgetting * s.effective + 1.0
+    s.residual = forgetting * s.residual + rest * rest
 
 
 @law
-def excitation(memory: FloatArray, at: int, n: int, j: int) -> float:
+def excitation(r: FloatTable, j: int) -> float:
     """The sine of the angle between column j of the data and those before it: 0 if it depends on them."""
-    r = root(at, n)
     square = 0.0
     for i in range(j + 1):
-        square += memory[r + i * n + j] * memory[r + i * n + j]
-    return abs(memory[r + j * n + j]) / sqrt(square) if square > 0.0 else 0.0
+        square += r[i, j] * r[i, j]
+    return abs(r[j, j]) / sqrt(square) if square > 0.0 else 0.0
 
 
 @law
-def solve(memory: FloatArray, at: int, n: int, least: float, out: int) -> bool:
-    """Write the estimate at ``out``; False, without writing, if an excitation is below ``least``."""
+def solve(regression: Regression, least: float, out: FloatArray) -> bool:
+    """Write the estimate to ``out``; False, without writing, if an excitation is below ``least``."""
+    _, z, r = regression
+    n = len(z)
     for j in range(n):
-        if excitation(memory, at, n, j) < least:
+        if excitation(r, j) < least:
             return False
-    r, z = root(at, n), at + REGRESSOR + n
     for back in range(n):
         i = n - 1 - back
-        value = memory[z + i]
+        value = z[i]
         for j in range(i + 1, n):
-            value -= memory[r + i * n + j] * memory[out + j]
-        memory[out + i] = value / memory[r + i * n + i]
+            value -= r[i, j] * out[j]
+        out[i] = value / r[i, i]
     return True
 
 
-# Parameters, then the state: whether there was a time, the last one, the triangle.
-FORGETTING, RATE, LEAST, RIDGE, STARTED, T, AT = range(7)
+class Memory(Layout):
+    """Of the stage: its parameters; whether there was a time, and the last one; the regression."""
+
+    forgetting: float
+    rate: float
+    least: float
+    ridge: float
+    started: float
+    t: float
+    sums: Sums
+    numbers: Annotated[FloatArray, None]
 
 
 class Fit(msgspec.Struct, frozen=True):
@@ -172,7 +199,7 @@ class RecursiveLeastSquares(CompiledStage):
             )
         self.count = int(self.count)
         self._start = starting(self.count, self.start)
-        self.states = 2 + states(self.count)
+        self.states = 2 + Sums.length + numbers(self.count)
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
@@ -185,24 +212,26 @@ class RecursiveLeastSquares(CompiledStage):
         Only the forgetting rate needs the time. Raises EventError for a value that is not a finite number or
         a regressor of another length, EventOrderError when time runs backwards; the stage is then unchanged.
         """
-        memory = self._memory
-        last_t = float(memory[T]) if memory[STARTED] == 1.0 else None
+        memory = Memory(self._memory)
+        last_t = float(memory.t) if memory.started == 1.0 else None
         w, y = sample(self.count, regressor, output)
         now = last_t if t is None else moment(t, last_t)
         h = 0.0 if last_t is None or now is None else now - last_t
         if now is not None:
-            memory[STARTED], memory[T] = 1.0, now
-        if memory[RIDGE] > 0.0 and memory[AT + SAMPLES] == 0.0:
+            memory.started, memory.t = 1.0, now
+        regression = parts(memory.numbers, self.count)
+        if memory.ridge > 0.0 and memory.sums.samples == 0.0:
             # The start of a ridge regression: A = r I, psi = r start.
-            first, n, weight = root(AT, self.count), self.count, sqrt(float(memory[RIDGE]))
-            memory[first : first + n * n : n + 1] = weight
-            memory[first - n : first] = weight * self._start
-        memory[AT + REGRESSOR : AT + REGRESSOR + self.count] = w
-        advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), y)
+            weight = sqrt(float(memory.ridge))
+            np.fill_diagonal(regression.R, weight)
+            regression.z[:] = weight * self._start
+        regression.w[:] = w
+        advance(memory.sums, regression, memory.forgetting * exp(-memory.rate * h), y)
 
     def fit(self) -> Fit:
         """The current estimate and its quality."""
-        return fit(self._memory, AT, self.count, float(self._memory[LEAST]))
+        memory = Memory(self._memory)
+        return fit(memory.sums, parts(memory.numbers, self.count), float(memory.least))
 
 
 def starting(count: int, start: ArrayLike | None) -> FloatArray:
@@ -252,19 +281,17 @@ def moment(t: float, last_t: float | None) -> float:
     return now
 
 
-def fit(memory: FloatArray, at: int, count: int, least: float) -> Fit:
-    """The fit of a triangle at an offset of a flat array."""
-    start = root(at, count)
-    triangle = memory[start : start + count * count].reshape(count, count)
-    sines = [excitation(memory, at, count, j) for j in range(count)]
+def fit(s: Sums, regression: Regression, least: float) -> Fit:
+    """The estimate of a regression and its quality."""
+    _, z, triangle = regression
+    count = len(z)
+    sines = [excitation(triangle, j) for j in range(count)]
     unexcited = tuple(j for j, sine in enumerate(sines) if sine < least)
-    samples, effective = int(memory[at + SAMPLES]), float(memory[at + EFFECTIVE])
-    square = float(memory[at + RESIDUAL])
+    samples, effective, square = int(s.samples), float(s.effective), float(s.residual)
     residual = sqrt(square / effective) if effective > 0.0 else 0.0
     if unexcited:
         return Fit(None, None, unexcited, inf, residual, samples, effective)
     singular = np.linalg.svd(triangle / np.linalg.norm(triangle, axis=0), compute_uv=False)
-    z = memory[start - count : start]
     spread = np.linalg.norm(np.linalg.solve(triangle, np.eye(count)), axis=1)
     spare = effective - count
     variance = square / spare if spare > 0.0 else inf

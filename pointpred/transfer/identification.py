@@ -61,7 +61,8 @@ class Learned(Layout):
 
     skipped: float
     """Reports left out."""
-    solver: Annotated[FloatArray, least_squares.states(COEFFICIENTS_MOST)]
+    sums: least_squares.Sums
+    numbers: Annotated[FloatArray, least_squares.numbers(COEFFICIENTS_MOST)]
     bands: Annotated[FloatArray, bands.states(COEFFICIENTS_MOST)]
     row: Annotated[FloatArray, COEFFICIENTS_MOST]
     """Scratch space."""
@@ -106,9 +107,10 @@ def learn(memory: Memory, row: FloatArray, output: float, speed: float) -> None:
     """Add output = row . c at a speed of the hand to the recursion and to its band."""
     settings, learned = memory.settings, memory.learned
     n = int(settings.count)
+    regression = least_squares.parts(learned.numbers, n)
     for j in range(n):
-        learned.solver[least_squares.REGRESSOR + j] = row[j]
-    least_squares.advance(learned.solver, 0, n, settings.forgetting, output)
+        regression.w[j] = row[j]
+    least_squares.advance(learned.sums, regression, settings.forgetting, output)
     band = (speed - settings.speed_low) / settings.band_width
     model = bands.Model(n, 1 - int(settings.power), settings.forgetting)
     bands.learn(learned.bands, model, band, row, output)
@@ -335,7 +337,8 @@ class PolynomialIdentifier(CompiledStage):
         with fewer bands than coefficients it uses the samples.
         """
         learned = Memory(self._memory).learned
-        fitted = fit(learned.solver, 0, self.count, self.least_excitation)
+        regression = least_squares.parts(learned.numbers, self.count)
+        fitted = fit(learned.sums, regression, self.least_excitation)
         shift = 0 if self.offset else 1
         linear = 1 - shift
         skipped = int(learned.skipped)

@@ -166,6 +166,21 @@ def test_every_page_can_be_reached_from_the_first() -> None:
     assert set((ROOT / "docs").rglob("*.md")) - reached == set()
 
 
+def test_laws_beside_their_equations_are_those_of_the_code() -> None:
+    section = (ROOT / "docs/equations.md").read_text().partition("## Laws beside")[2].partition("\n## ")[0]
+    lines = ""
+    found = 0
+    for line in section.splitlines():
+        words = re.findall("`([^`]+)`", line)
+        if not line.startswith("|"):
+            lines = "\n".join((ROOT / word).read_text() for word in words) or lines
+            continue
+        for word in words:
+            assert f"    {word}\n" in lines, word
+            found += 1
+    assert found > 20
+
+
 def test_every_correction_names_a_test_that_exists() -> None:
     page = (ROOT / "docs/equations.md").read_text(encoding="utf-8")
     rows = page.partition("## Corrections")[2].strip().splitlines()[2:]

@@ -61,13 +61,12 @@ def test_the_registry_names_the_degrees() -> None:
 
 def fitted(distances: FloatArray, speeds: FloatArray, degree: int) -> FloatArray:
     """Coefficients of the recursive fit, from the constant up, of the distance in px."""
-    memory = np.zeros(kep.END)
-    memory[kep.DEGREE] = degree
+    fit = kep.Fit(np.zeros(kep.Fit.length))
     for distance, speed in zip(distances, speeds, strict=True):
-        kep.add(memory, distance, speed)
-    least = kep.EXCITATION_LEAST
-    assert least_squares.solve(memory, kep.FIT, degree + 1, least, kep.COEFFICIENTS)
-    return memory[kep.COEFFICIENTS : kep.COEFFICIENTS + degree + 1]
+        kep.add(fit, degree, distance, speed)
+    regression = least_squares.parts(fit.numbers, degree + 1)
+    assert least_squares.solve(regression, kep.EXCITATION_LEAST, fit.coefficients)
+    return fit.coefficients[: degree + 1]
 
 
 @pytest.mark.parametrize("degree", [2, 3, 4])

@@ -119,5 +119,5 @@ def test_the_gap_is_one_parameter_of_the_whole_pipeline() -> None:
     pipeline = build("kalman", gap_s=0.02)
     predictor = pipeline.predictor
     assert isinstance(predictor, KalmanPredictor)
-    assert predictor._memory[kalman.GAP_S] == 0.02
+    assert kalman.Memory(predictor._memory).settings.gap_s == 0.02
     assert pipeline.differentiator._memory[2] == 0.02

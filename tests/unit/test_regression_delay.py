@@ -7,24 +7,22 @@ from hypothesis import strategies as st
 
 from pointpred.regression import delay
 
-WIDTH, SAMPLES = 2, delay.capacity(2)
+SAMPLES = delay.capacity(2)
 
 
-def ring() -> np.ndarray:
-    return np.zeros(delay.states(WIDTH, SAMPLES))
+def ring() -> delay.Ring:
+    return delay.Ring(np.zeros(delay.states(1, SAMPLES)))
 
 
-def push(memory: np.ndarray, t: float, values: tuple[float, float], delay_s: float) -> None:
-    place = delay.push(memory, 0, WIDTH, SAMPLES, delay_s / delay.PER_DELAY, t)
-    memory[place : place + WIDTH] = values
+def push(memory: delay.Ring, t: float, values: tuple[float, float], delay_s: float) -> None:
+    w, y = values
+    delay.push(memory, SAMPLES, delay_s / delay.PER_DELAY, t, np.array([w]), y)
 
 
-def look(memory: np.ndarray, t: float) -> np.ndarray | None:
-    found, before, after, share = delay.find(memory, 0, WIDTH, SAMPLES, t)
-    if not found:
-        return None
-    a, b = memory[before : before + WIDTH], memory[after : after + WIDTH]
-    return a + share * (b - a)
+def look(memory: delay.Ring, t: float) -> np.ndarray | None:
+    w = np.zeros(1)
+    known, y = delay.delayed(memory, SAMPLES, t, w)
+    return np.array([w[0], y]) if known else None
 
 
 @pytest.mark.parametrize("rate_hz", [20.0, 60.0, 125.0, 1000.0, 8000.0])
@@ -70,7 +68,7 @@ def test_a_sample_at_the_same_time_replaces() -> None:
     push(memory, 0.05, (1.0, 0.0), 0.1)
     push(memory, 0.05, (2.0, 0.0), 0.1)
     assert look(memory, 0.05) == pytest.approx([2.0, 0.0])
-    assert memory[delay.COUNT] == 2.0
+    assert memory.count == 2.0
 
 
 @given(st.lists(st.floats(0.0, 0.05), min_size=1, max_size=400))
@@ -81,6 +79,6 @@ def test_two_delays_of_history_survive_any_pauses(gaps: list[float]) -> None:
     for gap in gaps:
         t += gap
         push(memory, t, (t, 0.0), delay_s)
-        assert memory[delay.COUNT] <= SAMPLES
+        assert memory.count <= SAMPLES
         recalled = look(memory, t - 2.0 * delay_s)
         assert (recalled is None) == (t - 2.0 * delay_s < first)

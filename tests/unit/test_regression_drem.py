@@ -12,29 +12,22 @@ from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.regression import DynamicRegressorExtension, drem, gradient
 
 
-def feed(memory: np.ndarray, n: int, w: np.ndarray, y: float, t: float, delay_s: float, gamma: float) -> bool:
-    memory[drem.REGRESSOR : drem.REGRESSOR + n] = w
-    return drem.advance(memory, 0, n, delay_s, gamma, (t, y))
-
-
 @settings(max_examples=40, deadline=None)
 @given(st.integers(2, 6), st.integers(0, 10**6), st.integers(-6, 6))
 def test_mixed_output_is_phi_times_theta(n: int, seed: int, exponent: int) -> None:
     """Y~ = phi theta for any regressor, whatever the units; and |phi| <= 1."""
     rng = np.random.default_rng(seed)
     theta, units = rng.standard_normal(n), 10.0 ** (exponent * rng.uniform(-1.0, 1.0, n))
-    memory = np.zeros(drem.states(n))
+    s, r = drem.State(np.zeros(drem.State.length)), drem.parts(np.zeros(drem.numbers(n)), n)
     told = 0
     for t in np.cumsum(rng.uniform(0.002, 0.02, 60)):
-        w = rng.standard_normal(n) * units
-        if not feed(memory, n, w, float(w @ theta), t, 0.05, 1.0):
+        r.w[:] = rng.standard_normal(n) * units
+        if not drem.advance(s, r, 0.05, 1.0, t, float(r.w @ theta)):
             continue
         told += 1
-        phi, scale = memory[drem.PHI], memory[drem.REGRESSOR + n : drem.REGRESSOR + 2 * n]
-        mixed = memory[drem.REGRESSOR + 4 * n : drem.REGRESSOR + 5 * n]
-        assert abs(phi) <= 1.0 + 1e-12
-        wanted = phi * theta * scale
-        assert np.abs(mixed - wanted).max() <= 1e-11 * max(1.0, float(np.abs(theta * scale).max()))
+        assert abs(s.phi) <= 1.0 + 1e-12
+        wanted = s.phi * theta * r.largest
+        assert np.abs(r.mixed - wanted).max() <= 1e-11 * max(1.0, float(np.abs(theta * r.largest).max()))
     assert told > 0
 
 
@@ -126,15 +119,17 @@ def test_excitation_falls_with_the_third_power_of_the_delay() -> None:
 
 def test_a_law_writes_nothing_beside_its_own_floats() -> None:
     n, at = 3, 5
-    memory = np.full(at + drem.states(n) + 4, 7.0)
-    memory[at : at + drem.states(n)] = 0.0
+    end = at + drem.State.length + drem.numbers(n)
+    memory = np.full(end + 4, 7.0)
+    memory[at:end] = 0.0
+    s, r = drem.State(memory, at), drem.parts(memory[at + drem.State.length : end], n)
     rng = np.random.default_rng(1)
     for t in np.arange(0.0, 0.5, 0.002):
-        memory[at + drem.REGRESSOR : at + drem.REGRESSOR + n] = rng.standard_normal(n)
-        drem.advance(memory, at, n, 0.05, 10.0, (t, 1.0))
-    assert memory[at : at + drem.states(n)].any()
+        r.w[:] = rng.standard_normal(n)
+        drem.advance(s, r, 0.05, 10.0, t, 1.0)
+    assert memory[at:end].any()
     assert (memory[:at] == 7.0).all()
-    assert (memory[at + drem.states(n) :] == 7.0).all()
+    assert (memory[end:] == 7.0).all()
 
 
 def test_a_refused_sample_changes_nothing_and_a_pickle_goes_on() -> None:

@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.regression import DynamicRegressorExtension, RecursiveLeastSquares, least_squares
-from pointpred.regression.least_squares import AT
 
 
 def weighted(rows: np.ndarray, outputs: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -101,10 +100,11 @@ def test_the_compiled_solution_is_the_fit() -> None:
     stage = RecursiveLeastSquares(4)
     for row in rng.standard_normal((30, 4)):
         stage.update(row, row.sum() + rng.standard_normal())
-    memory = np.concatenate([stage._memory, np.zeros(4)])
-    assert least_squares.solve(memory, AT, 4, 1e-6, len(memory) - 4)
-    assert stage.fit().values == pytest.approx(memory[-4:], rel=1e-9)
-    assert not least_squares.solve(np.zeros(100), 0, 4, 1e-6, 60)
+    found = np.zeros(4)
+    regression = least_squares.parts(least_squares.Memory(stage._memory).numbers, 4)
+    assert least_squares.solve(regression, 1e-6, found)
+    assert stage.fit().values == pytest.approx(found, rel=1e-9)
+    assert not least_squares.solve(least_squares.parts(np.zeros(24), 4), 1e-6, found)
 
 
 def test_forgetting_without_excitation_is_said_and_stays_finite() -> None:

@@ -32,10 +32,11 @@ def exact_adjugate_times(rows: list[list[Fraction]], y: list[Fraction]) -> list[
 
 def mix(matrix: np.ndarray, y: np.ndarray) -> tuple[float, np.ndarray]:
     n = len(y)
-    memory = np.concatenate([matrix.ravel(), y, np.zeros(n), np.zeros(drem.work(n))])
-    phi = drem.mix(memory, 0, n * n, n, n * n + n, n * n + 2 * n)
-    assert np.array_equal(memory[: n * n + n], np.concatenate([matrix.ravel(), y]))
-    return phi, memory[n * n + n : n * n + 2 * n]
+    given, mixed = (matrix.copy(), y.copy()), np.zeros(n)
+    phi = drem.mix(matrix, y, mixed, np.zeros(n * n))
+    assert np.array_equal(matrix, given[0])
+    assert np.array_equal(y, given[1])
+    return phi, mixed
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
@@ -74,4 +75,4 @@ def test_the_closed_form_for_three_agrees_with_elimination() -> None:
     rng = np.random.default_rng(3)
     matrix = rng.standard_normal((3, 3))
     phi, _ = mix(matrix, np.ones(3))
-    assert phi == pytest.approx(drem.determinant(matrix.ravel().copy(), 0, 3), rel=1e-12)
+    assert phi == pytest.approx(drem.determinant(matrix.copy()), rel=1e-12)

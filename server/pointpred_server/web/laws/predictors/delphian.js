@@ -3,49 +3,40 @@ import { hypot, larger } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
 import * as $stage from "../stage.js";
-export const SLOPE = 0;
-export const OFFSET = 1;
-export const FALL = 2;
-export const AT = 3;
-export const PEAK_X = 12;
-export const PEAK_Y = 13;
-export const UNIT_X = 14;
-export const UNIT_Y = 15;
-export const FALLEN = 16;
-export function step(memory, motion) {
+export function step(memory, motion, memory_at = 0) {
   const m = motion;
-  const before = memory[AT + 7];
-  const values_1 = $predictors_movement.follow(memory, m, AT);
+  const settings_at = memory_at;
+  const s_at = memory_at + 3;
+  const peak_at = memory_at + 12;
+  const before = memory[s_at + 7];
+  const values_1 = $predictors_movement.follow(memory, m, s_at);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, m, fault, AT);
+    return $predictors_movement.refuse(memory, m, fault, s_at);
   }
-  const phase = $predictors_movement.phase(memory, m, AT);
+  const phase = $predictors_movement.phase(memory, m, s_at);
   if (new_) {
-    memory.fill(0, PEAK_X);
+    memory.fill(0, peak_at, peak_at + 5);
   }
-  const peak = memory[AT + 7];
   const speed = hypot(m[3], m[4]);
-  if (new_ || peak > before) {
-    const away_x = m[1] - memory[AT + 5];
-    const away_y = m[2] - memory[AT + 6];
+  if (new_ || memory[s_at + 7] > before) {
+    const away_x = m[1] - memory[s_at + 5];
+    const away_y = m[2] - memory[s_at + 6];
     const away = hypot(away_x, away_y);
-    memory[PEAK_X] = m[1];
-    memory[PEAK_Y] = m[2];
-    memory[FALLEN] = 0;
-    memory[UNIT_X] = away > 0 ? away_x / away : 0;
-    memory[UNIT_Y] = away > 0 ? away_y / away : 0;
-  } else if (speed < (1 - memory[FALL]) * peak && peak >= $predictors_movement.STILL_M_S) {
-    memory[FALLEN] = 1;
+    memory[peak_at] = m[1];
+    memory[peak_at + 1] = m[2];
+    memory[peak_at + 4] = 0;
+    memory[peak_at + 2] = away > 0 ? away_x / away : 0;
+    memory[peak_at + 3] = away > 0 ? away_y / away : 0;
+  } else if (speed < (1 - memory[settings_at + 2]) * memory[s_at + 7] && memory[s_at + 7] >= $predictors_movement.STILL_M_S) {
+    memory[peak_at + 4] = 1;
   }
-  if (memory[FALLEN] === 0 || memory[UNIT_X] === 0 && memory[UNIT_Y] === 0) {
+  if (memory[peak_at + 4] === 0 || memory[peak_at + 2] === 0 && memory[peak_at + 3] === 0) {
     return $records.endpoint(m[0], NaN, NaN, phase);
   }
-  const ahead = larger(memory[SLOPE] * peak + memory[OFFSET], 0);
-  const end_x = memory[PEAK_X] + ahead * memory[UNIT_X];
-  const end_y = memory[PEAK_Y] + ahead * memory[UNIT_Y];
-  return $records.endpoint(m[0], end_x, end_y, phase);
+  const ahead = larger(memory[settings_at] * memory[s_at + 7] + memory[settings_at + 1], 0);
+  return $records.endpoint(m[0], memory[peak_at] + ahead * memory[peak_at + 2], memory[peak_at + 1] + ahead * memory[peak_at + 3], phase);
 }
 export const DelphianPredictor = {
   step: step,

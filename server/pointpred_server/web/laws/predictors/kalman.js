@@ -6,66 +6,56 @@ import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const PRIOR_SPEED = 100;
 export const PRIOR_ACCELERATION = 1000;
-export const HORIZON_S = 0;
-export const JERK_DENSITY = 1;
-export const NOISE_PX = 2;
-export const GAP_S = 3;
-export const AT = 4;
-export const MEAN_X = 13;
-export const MEAN_Y = 16;
-export const SPREAD = 19;
-export const END = 25;
-export function expect_rest(memory, x, y) {
-  memory.fill(0, MEAN_X, END);
-  memory[MEAN_X] = x;
-  memory[MEAN_Y] = y;
-  memory[SPREAD] = square(memory[NOISE_PX]);
-  memory[SPREAD + 3] = PRIOR_SPEED * PRIOR_SPEED;
-  memory[SPREAD + 5] = PRIOR_ACCELERATION * PRIOR_ACCELERATION;
+export function expect_rest(plane, noise, x, y, plane_at = 0) {
+  plane.fill(0, plane_at, plane_at + 12);
+  plane[plane_at] = x;
+  plane[plane_at + 3] = y;
+  plane[plane_at + 6] = noise;
+  plane[plane_at + 9] = PRIOR_SPEED * PRIOR_SPEED;
+  plane[plane_at + 11] = PRIOR_ACCELERATION * PRIOR_ACCELERATION;
 }
-export function correct(memory, mean, measured) {
-  const total = memory[SPREAD] + square(memory[NOISE_PX]);
-  const share = (measured - memory[mean]) / total;
-  return [memory[mean] + memory[SPREAD] * share, memory[mean + 1] + memory[SPREAD + 1] * share, memory[mean + 2] + memory[SPREAD + 2] * share];
+export function corrected(axis, p, noise, measured, p_at = 0) {
+  const share = (measured - axis[0]) / (p[p_at] + noise);
+  return [axis[0] + p[p_at] * share, axis[1] + p[p_at + 1] * share, axis[2] + p[p_at + 2] * share];
 }
-export function expect(memory, dt, x, y) {
-  const noise = square(memory[NOISE_PX]);
-  const plane_at = MEAN_X;
-  $differentiators_kalman.correct(view(memory, plane_at, plane_at + 3), memory, noise, x, plane_at + 6);
-  $differentiators_kalman.predict(view(memory, plane_at, plane_at + 3), dt);
-  $differentiators_kalman.correct(view(memory, plane_at + 3, plane_at + 6), memory, noise, y, plane_at + 6);
-  $differentiators_kalman.predict(view(memory, plane_at + 3, plane_at + 6), dt);
-  $differentiators_kalman.narrow(memory, noise, plane_at + 6);
-  $differentiators_kalman.spread(memory, memory[JERK_DENSITY], dt, plane_at + 6);
+export function expect(plane, noise, jerk_density, dt, x, y, plane_at = 0) {
+  $differentiators_kalman.correct(view(plane, plane_at, plane_at + 3), plane, noise, x, plane_at + 6);
+  $differentiators_kalman.predict(view(plane, plane_at, plane_at + 3), dt);
+  $differentiators_kalman.correct(view(plane, plane_at + 3, plane_at + 6), plane, noise, y, plane_at + 6);
+  $differentiators_kalman.predict(view(plane, plane_at + 3, plane_at + 6), dt);
+  $differentiators_kalman.narrow(plane, noise, plane_at + 6);
+  $differentiators_kalman.spread(plane, jerk_density, dt, plane_at + 6);
 }
-export function step(memory, motion) {
+export function step(memory, motion, memory_at = 0) {
   const m = motion;
-  const last_x = memory[AT + 2];
-  const last_y = memory[AT + 3];
-  const values_1 = $predictors_movement.follow(memory, m, AT);
+  const settings_at = memory_at;
+  const s_at = memory_at + 4;
+  const plane_at = memory_at + 13;
+  const last_x = memory[s_at + 2];
+  const last_y = memory[s_at + 3];
+  const values_1 = $predictors_movement.follow(memory, m, s_at);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, m, fault, AT);
+    return $predictors_movement.refuse(memory, m, fault, s_at);
   }
-  const x0 = memory[AT + 5];
-  const y0 = memory[AT + 6];
-  if (new_ || dt > memory[GAP_S] + $records.ROUNDING_S) {
-    expect_rest(memory, m[1] - x0, m[2] - y0);
+  const noise = square(memory[settings_at + 2]);
+  if (new_ || dt > memory[settings_at + 3] + $records.ROUNDING_S) {
+    expect_rest(memory, noise, m[1] - memory[s_at + 5], m[2] - memory[s_at + 6], plane_at);
   } else if (dt > 0) {
-    expect(memory, dt, last_x - x0, last_y - y0);
+    expect(memory, noise, memory[settings_at + 1], dt, last_x - memory[s_at + 5], last_y - memory[s_at + 6], plane_at);
   }
-  const h = memory[HORIZON_S];
-  const values_2 = correct(memory, MEAN_X, m[1] - x0);
+  const values_2 = corrected(view(memory, plane_at, plane_at + 3), memory, noise, m[1] - memory[s_at + 5], plane_at + 6);
   const px = values_2[0];
   const vx_px = values_2[1];
   const ax_px = values_2[2];
-  const values_3 = correct(memory, MEAN_Y, m[2] - y0);
+  const values_3 = corrected(view(memory, plane_at + 3, plane_at + 6), memory, noise, m[2] - memory[s_at + 6], plane_at + 6);
   const py = values_3[0];
   const vy_px = values_3[1];
   const ay_px = values_3[2];
-  return $records.endpoint(m[0], x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, m, AT));
+  const h = memory[settings_at];
+  return $records.endpoint(m[0], memory[s_at + 5] + px + h * (vx_px + 0.5 * h * ax_px), memory[s_at + 6] + py + h * (vy_px + 0.5 * h * ay_px), $predictors_movement.phase(memory, m, s_at));
 }
 export const KalmanPredictor = {
   step: step,

@@ -4,62 +4,62 @@ import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
 import * as $stage from "../stage.js";
 export const CAPACITY = 8;
-export const HORIZON_S = 0;
-export const WINDOW_S = 1;
-export const AT = 2;
-export const COUNT = 11;
-export const PAST = 12;
-export function remember(memory, t, x, y) {
-  const count = Math.trunc(memory[COUNT]);
-  const same = count > 0 && memory[PAST] === t;
-  if (count > 0 && !same && t - memory[PAST] < memory[WINDOW_S] / CAPACITY - $records.ROUNDING_S) {
+export function remember(past, window_s, t, x, y, past_at = 0) {
+  const count = Math.trunc(past[past_at]);
+  const same = count > 0 && past[past_at + 1] === t;
+  if (count > 0 && !same && t - past[past_at + 1] < window_s / CAPACITY - $records.ROUNDING_S) {
     return;
   }
   if (!same) {
-    for (let i = 3 * CAPACITY - 1; i > 2; i--) {
-      memory[PAST + i] = memory[PAST + i - 3];
+    for (let i = CAPACITY - 1; i > 0; i--) {
+      for (let j = 0; j < 3; j++) {
+        past[past_at + i * 3 + j + 1] = past[past_at + (i - 1) * 3 + j + 1];
+      }
     }
-    memory[COUNT] = smaller(count + 1, CAPACITY);
+    past[past_at] = smaller(count + 1, CAPACITY);
   }
-  memory[PAST] = t;
-  memory[PAST + 1] = x;
-  memory[PAST + 2] = y;
+  past[past_at + 1] = t;
+  past[past_at + 2] = x;
+  past[past_at + 3] = y;
 }
-export function before(memory, t) {
-  let place = -1;
-  for (let i = 0, end_1 = Math.trunc(memory[COUNT]); i < end_1; i++) {
-    const age = t - memory[PAST + 3 * i];
-    if (age > 0 && (place < 0 || age <= memory[WINDOW_S] + $records.ROUNDING_S)) {
-      place = PAST + 3 * i;
+export function before(past, window_s, t, past_at = 0) {
+  let found = -1;
+  for (let i = 0, end_1 = Math.trunc(past[past_at]); i < end_1; i++) {
+    const age = t - past[past_at + i * 3 + 1];
+    if (age > 0 && (found < 0 || age <= window_s + $records.ROUNDING_S)) {
+      found = i;
     }
   }
-  if (place < 0) {
+  if (found < 0) {
     return [false, t, 0, 0];
   }
-  return [true, memory[place], memory[place + 1], memory[place + 2]];
+  return [true, past[past_at + found * 3 + 1], past[past_at + found * 3 + 2], past[past_at + found * 3 + 3]];
 }
-export function step(memory, motion) {
+export function step(memory, motion, memory_at = 0) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, m, AT);
+  const settings_at = memory_at;
+  const s_at = memory_at + 2;
+  const past_at = memory_at + 11;
+  const values_1 = $predictors_movement.follow(memory, m, s_at);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, m, fault, AT);
+    return $predictors_movement.refuse(memory, m, fault, s_at);
   }
   if (new_) {
-    memory[COUNT] = 0;
+    memory[past_at] = 0;
   }
-  const phase = $predictors_movement.phase(memory, m, AT);
-  const values_2 = before(memory, m[0]);
+  const phase = $predictors_movement.phase(memory, m, s_at);
+  const values_2 = before(memory, memory[settings_at + 1], m[0], past_at);
   const any_before = values_2[0];
   const before_t = values_2[1];
   const before_x = values_2[2];
   const before_y = values_2[3];
-  remember(memory, m[0], m[1], m[2]);
+  remember(memory, memory[settings_at + 1], m[0], m[1], m[2], past_at);
   if (!any_before) {
     return $records.endpoint(m[0], NaN, NaN, phase);
   }
-  const ahead = memory[HORIZON_S] / larger(m[0] - before_t, memory[WINDOW_S] / CAPACITY);
+  const ahead = memory[settings_at] / larger(m[0] - before_t, memory[settings_at + 1] / CAPACITY);
   return $records.endpoint(m[0], m[1] + ahead * (m[1] - before_x), m[2] + ahead * (m[2] - before_y), phase);
 }
 export const LinearPredictor = {
