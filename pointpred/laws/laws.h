@@ -109,9 +109,11 @@ typedef struct { int64_t f0; int64_t f1; } T2q;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; int64_t f4; } T5q;
 typedef struct { double key; double x; double y; } scene_Scene;
 typedef struct { double c0; double c1; double c2; double c3; double c4; } predictors_kep_Quartic;
+typedef struct { Vector w; Vector z; Table R; } regression_least_squares_Regression;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; double f9; double f10; double f11; double f12; double f13; double f14; double f15; double f16; double f17; double f18; double f19; double f20; double f21; } T22d;
 typedef struct { bool f0; double f1; double f2; double f3; } Tb3d;
-typedef struct { bool f0; int64_t f1; int64_t f2; double f3; } Tb2qd;
+typedef struct { Vector w; Vector largest; Vector theta; Vector Y; Vector mixed; Table Phi; Vector scratch; Vector past; } regression_drem_Regression;
+typedef struct { bool f0; double f1; } Tbd;
 typedef struct { double x; double y; double sxx; double sxy; double syy; double tail; } targets_posterior_Law;
 typedef struct { double x; double y; double trail_x; double trail_y; double vx; double vy; double log_way; double log_sweep; } targets_posterior_Situation;
 typedef struct { double far; double gx; double gy; double gxy; double hx; double hy; } targets_rectangle_mass_Distance;
@@ -126,7 +128,6 @@ typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; } T4q;
 typedef struct { Table f0; Table f1; Table f2; } T3_Table_;
 typedef struct { Table f0; Vector f1; Vector f2; Vector f3; } T_Table_3_Vector_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; } T8d;
-typedef struct { bool f0; double f1; } Tbd;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; } transfer_assistance_OffsetReport;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; double sxx; double sxy; double syy; } transfer_assistance_GuidedReport;
 typedef struct { int64_t n; int64_t linear; double forgetting; } transfer_bands_Model;
@@ -560,6 +561,70 @@ typedef struct {
   double spread;
 } predictors_kinematic_network_Outputs;
 typedef struct {
+  double slope;
+  double offset;
+  double fall;
+} predictors_delphian_Settings;
+typedef struct {
+  double x;
+  double y;
+  double unit_x;
+  double unit_y;
+  double fallen;
+} predictors_delphian_Peak;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_delphian_Peak peak;
+} predictors_delphian_State;
+typedef struct {
+  predictors_delphian_Settings settings;
+  predictors_delphian_State state;
+} predictors_delphian_Memory;
+typedef struct {
+  double horizon_s;
+  double jerk_density;
+  double noise_px;
+  double gap_s;
+} predictors_kalman_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  differentiators_kalman_Plane expected;
+} predictors_kalman_State;
+typedef struct {
+  predictors_kalman_Settings settings;
+  predictors_kalman_State state;
+} predictors_kalman_Memory;
+typedef struct {
+  double samples;
+  double effective;
+  double residual;
+} regression_least_squares_Sums;
+typedef struct {
+  regression_least_squares_Sums sums;
+  double numbers[35];
+  double coefficients[5];
+} predictors_kep_Fit;
+typedef struct {
+  double predicted;
+  double accepted;
+  double x;
+  double y;
+} predictors_kep_Check;
+typedef struct {
+  double degree;
+  double reach;
+  double change_most;
+} predictors_kep_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_kep_Fit fit;
+  predictors_kep_Check check;
+} predictors_kep_State;
+typedef struct {
+  predictors_kep_Settings settings;
+  predictors_kep_State state;
+} predictors_kep_Memory;
+typedef struct {
   double learned_most;
   double library;
   double longest;
@@ -597,6 +662,90 @@ typedef struct {
   predictors_ktm_Samples samples;
   double rest[];
 } predictors_ktm_State;
+typedef struct {
+  double count;
+  double samples[8][3];
+} predictors_linear_Past;
+typedef struct {
+  double horizon_s;
+  double window_s;
+} predictors_linear_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_linear_Past past;
+} predictors_linear_State;
+typedef struct {
+  predictors_linear_Settings settings;
+  predictors_linear_State state;
+} predictors_linear_Memory;
+typedef struct {
+  double count;
+  double newest;
+  double samples[];
+} regression_delay_Ring;
+typedef struct {
+  double started;
+  double t;
+  double phi;
+  double excitation;
+} regression_drem_State;
+typedef struct {
+  double peak;
+  double x;
+  double endpoint;
+  regression_drem_State regression;
+  double numbers[695];
+} predictors_switched_Axis;
+typedef struct {
+  double threshold;
+  double bound;
+  double delay_s;
+  double gamma;
+} predictors_switched_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_switched_Axis x;
+  predictors_switched_Axis y;
+} predictors_switched_State;
+typedef struct {
+  predictors_switched_Settings settings;
+  predictors_switched_State state;
+} predictors_switched_Memory;
+typedef struct {
+  double peak;
+  double peak_x;
+  double peak_y;
+  double valley;
+  double valley_x;
+  double valley_y;
+  double start_x;
+  double start_y;
+} predictors_switched_direction_Submovement;
+typedef struct {
+  double vx;
+  double vy;
+  double x;
+  double y;
+  double cross;
+  double square_;
+} predictors_switched_direction_Hand;
+typedef struct {
+  double rise;
+  double typical_s;
+  double own;
+  double turn;
+  double watched;
+  double stopping;
+} predictors_switched_direction_Settings;
+typedef struct {
+  predictors_movement_State movement;
+  predictors_switched_direction_Submovement submovement;
+  predictors_switched_direction_Hand hand;
+} predictors_switched_direction_State;
+typedef struct {
+  predictors_switched_direction_Settings settings;
+  predictors_switched_direction_State state;
+} predictors_switched_direction_Memory;
 typedef struct {
   double known;
   double t;
@@ -762,7 +911,8 @@ typedef struct {
 } transfer_assistance_Guarded;
 typedef struct {
   double skipped;
-  double solver[66];
+  regression_least_squares_Sums sums;
+  double numbers[63];
   double bands[160];
   double row[7];
 } transfer_identification_Learned;
@@ -1023,19 +1173,19 @@ int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_lef
 void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums * s, Vector prior, Vector weights);
 T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace);
 T7d predictors_adaptation_time_left_terms(predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace, double since, double median);
-T10d predictors_delphian_step(Vector memory, T10d motion);
-T10d predictors_hold_step(Vector memory, T10d motion);
-T3d predictors_kalman_correct(Vector memory, int64_t mean, double measured);
-void predictors_kalman_expect(Vector memory, double dt, double x, double y);
-void predictors_kalman_expect_rest(Vector memory, double x, double y);
-T10d predictors_kalman_step(Vector memory, T10d motion);
-void predictors_kep_add(Vector memory, double distance, double speed);
+T10d predictors_delphian_step(predictors_delphian_Memory * memory, T10d motion);
+T10d predictors_hold_step(predictors_movement_State * s, T10d motion);
+T3d predictors_kalman_corrected(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
+void predictors_kalman_expect(differentiators_kalman_Plane * plane, double noise, double jerk_density, double dt, double x, double y);
+void predictors_kalman_expect_rest(differentiators_kalman_Plane * plane, double noise, double x, double y);
+T10d predictors_kalman_step(predictors_kalman_Memory * memory, T10d motion);
+void predictors_kep_add(predictors_kep_Fit * fit, int64_t degree, double distance, double speed);
 T2d predictors_kep_bends(predictors_kep_Quartic p, double far);
 predictors_kep_Quartic predictors_kep_derivative(predictors_kep_Quartic p);
 double predictors_kep_first_zero(predictors_kep_Quartic p, double far);
-void predictors_kep_judge(Vector memory, double length, double x, double y);
-double predictors_kep_remaining(Vector memory, double travelled);
-T10d predictors_kep_step(Vector memory, T10d motion);
+void predictors_kep_judge(predictors_kep_Check * check, double change_most, double length, double x, double y);
+double predictors_kep_remaining(predictors_kep_Fit * fit, int64_t degree, double reach, double travelled);
+T10d predictors_kep_step(predictors_kep_Memory * memory, T10d motion);
 double predictors_kep_value(predictors_kep_Quartic p, double w);
 double predictors_kep_zero_between(predictors_kep_Quartic p, double low, double high);
 double predictors_kinematic_features_ahead(double ratio);
@@ -1076,11 +1226,11 @@ T3q predictors_ktm_sizes(Vector values);
 T10d predictors_ktm_step(predictors_ktm_Memory * memory, T10d motion);
 int64_t predictors_ktm_template_count(predictors_ktm_Memory * memory);
 int64_t predictors_ktm_winner(predictors_ktm_Memory * memory, predictors_ktm_State * s, double times);
-Tb3d predictors_linear_before(Vector memory, double t);
-void predictors_linear_remember(Vector memory, double t, double x, double y);
-T10d predictors_linear_step(Vector memory, T10d motion);
+Tb3d predictors_linear_before(predictors_linear_Past * past, double window_s, double t);
+void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y);
+T10d predictors_linear_step(predictors_linear_Memory * memory, T10d motion);
 T2d predictors_minimum_jerk_progress(double ratio);
-T10d predictors_minimum_jerk_step(Vector memory, T10d motion);
+T10d predictors_minimum_jerk_step(predictors_movement_State * s, T10d motion);
 double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points);
 double predictors_mixture_corrected_probability(double level, double tail, double near, double far);
 double predictors_mixture_corrected_radius(double level, double heavy, double offset);
@@ -1104,14 +1254,14 @@ int64_t predictors_movement_fault_of(predictors_movement_State * s, records_Moti
 Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m);
 double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m);
 T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault);
-double predictors_switched_advance(Vector memory, int64_t axis, double t, double place, double v, double a);
-double predictors_switched_direction_approach(Vector memory, double px_m, double x, double y, double speed);
-void predictors_switched_direction_begin_submovement(Vector memory, int64_t at, double x, double y);
-void predictors_switched_direction_follow_submovement(Vector memory, int64_t at, double rise, double x, double y, double speed);
-double predictors_switched_direction_gain(Vector memory, double dt, double away_x, double away_y, double vx, double vy);
-T10d predictors_switched_direction_step(Vector memory, T10d motion);
+double predictors_switched_advance(predictors_switched_Settings * settings, predictors_switched_Axis * axis, double t, double x, double v, double a);
+double predictors_switched_direction_approach(predictors_switched_direction_Settings * settings, predictors_switched_direction_Submovement * s, double px_m, double x, double y, double speed);
+void predictors_switched_direction_begin_submovement(predictors_switched_direction_Submovement * s, double x, double y);
+void predictors_switched_direction_follow_submovement(predictors_switched_direction_Submovement * s, double rise, double x, double y, double speed);
+double predictors_switched_direction_gain(predictors_switched_direction_Hand * hand, double dt, double away_x, double away_y, double vx, double vy);
+T10d predictors_switched_direction_step(predictors_switched_direction_Memory * memory, T10d motion);
 double predictors_switched_direction_time_constant(double own, double typical_s, double done, double peak);
-T10d predictors_switched_step(Vector memory, T10d motion);
+T10d predictors_switched_step(predictors_switched_Memory * memory, T10d motion);
 T10d records_endpoint(double t, double x, double y, double phase);
 T6d records_event_at(Table table, int64_t i);
 int64_t records_fault_of_event(records_EventRow event);
@@ -1119,26 +1269,24 @@ T10d records_refused(int64_t code, double value);
 T10d records_row_at(Table table, int64_t i);
 double regions_reach(double level, double tail);
 int64_t regression_delay_capacity(int64_t delays);
-Tb2qd regression_delay_find(Vector memory, int64_t at, int64_t width, int64_t samples, double t);
-int64_t regression_delay_push(Vector memory, int64_t at, int64_t width, int64_t samples, double spacing, double t);
-int64_t regression_delay_states(int64_t width, int64_t samples);
-bool regression_drem_advance(Vector memory, int64_t at, int64_t n, double delay_s, double gamma, T2d sample);
-double regression_drem_determinant(Vector memory, int64_t at, int64_t n);
-int64_t regression_drem_estimates(int64_t at, int64_t n);
-bool regression_drem_extend(Vector memory, int64_t at, int64_t n, double delay_s, double t);
-double regression_drem_mix(Vector memory, int64_t a, int64_t y, int64_t n, int64_t out, int64_t scratch);
-double regression_drem_mix3(Vector memory, int64_t a, int64_t y, int64_t out);
-double regression_drem_remember(Vector memory, int64_t at, int64_t n, double delay_s, double t, double output);
-int64_t regression_drem_ring(int64_t at, int64_t n);
-int64_t regression_drem_states(int64_t n);
-int64_t regression_drem_work(int64_t n);
+Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, double t, Vector w);
+void regression_delay_push(regression_delay_Ring * ring, int64_t samples, double spacing, double t, Vector w, double y);
+int64_t regression_delay_states(int64_t n, int64_t samples);
+bool regression_drem_advance(regression_drem_State * s, regression_drem_Regression r, double delay_s, double gamma, double t, double y);
+double regression_drem_determinant(Table a);
+bool regression_drem_extend(regression_drem_Regression r, double delay_s, double t);
+double regression_drem_mix(Table a, Vector y, Vector out, Vector scratch);
+double regression_drem_mix3(Table a, Vector y, Vector out);
+int64_t regression_drem_numbers(int64_t n);
+regression_drem_Regression regression_drem_parts(Vector memory, int64_t n);
+double regression_drem_remember(regression_drem_State * s, regression_drem_Regression r, double delay_s, double t, double y);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
 void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h);
-void regression_least_squares_advance(Vector memory, int64_t at, int64_t n, double forgetting, double output);
-double regression_least_squares_excitation(Vector memory, int64_t at, int64_t n, int64_t j);
-int64_t regression_least_squares_root(int64_t at, int64_t n);
-bool regression_least_squares_solve(Vector memory, int64_t at, int64_t n, double least, int64_t out);
-int64_t regression_least_squares_states(int64_t n);
+void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output);
+double regression_least_squares_excitation(Table r, int64_t j);
+int64_t regression_least_squares_numbers(int64_t n);
+regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n);
+bool regression_least_squares_solve(regression_least_squares_Regression regression, double least, Vector out);
 void scoring_measures_endpoint_hits(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Table discs, Vector shares, Table out);
 void scoring_measures_endpoint_measure(Table rows, Table answers, Vector fractions, WholeVector offsets, WholeVector arrivals, Table out, WholeVector faults);
 int64_t scoring_measures_endpoint_measure_trial(Table rows, Table answers, Vector fractions, int64_t arrival, Vector out);

@@ -270,13 +270,11 @@ static PyObject *give_Tqbd(Tqbd value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   return tuple;
 }
-static PyObject *give_Tb2qd(Tb2qd value) {
-  PyObject *tuple = PyTuple_New(4);
+static PyObject *give_Tbd(Tbd value) {
+  PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
-  PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
-  PyTuple_SetItem(tuple, 2, PyLong_FromLongLong(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   return tuple;
 }
 static PyObject *give_T2q(T2q value) {
@@ -354,13 +352,6 @@ static PyObject *give_Td(Td value) {
   PyObject *tuple = PyTuple_New(1);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  return tuple;
-}
-static PyObject *give_Tbd(Tbd value) {
-  PyObject *tuple = PyTuple_New(2);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   return tuple;
 }
 static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
@@ -5509,14 +5500,14 @@ static PyObject *py_predictors_delphian_step(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.delphian:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_delphian_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 17, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -5537,14 +5528,14 @@ static PyObject *py_predictors_hold_step(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.hold:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_movement_State * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 9, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -5561,23 +5552,26 @@ static PyObject *py_predictors_hold_step(PyObject *self, PyObject *const *args, 
   let_go(&held);
   return give_T10d(result);
 }
-static PyObject *py_predictors_kalman_correct(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.predictors.kalman:correct";
+static PyObject *py_predictors_kalman_corrected(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.kalman:corrected";
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
+  differentiators_kalman_Covariance * a1;
   double a2;
+  double a3;
   T3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "axis", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)))
+        && take_memory(&held, args[1], law, "p", false, 6, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_kalman_correct(a0, a1, a2);
+  result = predictors_kalman_corrected(a0, a1, a2, a3);
   let_go(&held);
   return give_T3d(result);
 }
@@ -5585,20 +5579,24 @@ static PyObject *py_predictors_kalman_expect(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.kalman:expect";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   double a2;
   double a3;
+  double a4;
+  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  predictors_kalman_expect(a0, a1, a2, a3);
+  predictors_kalman_expect(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5606,18 +5604,20 @@ static PyObject *py_predictors_kalman_expect_rest(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.predictors.kalman:expect_rest";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   double a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "plane", true, 12, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kalman_expect_rest(a0, a1, a2);
+  predictors_kalman_expect_rest(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5625,14 +5625,14 @@ static PyObject *py_predictors_kalman_step(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.predictors.kalman:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kalman_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 25, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -5653,18 +5653,20 @@ static PyObject *py_predictors_kep_add(PyObject *self, PyObject *const *args, Py
   static const char law[] = "pointpred.predictors.kep:add";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  double a1;
+  predictors_kep_Fit * a0;
+  int64_t a1;
   double a2;
+  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "fit", true, 43, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  predictors_kep_add(a0, a1, a2);
+  predictors_kep_add(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5736,20 +5738,22 @@ static PyObject *py_predictors_kep_judge(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.predictors.kep:judge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kep_Check * a0;
   double a1;
   double a2;
   double a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "check", true, 4, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_kep_judge(a0, a1, a2, a3);
+  predictors_kep_judge(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -5757,17 +5761,21 @@ static PyObject *py_predictors_kep_remaining(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.kep:remaining";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  double a1;
+  predictors_kep_Fit * a0;
+  int64_t a1;
+  double a2;
+  double a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "fit", true, 43, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  result = predictors_kep_remaining(a0, a1);
+  result = predictors_kep_remaining(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -5775,14 +5783,14 @@ static PyObject *py_predictors_kep_step(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.predictors.kep:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_kep_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 59, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6715,17 +6723,19 @@ static PyObject *py_predictors_linear_before(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.linear:before";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_linear_Past * a0;
   double a1;
+  double a2;
   Tb3d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "past", false, 25, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = predictors_linear_before(a0, a1);
+  result = predictors_linear_before(a0, a1, a2);
   let_go(&held);
   return give_Tb3d(result);
 }
@@ -6733,20 +6743,22 @@ static PyObject *py_predictors_linear_remember(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.linear:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_linear_Past * a0;
   double a1;
   double a2;
   double a3;
+  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "past", true, 25, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_linear_remember(a0, a1, a2, a3);
+  predictors_linear_remember(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -6754,14 +6766,14 @@ static PyObject *py_predictors_linear_step(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred.predictors.linear:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_linear_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 36, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -6797,14 +6809,14 @@ static PyObject *py_predictors_minimum_jerk_step(PyObject *self, PyObject *const
   static const char law[] = "pointpred.predictors.minimum_jerk:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_movement_State * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "s", true, 9, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -7356,8 +7368,8 @@ static PyObject *py_predictors_switched_advance(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.predictors.switched:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_switched_Settings * a0;
+  predictors_switched_Axis * a1;
   double a2;
   double a3;
   double a4;
@@ -7366,9 +7378,10 @@ static PyObject *py_predictors_switched_advance(PyObject *self, PyObject *const 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_memory(&held, args[0], law, "settings", false, 4, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "axis", true, 702, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)
@@ -7382,23 +7395,26 @@ static PyObject *py_predictors_switched_direction_approach(PyObject *self, PyObj
   static const char law[] = "pointpred.predictors.switched_direction:approach";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  double a1;
+  predictors_switched_direction_Settings * a0;
+  predictors_switched_direction_Submovement * a1;
   double a2;
   double a3;
   double a4;
+  double a5;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "settings", false, 6, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", false, 8, &view)
+        && (a1 = view->buf, true)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  result = predictors_switched_direction_approach(a0, a1, a2, a3, a4);
+  result = predictors_switched_direction_approach(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -7406,20 +7422,18 @@ static PyObject *py_predictors_switched_direction_begin_submovement(PyObject *se
   static const char law[] = "pointpred.predictors.switched_direction:begin_submovement";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_switched_direction_Submovement * a0;
+  double a1;
   double a2;
-  double a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 8, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  predictors_switched_direction_begin_submovement(a0, a1, a2, a3);
+  predictors_switched_direction_begin_submovement(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -7427,24 +7441,22 @@ static PyObject *py_predictors_switched_direction_follow_submovement(PyObject *s
   static const char law[] = "pointpred.predictors.switched_direction:follow_submovement";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  predictors_switched_direction_Submovement * a0;
+  double a1;
   double a2;
   double a3;
   double a4;
-  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 8, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  predictors_switched_direction_follow_submovement(a0, a1, a2, a3, a4, a5);
+  predictors_switched_direction_follow_submovement(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -7452,7 +7464,7 @@ static PyObject *py_predictors_switched_direction_gain(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.switched_direction:gain";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_switched_direction_Hand * a0;
   double a1;
   double a2;
   double a3;
@@ -7462,8 +7474,8 @@ static PyObject *py_predictors_switched_direction_gain(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "hand", true, 6, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
@@ -7478,14 +7490,14 @@ static PyObject *py_predictors_switched_direction_step(PyObject *self, PyObject 
   static const char law[] = "pointpred.predictors.switched_direction:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_switched_direction_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 29, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -7527,14 +7539,14 @@ static PyObject *py_predictors_switched_step(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred.predictors.switched:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  predictors_switched_Memory * a0;
   T10d a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 1417, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "motion", 10)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -7678,55 +7690,54 @@ static PyObject *py_regression_delay_capacity(PyObject *self, PyObject *const *a
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_regression_delay_find(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.delay:find";
+static PyObject *py_regression_delay_delayed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.delay:delayed";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  regression_delay_Ring * a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  double a4;
-  Tb2qd result;
+  double a2;
+  Vector a3;
+  Tbd result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "ring", false, 2, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "w", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = regression_delay_find(a0, a1, a2, a3, a4);
+  result = regression_delay_delayed(a0, a1, a2, a3);
   let_go(&held);
-  return give_Tb2qd(result);
+  return give_Tbd(result);
 }
 static PyObject *py_regression_delay_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.delay:push";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  regression_delay_Ring * a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  double a4;
+  double a2;
+  double a3;
+  Vector a4;
   double a5;
-  int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "ring", true, 2, &view)
+        && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_double(args[4], &a4)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_array(&held, args[4], law, "w", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[5], &a5)))
     return let_go(&held);
-  result = regression_delay_push(a0, a1, a2, a3, a4, a5);
+  regression_delay_push(a0, a1, a2, a3, a4, a5);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regression_delay_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.delay:states";
@@ -7749,27 +7760,41 @@ static PyObject *py_regression_drem_advance(PyObject *self, PyObject *const *arg
   static const char law[] = "pointpred.regression.drem:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  regression_drem_State * a0;
+  regression_drem_Regression a1;
+  double a2;
   double a3;
   double a4;
-  T2d a5;
+  double a5;
   bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
+        && take_memory(&held, args[0], law, "s", true, 4, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "r", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "r", 'd', 1, true, &view)
+        && (a1.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "r", 'd', 1, true, &view)
+        && (a1.largest = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "r", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "r", 'd', 1, true, &view)
+        && (a1.Y = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "r", 'd', 1, true, &view)
+        && (a1.mixed = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "r", 'd', 2, true, &view)
+        && (a1.Phi = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "r", 'd', 1, true, &view)
+        && (a1.scratch = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "r", 'd', 1, true, &view)
+        && (a1.past = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)
-        && take_tuple(args[5], law, "sample", 2)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)))
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  result = regression_drem_advance(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_advance(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -7777,60 +7802,50 @@ static PyObject *py_regression_drem_determinant(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.regression.drem:determinant";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  Table a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "a", 'd', 2, true, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  result = regression_drem_determinant(a0, a1, a2);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_determinant(a0); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
-}
-static PyObject *py_regression_drem_estimates(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.drem:estimates";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regression_drem_estimates(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_regression_drem_extend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.drem:extend";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  double a4;
+  regression_drem_Regression a0;
+  double a1;
+  double a2;
   bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "r", 8)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "r", 'd', 1, true, &view)
+        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "r", 'd', 1, true, &view)
+        && (a0.largest = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "r", 'd', 1, true, &view)
+        && (a0.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "r", 'd', 1, true, &view)
+        && (a0.Y = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "r", 'd', 1, true, &view)
+        && (a0.mixed = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "r", 'd', 2, true, &view)
+        && (a0.Phi = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "r", 'd', 1, true, &view)
+        && (a0.scratch = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "r", 'd', 1, true, &view)
+        && (a0.past = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  result = regression_drem_extend(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_extend(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -7838,25 +7853,24 @@ static PyObject *py_regression_drem_mix(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred.regression.drem:mix";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t a4;
-  int64_t a5;
+  Table a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "a", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "y", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "scratch", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = regression_drem_mix(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_mix(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -7864,96 +7878,78 @@ static PyObject *py_regression_drem_mix3(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred.regression.drem:mix3";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
+  Table a0;
+  Vector a1;
+  Vector a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "a", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "y", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = regression_drem_mix3(a0, a1, a2, a3);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_mix3(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
+}
+static PyObject *py_regression_drem_numbers(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.drem:numbers";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = regression_drem_numbers(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_regression_drem_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.drem:remember";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  regression_drem_State * a0;
+  regression_drem_Regression a1;
+  double a2;
   double a3;
   double a4;
-  double a5;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 4, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "r", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "r", 'd', 1, true, &view)
+        && (a1.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "r", 'd', 1, true, &view)
+        && (a1.largest = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "r", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "r", 'd', 1, true, &view)
+        && (a1.Y = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "r", 'd', 1, true, &view)
+        && (a1.mixed = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "r", 'd', 2, true, &view)
+        && (a1.Phi = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "r", 'd', 1, true, &view)
+        && (a1.scratch = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "r", 'd', 1, true, &view)
+        && (a1.past = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  result = regression_drem_remember(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS result = regression_drem_remember(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
-}
-static PyObject *py_regression_drem_ring(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.drem:ring";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regression_drem_ring(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regression_drem_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.drem:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_int64_t(args[0], &a0)))
-    return let_go(&held);
-  result = regression_drem_states(a0);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regression_drem_work(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.drem:work";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_int64_t(args[0], &a0)))
-    return let_go(&held);
-  result = regression_drem_work(a0);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_regression_gradient_descend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.regression.gradient:descend";
@@ -8008,22 +8004,26 @@ static PyObject *py_regression_least_squares_advance(PyObject *self, PyObject *c
   static const char law[] = "pointpred.regression.least_squares:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  regression_least_squares_Sums * a0;
+  regression_least_squares_Regression a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 3, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "regression", 3)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "regression", 'd', 1, true, &view)
+        && (a1.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "regression", 'd', 1, true, &view)
+        && (a1.z = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "regression", 'd', 2, true, &view)
+        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  regression_least_squares_advance(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS regression_least_squares_advance(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -8031,67 +8031,22 @@ static PyObject *py_regression_least_squares_excitation(PyObject *self, PyObject
   static const char law[] = "pointpred.regression.least_squares:excitation";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  Table a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "r", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  result = regression_least_squares_excitation(a0, a1, a2, a3);
+  Py_BEGIN_ALLOW_THREADS result = regression_least_squares_excitation(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
-static PyObject *py_regression_least_squares_root(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.least_squares:root";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regression_least_squares_root(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regression_least_squares_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.least_squares:solve";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  int64_t a4;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
-    return let_go(&held);
-  result = regression_least_squares_solve(a0, a1, a2, a3, a4);
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
-static PyObject *py_regression_least_squares_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.regression.least_squares:states";
+static PyObject *py_regression_least_squares_numbers(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:numbers";
   Held held;
   const Py_buffer *view;
   int64_t a0;
@@ -8101,9 +8056,35 @@ static PyObject *py_regression_least_squares_states(PyObject *self, PyObject *co
   if (!(counted(law, count, 1)
         && take_int64_t(args[0], &a0)))
     return let_go(&held);
-  result = regression_least_squares_states(a0);
+  result = regression_least_squares_numbers(a0);
   let_go(&held);
   return PyLong_FromLongLong(result);
+}
+static PyObject *py_regression_least_squares_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.regression.least_squares:solve";
+  Held held;
+  const Py_buffer *view;
+  regression_least_squares_Regression a0;
+  double a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "regression", 3)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "regression", 'd', 1, false, &view)
+        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "regression", 'd', 1, false, &view)
+        && (a0.z = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "regression", 'd', 2, false, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = regression_least_squares_solve(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
 }
 static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.scoring.measures.endpoint:hits";
@@ -11108,7 +11089,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.time_left:terms", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_terms, METH_FASTCALL, NULL},
   {"pointpred.predictors.delphian:step", (PyCFunction)(void (*)(void))py_predictors_delphian_step, METH_FASTCALL, NULL},
   {"pointpred.predictors.hold:step", (PyCFunction)(void (*)(void))py_predictors_hold_step, METH_FASTCALL, NULL},
-  {"pointpred.predictors.kalman:correct", (PyCFunction)(void (*)(void))py_predictors_kalman_correct, METH_FASTCALL, NULL},
+  {"pointpred.predictors.kalman:corrected", (PyCFunction)(void (*)(void))py_predictors_kalman_corrected, METH_FASTCALL, NULL},
   {"pointpred.predictors.kalman:expect", (PyCFunction)(void (*)(void))py_predictors_kalman_expect, METH_FASTCALL, NULL},
   {"pointpred.predictors.kalman:expect_rest", (PyCFunction)(void (*)(void))py_predictors_kalman_expect_rest, METH_FASTCALL, NULL},
   {"pointpred.predictors.kalman:step", (PyCFunction)(void (*)(void))py_predictors_kalman_step, METH_FASTCALL, NULL},
@@ -11202,26 +11183,22 @@ static PyMethodDef methods[] = {
   {"pointpred.records:row_at", (PyCFunction)(void (*)(void))py_records_row_at, METH_FASTCALL, NULL},
   {"pointpred.regions:reach", (PyCFunction)(void (*)(void))py_regions_reach, METH_FASTCALL, NULL},
   {"pointpred.regression.delay:capacity", (PyCFunction)(void (*)(void))py_regression_delay_capacity, METH_FASTCALL, NULL},
-  {"pointpred.regression.delay:find", (PyCFunction)(void (*)(void))py_regression_delay_find, METH_FASTCALL, NULL},
+  {"pointpred.regression.delay:delayed", (PyCFunction)(void (*)(void))py_regression_delay_delayed, METH_FASTCALL, NULL},
   {"pointpred.regression.delay:push", (PyCFunction)(void (*)(void))py_regression_delay_push, METH_FASTCALL, NULL},
   {"pointpred.regression.delay:states", (PyCFunction)(void (*)(void))py_regression_delay_states, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:advance", (PyCFunction)(void (*)(void))py_regression_drem_advance, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:determinant", (PyCFunction)(void (*)(void))py_regression_drem_determinant, METH_FASTCALL, NULL},
-  {"pointpred.regression.drem:estimates", (PyCFunction)(void (*)(void))py_regression_drem_estimates, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:extend", (PyCFunction)(void (*)(void))py_regression_drem_extend, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:mix", (PyCFunction)(void (*)(void))py_regression_drem_mix, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:mix3", (PyCFunction)(void (*)(void))py_regression_drem_mix3, METH_FASTCALL, NULL},
+  {"pointpred.regression.drem:numbers", (PyCFunction)(void (*)(void))py_regression_drem_numbers, METH_FASTCALL, NULL},
   {"pointpred.regression.drem:remember", (PyCFunction)(void (*)(void))py_regression_drem_remember, METH_FASTCALL, NULL},
-  {"pointpred.regression.drem:ring", (PyCFunction)(void (*)(void))py_regression_drem_ring, METH_FASTCALL, NULL},
-  {"pointpred.regression.drem:states", (PyCFunction)(void (*)(void))py_regression_drem_states, METH_FASTCALL, NULL},
-  {"pointpred.regression.drem:work", (PyCFunction)(void (*)(void))py_regression_drem_work, METH_FASTCALL, NULL},
   {"pointpred.regression.gradient:descend", (PyCFunction)(void (*)(void))py_regression_gradient_descend, METH_FASTCALL, NULL},
   {"pointpred.regression.gradient:descend_along", (PyCFunction)(void (*)(void))py_regression_gradient_descend_along, METH_FASTCALL, NULL},
   {"pointpred.regression.least_squares:advance", (PyCFunction)(void (*)(void))py_regression_least_squares_advance, METH_FASTCALL, NULL},
   {"pointpred.regression.least_squares:excitation", (PyCFunction)(void (*)(void))py_regression_least_squares_excitation, METH_FASTCALL, NULL},
-  {"pointpred.regression.least_squares:root", (PyCFunction)(void (*)(void))py_regression_least_squares_root, METH_FASTCALL, NULL},
+  {"pointpred.regression.least_squares:numbers", (PyCFunction)(void (*)(void))py_regression_least_squares_numbers, METH_FASTCALL, NULL},
   {"pointpred.regression.least_squares:solve", (PyCFunction)(void (*)(void))py_regression_least_squares_solve, METH_FASTCALL, NULL},
-  {"pointpred.regression.least_squares:states", (PyCFunction)(void (*)(void))py_regression_least_squares_states, METH_FASTCALL, NULL},
   {"pointpred.scoring.measures.endpoint:hits", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_hits, METH_FASTCALL, NULL},
   {"pointpred.scoring.measures.endpoint:measure", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_measure, METH_FASTCALL, NULL},
   {"pointpred.scoring.measures.endpoint:measure_trial", (PyCFunction)(void (*)(void))py_scoring_measures_endpoint_measure_trial, METH_FASTCALL, NULL},
@@ -11348,6 +11325,6 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "a47ebc0b2d66f79cfb114ad9c8789e3a15312cede1a99705af451381590194af", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", "3f4340e5dcc22beedf40a056de2f079692212268b45a2d5a5f398ac99d6d29f6", 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -1,38 +1,9 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const int64_t predictors_delphian_AT = 3;
-static const int64_t predictors_delphian_FALL = 2;
-static const int64_t predictors_delphian_FALLEN = 16;
-static const int64_t predictors_delphian_OFFSET = 1;
-static const int64_t predictors_delphian_PEAK_X = 12;
-static const int64_t predictors_delphian_PEAK_Y = 13;
-static const int64_t predictors_delphian_SLOPE = 0;
-static const int64_t predictors_delphian_UNIT_X = 14;
-static const int64_t predictors_delphian_UNIT_Y = 15;
-static const int64_t predictors_hold_AT = 0;
-static const int64_t predictors_kalman_AT = 4;
-static const int64_t predictors_kalman_END = 25;
-static const int64_t predictors_kalman_GAP_S = 3;
-static const int64_t predictors_kalman_HORIZON_S = 0;
-static const int64_t predictors_kalman_JERK_DENSITY = 1;
-static const int64_t predictors_kalman_MEAN_X = 13;
-static const int64_t predictors_kalman_MEAN_Y = 16;
-static const int64_t predictors_kalman_NOISE_PX = 2;
 static const double predictors_kalman_PRIOR_ACCELERATION = 1000.0;
 static const double predictors_kalman_PRIOR_SPEED = 100.0;
-static const int64_t predictors_kalman_SPREAD = 19;
-static const int64_t predictors_kep_ACCEPTED = 56;
-static const int64_t predictors_kep_ACCEPTED_X = 57;
-static const int64_t predictors_kep_ACCEPTED_Y = 58;
-static const int64_t predictors_kep_AT = 3;
-static const int64_t predictors_kep_CHANGE_MOST = 2;
-static const int64_t predictors_kep_COEFFICIENTS = 50;
-static const int64_t predictors_kep_DEGREE = 0;
 static const double predictors_kep_EXCITATION_LEAST = 1e-05;
-static const int64_t predictors_kep_FIT = 12;
-static const int64_t predictors_kep_LENGTH = 55;
-static const int64_t predictors_kep_REACH = 1;
 static const int64_t predictors_kep_STEPS_MOST = 80;
 static const T22d predictors_ktm_KERNEL = {1.0, 0.9898478033787338, 0.9600054412854777, 0.9122540768285452, 0.8493658165683124, 0.7748374288832494, 0.6925693242051978, 0.6065306597126334, 0.5204501210207021, 0.43756473770026916, 0.360447788597821, 0.2909238070461482, 0.23006629899380912, 0.17826397958504792, 0.1353352832366127, 0.10066889977289781, 0.0733696513683829, 0.0523931410698256, 0.036658041953378, 0.025130488985274403, 0.01687988414878991, 0.011108996538242306};
 static const int64_t predictors_ktm_LONGEST_OF = 1;
@@ -43,13 +14,7 @@ static const double predictors_ktm_STAMP_S = 1e-06;
 static const double predictors_ktm_STEP_S = 0.05;
 static const int64_t predictors_ktm_TAPS = 22;
 static const int64_t predictors_ktm_TEMPLATES_OF = 0;
-static const int64_t predictors_linear_AT = 2;
 static const int64_t predictors_linear_CAPACITY = 8;
-static const int64_t predictors_linear_COUNT = 11;
-static const int64_t predictors_linear_HORIZON_S = 0;
-static const int64_t predictors_linear_PAST = 12;
-static const int64_t predictors_linear_WINDOW_S = 1;
-static const int64_t predictors_minimum_jerk_AT = 0;
 static const double predictors_mixture_AT_CENTRE = 0.4;
 static const int64_t predictors_mixture_CLOSER = 3;
 static const double predictors_mixture_DENSITY_LEAST = 1e-280;
@@ -68,49 +33,14 @@ static const double predictors_movement_CORRECTIVE_FRACTION = 0.2;
 static const int64_t predictors_movement_NUMBERS = 7;
 static const double predictors_movement_STILL = 0.0;
 static const double predictors_movement_STILL_M_S = 0.002;
-static const int64_t predictors_switched_AT = 4;
-static const int64_t predictors_switched_BOUND = 1;
-static const int64_t predictors_switched_DELAY_S = 2;
-static const int64_t predictors_switched_DREM = 3;
-static const int64_t predictors_switched_ENDPOINT = 2;
-static const int64_t predictors_switched_GAMMA = 3;
-static const int64_t predictors_switched_PEAK = 0;
-static const int64_t predictors_switched_PLACE = 1;
-static const int64_t predictors_switched_THRESHOLD = 0;
+static const int64_t predictors_switched_T = 2;
 static const int64_t predictors_switched_UNKNOWNS = 3;
-static const int64_t predictors_switched_X_AXIS = 13;
-static const int64_t predictors_switched_Y_AXIS = 715;
-static const int64_t predictors_switched_direction_AT = 6;
-static const int64_t predictors_switched_direction_CROSS = 27;
-static const int64_t predictors_switched_direction_END = 29;
-static const int64_t predictors_switched_direction_HAND_X = 25;
-static const int64_t predictors_switched_direction_HAND_Y = 26;
-static const int64_t predictors_switched_direction_OWN = 2;
-static const int64_t predictors_switched_direction_PEAK = 0;
-static const int64_t predictors_switched_direction_PEAK_X = 1;
-static const int64_t predictors_switched_direction_PEAK_Y = 2;
-static const int64_t predictors_switched_direction_RISE = 0;
-static const int64_t predictors_switched_direction_SQUARE = 28;
-static const int64_t predictors_switched_direction_START_X = 6;
-static const int64_t predictors_switched_direction_START_Y = 7;
-static const int64_t predictors_switched_direction_STOPPING = 5;
-static const int64_t predictors_switched_direction_TURN = 3;
-static const int64_t predictors_switched_direction_TYPICAL_S = 1;
-static const int64_t predictors_switched_direction_UNIT = 15;
-static const int64_t predictors_switched_direction_VALLEY = 3;
-static const int64_t predictors_switched_direction_VALLEY_X = 4;
-static const int64_t predictors_switched_direction_VALLEY_Y = 5;
-static const int64_t predictors_switched_direction_VX = 23;
-static const int64_t predictors_switched_direction_VY = 24;
-static const int64_t predictors_switched_direction_WATCHED = 4;
 static const int64_t records_EVENT_FIELD = 2;
 static const int64_t records_FINE = 0;
 static const int64_t records_MOTION_FIELD = 8;
 static const double records_MOTION_MOST = 1e+300;
 static const int64_t records_ORDER = 1;
 static const double records_ROUNDING_S = 1e-06;
-static const int64_t regression_drem_REGRESSOR = 4;
-static const int64_t regression_least_squares_REGRESSOR = 3;
 
 /* The density of a part at a place, times its share, in 1 / px^2. */
 double predictors_mixture_part_density(predictors_mixture_PartRow * part, double x, double y) {
@@ -299,124 +229,127 @@ double predictors_movement_phase(predictors_movement_State * s, records_MotionRo
 }
 
 /* Remember the peak; once the speed has fallen from it, the line says how far it is from there. */
-T10d predictors_delphian_step(Vector memory, T10d motion) {
+T10d predictors_delphian_step(predictors_delphian_Memory * memory, T10d motion) {
   records_MotionRow m;
-  double before, phase, peak, speed, away_x, away_y, away, ahead, end_x, end_y;
+  predictors_delphian_Settings * settings;
+  predictors_movement_State * s;
+  predictors_delphian_Peak * peak;
+  double before, phase, speed, away_x, away_y, away, ahead;
   int64_t fault;
   bool new;
   m = records_MotionRow_of_T10d(motion);
-  before = ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->peak;
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_delphian_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  peak = &memory->state.peak;
+  before = s->peak;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_delphian_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
-  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_delphian_AT), m);
+  phase = predictors_movement_phase(s, m);
   if (new) {
-    fill((Vector){memory.p + predictors_delphian_PEAK_X, memory.n - predictors_delphian_PEAK_X}, 0.0);
+    memset(peak, 0, sizeof(predictors_delphian_Peak));
   }
-  peak = ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->peak;
   speed = hypot(m.vx, m.vy);
-  if (new || peak > before) {
-    away_x = m.x - ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->x0;
-    away_y = m.y - ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->y0;
+  if (new || s->peak > before) {
+    away_x = m.x - s->x0;
+    away_y = m.y - s->y0;
     away = hypot(away_x, away_y);
-    memory.p[predictors_delphian_PEAK_X] = m.x;
-    memory.p[predictors_delphian_PEAK_Y] = m.y;
-    memory.p[predictors_delphian_FALLEN] = 0.0;
-    memory.p[predictors_delphian_UNIT_X] = away > 0.0 ? away_x / away : 0.0;
-    memory.p[predictors_delphian_UNIT_Y] = away > 0.0 ? away_y / away : 0.0;
-  } else if (speed < (1.0 - memory.p[predictors_delphian_FALL]) * peak && peak >= predictors_movement_STILL_M_S) {
-    memory.p[predictors_delphian_FALLEN] = 1.0;
+    peak->x = m.x;
+    peak->y = m.y;
+    peak->fallen = 0.0;
+    peak->unit_x = away > 0.0 ? away_x / away : 0.0;
+    peak->unit_y = away > 0.0 ? away_y / away : 0.0;
+  } else if (speed < (1.0 - settings->fall) * s->peak && s->peak >= predictors_movement_STILL_M_S) {
+    peak->fallen = 1.0;
   }
-  if (memory.p[predictors_delphian_FALLEN] == 0.0 || (memory.p[predictors_delphian_UNIT_X] == 0.0 && memory.p[predictors_delphian_UNIT_Y] == 0.0)) {
+  if (peak->fallen == 0.0 || (peak->unit_x == 0.0 && peak->unit_y == 0.0)) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
-  ahead = max_float(memory.p[predictors_delphian_SLOPE] * peak + memory.p[predictors_delphian_OFFSET], 0.0);
-  end_x = memory.p[predictors_delphian_PEAK_X] + ahead * memory.p[predictors_delphian_UNIT_X];
-  end_y = memory.p[predictors_delphian_PEAK_Y] + ahead * memory.p[predictors_delphian_UNIT_Y];
-  return records_endpoint(m.t, end_x, end_y, phase);
+  ahead = max_float(settings->slope * s->peak + settings->offset, 0.0);
+  return records_endpoint(m.t, peak->x + ahead * peak->unit_x, peak->y + ahead * peak->unit_y, phase);
 }
 
 /* The cursor's position is the answer. */
-T10d predictors_hold_step(Vector memory, T10d motion) {
+T10d predictors_hold_step(predictors_movement_State * s, T10d motion) {
   records_MotionRow m;
   int64_t fault;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_hold_AT), m);
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_hold_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
-  return records_endpoint(m.t, m.x, m.y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_hold_AT), m));
+  return records_endpoint(m.t, m.x, m.y, predictors_movement_phase(s, m));
 }
 
 /* Expect a cursor that rests at (x, y). */
-void predictors_kalman_expect_rest(Vector memory, double x, double y) {
-  fill((Vector){memory.p + predictors_kalman_MEAN_X, predictors_kalman_END - predictors_kalman_MEAN_X}, 0.0);
-  memory.p[predictors_kalman_MEAN_X] = x;
-  memory.p[predictors_kalman_MEAN_Y] = y;
-  memory.p[predictors_kalman_SPREAD] = square(memory.p[predictors_kalman_NOISE_PX]);
-  memory.p[predictors_kalman_SPREAD + 3] = square(predictors_kalman_PRIOR_SPEED);
-  memory.p[predictors_kalman_SPREAD + 5] = square(predictors_kalman_PRIOR_ACCELERATION);
+void predictors_kalman_expect_rest(differentiators_kalman_Plane * plane, double noise, double x, double y) {
+  memset(plane, 0, sizeof(differentiators_kalman_Plane));
+  plane->x[0] = x;
+  plane->y[0] = y;
+  plane->covariance.p00 = noise;
+  plane->covariance.p11 = square(predictors_kalman_PRIOR_SPEED);
+  plane->covariance.p22 = square(predictors_kalman_PRIOR_ACCELERATION);
 }
 
 /* Position, velocity and acceleration of one axis after its position was measured. */
-T3d predictors_kalman_correct(Vector memory, int64_t mean, double measured) {
-  double total, share;
-  total = memory.p[predictors_kalman_SPREAD] + square(memory.p[predictors_kalman_NOISE_PX]);
-  share = (measured - memory.p[mean]) / total;
-  return (T3d){memory.p[mean] + memory.p[predictors_kalman_SPREAD] * share, memory.p[mean + 1] + memory.p[predictors_kalman_SPREAD + 1] * share, memory.p[mean + 2] + memory.p[predictors_kalman_SPREAD + 2] * share};
+T3d predictors_kalman_corrected(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured) {
+  double share;
+  share = (measured - axis.p[0]) / (p->p00 + noise);
+  return (T3d){axis.p[0] + p->p00 * share, axis.p[1] + p->p01 * share, axis.p[2] + p->p02 * share};
 }
 
 /* Take the last position (x, y) in and expect the state ``dt`` later. */
-void predictors_kalman_expect(Vector memory, double dt, double x, double y) {
-  double noise;
-  differentiators_kalman_Plane * plane;
-  noise = square(memory.p[predictors_kalman_NOISE_PX]);
-  plane = (differentiators_kalman_Plane *)(memory.p + predictors_kalman_MEAN_X);
+void predictors_kalman_expect(differentiators_kalman_Plane * plane, double noise, double jerk_density, double dt, double x, double y) {
   differentiators_kalman_correct((Vector){plane->x, 3}, &plane->covariance, noise, x);
   differentiators_kalman_predict((Vector){plane->x, 3}, dt);
   differentiators_kalman_correct((Vector){plane->y, 3}, &plane->covariance, noise, y);
   differentiators_kalman_predict((Vector){plane->y, 3}, dt);
   differentiators_kalman_narrow(&plane->covariance, noise);
-  differentiators_kalman_spread(&plane->covariance, memory.p[predictors_kalman_JERK_DENSITY], dt);
+  differentiators_kalman_spread(&plane->covariance, jerk_density, dt);
 }
 
 /* One position through the filter of both axes, and its state carried over the horizon. */
-T10d predictors_kalman_step(Vector memory, T10d motion) {
+T10d predictors_kalman_step(predictors_kalman_Memory * memory, T10d motion) {
   records_MotionRow m;
-  double last_x, last_y, dt, x0, y0, h, px, vx_px, ax_px, py, vy_px, ay_px;
+  predictors_kalman_Settings * settings;
+  predictors_movement_State * s;
+  differentiators_kalman_Plane * plane;
+  double last_x, last_y, dt, noise, px, vx_px, ax_px, py, vy_px, ay_px, h;
   int64_t fault;
   bool new;
   m = records_MotionRow_of_T10d(motion);
-  last_x = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->x;
-  last_y = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->y;
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_kalman_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  plane = &memory->state.expected;
+  last_x = s->x;
+  last_y = s->y;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kalman_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
-  x0 = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->x0;
-  y0 = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->y0;
-  if (new || dt > memory.p[predictors_kalman_GAP_S] + records_ROUNDING_S) {
-    predictors_kalman_expect_rest(memory, m.x - x0, m.y - y0);
+  noise = square(settings->noise_px);
+  if (new || dt > settings->gap_s + records_ROUNDING_S) {
+    predictors_kalman_expect_rest(plane, noise, m.x - s->x0, m.y - s->y0);
   } else if (dt > 0.0) {
-    predictors_kalman_expect(memory, dt, last_x - x0, last_y - y0);
+    predictors_kalman_expect(plane, noise, settings->jerk_density, dt, last_x - s->x0, last_y - s->y0);
   }
-  h = memory.p[predictors_kalman_HORIZON_S];
-  T3d values_2 = predictors_kalman_correct(memory, predictors_kalman_MEAN_X, m.x - x0);
+  T3d values_2 = predictors_kalman_corrected((Vector){plane->x, 3}, &plane->covariance, noise, m.x - s->x0);
   px = values_2.f0;
   vx_px = values_2.f1;
   ax_px = values_2.f2;
-  T3d values_3 = predictors_kalman_correct(memory, predictors_kalman_MEAN_Y, m.y - y0);
+  T3d values_3 = predictors_kalman_corrected((Vector){plane->y, 3}, &plane->covariance, noise, m.y - s->y0);
   py = values_3.f0;
   vy_px = values_3.f1;
   ay_px = values_3.f2;
-  return records_endpoint(m.t, x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kalman_AT), m));
+  h = settings->horizon_s;
+  return records_endpoint(m.t, s->x0 + px + h * (vx_px + 0.5 * h * ax_px), s->y0 + py + h * (vy_px + 0.5 * h * ay_px), predictors_movement_phase(s, m));
 }
 
 /* The polynomial at w. */
@@ -447,7 +380,7 @@ T2d predictors_kep_bends(predictors_kep_Quartic p, double far) {
   return (T2d){min_float(one, other), max_float(one, other)};
 }
 
-/* The zero zero_between low and high where the polynomial is monotone; ``high`` if there is none. */
+/* The zero between low and high where the polynomial is monotone; ``high`` if there is none. */
 double predictors_kep_zero_between(predictors_kep_Quartic p, double low, double high) {
   double at_low, w, here, slope, new;
   at_low = predictors_kep_value(p, low);
@@ -506,88 +439,100 @@ double predictors_kep_first_zero(predictors_kep_Quartic p, double far) {
 }
 
 /* Take the row (1, d, d^2, ... | speed) into the fit. */
-void predictors_kep_add(Vector memory, double distance, double speed) {
-  int64_t terms;
+void predictors_kep_add(predictors_kep_Fit * fit, int64_t degree, double distance, double speed) {
+  regression_least_squares_Regression regression;
   double power;
-  terms = (int64_t)memory.p[predictors_kep_DEGREE] + 1;
+  regression = regression_least_squares_parts((Vector){fit->numbers, 35}, degree + 1);
   power = 1.0;
-  for (int64_t j = 0; j < terms; j++) {
-    memory.p[predictors_kep_FIT + regression_least_squares_REGRESSOR + j] = power;
+  for (int64_t j = 0, end_1 = degree + 1; j < end_1; j++) {
+    regression.w.p[j] = power;
     power *= distance;
   }
-  regression_least_squares_advance(memory, predictors_kep_FIT, terms, 1.0, speed);
+  regression_least_squares_advance(&fit->sums, regression, 1.0, speed);
 }
 
 /* Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN. */
-double predictors_kep_remaining(Vector memory, double travelled) {
-  int64_t degree;
+double predictors_kep_remaining(predictors_kep_Fit * fit, int64_t degree, double reach, double travelled) {
+  Vector c;
+  regression_least_squares_Regression regression;
   double c0, c1, c2, c3, c4;
   predictors_kep_Quartic here;
-  degree = (int64_t)memory.p[predictors_kep_DEGREE];
-  if (!(travelled > 0.0 && regression_least_squares_solve(memory, predictors_kep_FIT, degree + 1, predictors_kep_EXCITATION_LEAST, predictors_kep_COEFFICIENTS))) {
+  c = (Vector){fit->coefficients, 5};
+  regression = regression_least_squares_parts((Vector){fit->numbers, 35}, degree + 1);
+  if (!(travelled > 0.0 && regression_least_squares_solve(regression, predictors_kep_EXCITATION_LEAST, c))) {
     return NAN;
   }
-  c0 = memory.p[predictors_kep_COEFFICIENTS];
-  c1 = memory.p[predictors_kep_COEFFICIENTS + 1] * travelled;
-  c2 = memory.p[predictors_kep_COEFFICIENTS + 2] * square(travelled);
-  c3 = degree > 2 ? memory.p[predictors_kep_COEFFICIENTS + 3] * whole_power(travelled, 3) : 0.0;
-  c4 = degree > 3 ? memory.p[predictors_kep_COEFFICIENTS + 4] * whole_power(travelled, 4) : 0.0;
+  c0 = c.p[0];
+  c1 = c.p[1] * travelled;
+  c2 = c.p[2] * square(travelled);
+  c3 = degree > 2 ? c.p[3] * whole_power(travelled, 3) : 0.0;
+  c4 = degree > 3 ? c.p[4] * whole_power(travelled, 4) : 0.0;
   here = (predictors_kep_Quartic){predictors_kep_value((predictors_kep_Quartic){c0, c1, c2, c3, c4}, 1.0), c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4, c2 + 3.0 * c3 + 6.0 * c4, c3 + 4.0 * c4, c4};
-  return predictors_kep_first_zero(here, memory.p[predictors_kep_REACH]) * travelled;
+  return predictors_kep_first_zero(here, reach) * travelled;
 }
 
 /* Accept an endpoint when the predicted length changed little since the sample before. */
-void predictors_kep_judge(Vector memory, double length, double x, double y) {
+void predictors_kep_judge(predictors_kep_Check * check, double change_most, double length, double x, double y) {
   double before;
-  before = memory.p[predictors_kep_LENGTH];
-  if (before > 0.0 && fabs(length - before) < memory.p[predictors_kep_CHANGE_MOST] * before) {
-    memory.p[predictors_kep_ACCEPTED] = 1.0;
-    memory.p[predictors_kep_ACCEPTED_X] = x;
-    memory.p[predictors_kep_ACCEPTED_Y] = y;
+  before = check->predicted;
+  if (before > 0.0 && fabs(length - before) < change_most * before) {
+    check->accepted = 1.0;
+    check->x = x;
+    check->y = y;
   }
-  memory.p[predictors_kep_LENGTH] = length > 0.0 ? length : 0.0;
+  check->predicted = length > 0.0 ? length : 0.0;
 }
 
 /* Add the motion to the fit and look for its zero ahead. */
-T10d predictors_kep_step(Vector memory, T10d motion) {
+T10d predictors_kep_step(predictors_kep_Memory * memory, T10d motion) {
   records_MotionRow m;
-  int64_t fault;
+  predictors_kep_Settings * settings;
+  predictors_movement_State * s;
+  predictors_kep_Fit * fit;
+  predictors_kep_Check * check;
+  int64_t fault, degree;
   bool new, accepted;
   double dt, travelled, away_x, away_y, away, end_x, end_y, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_kep_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  fit = &memory->state.fit;
+  check = &memory->state.check;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kep_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
-  travelled = ((predictors_movement_State *)(memory.p + predictors_kep_AT))->path;
   if (new) {
-    fill((Vector){memory.p + predictors_kep_FIT, memory.n - predictors_kep_FIT}, 0.0);
+    memset(fit, 0, sizeof(predictors_kep_Fit));
+    memset(check, 0, sizeof(predictors_kep_Check));
   }
+  degree = (int64_t)settings->degree;
+  travelled = s->path;
   if (new || dt > 0.0) {
-    predictors_kep_add(memory, travelled, hypot(m.vx, m.vy));
+    predictors_kep_add(fit, degree, travelled, hypot(m.vx, m.vy));
   }
-  away_x = m.x - ((predictors_movement_State *)(memory.p + predictors_kep_AT))->x0;
-  away_y = m.y - ((predictors_movement_State *)(memory.p + predictors_kep_AT))->y0;
+  away_x = m.x - s->x0;
+  away_y = m.y - s->y0;
   away = hypot(away_x, away_y);
   end_x = NAN;
   end_y = NAN;
   if (away > 0.0) {
-    ahead = predictors_kep_remaining(memory, travelled);
+    ahead = predictors_kep_remaining(fit, degree, settings->reach, travelled);
     end_x = m.x + ahead * (away_x / away);
     end_y = m.y + ahead * (away_y / away);
     if (dt > 0.0) {
-      predictors_kep_judge(memory, travelled + ahead, end_x, end_y);
+      predictors_kep_judge(check, settings->change_most, travelled + ahead, end_x, end_y);
     }
   }
-  if (memory.p[predictors_kep_CHANGE_MOST] > 0.0) {
-    accepted = memory.p[predictors_kep_ACCEPTED] == 1.0;
-    end_x = accepted ? memory.p[predictors_kep_ACCEPTED_X] : NAN;
-    end_y = accepted ? memory.p[predictors_kep_ACCEPTED_Y] : NAN;
+  if (settings->change_most > 0.0) {
+    accepted = check->accepted == 1.0;
+    end_x = accepted ? check->x : NAN;
+    end_y = accepted ? check->y : NAN;
   }
-  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kep_AT), m));
+  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase(s, m));
 }
 
 /* Samples in the profile of the longest movement: one for each 50 ms, and the zero before them. */
@@ -824,93 +769,100 @@ T10d predictors_ktm_step(predictors_ktm_Memory * memory, T10d motion) {
 }
 
 /* Remember a sample if the newest is an eighth of the window old; one of the same time is replaced. */
-void predictors_linear_remember(Vector memory, double t, double x, double y) {
+void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y) {
   int64_t count;
   bool same;
-  count = (int64_t)memory.p[predictors_linear_COUNT];
-  same = count > 0 && memory.p[predictors_linear_PAST] == t;
-  if (count > 0 && !same && t - memory.p[predictors_linear_PAST] < memory.p[predictors_linear_WINDOW_S] / predictors_linear_CAPACITY - records_ROUNDING_S) {
+  count = (int64_t)past->count;
+  same = count > 0 && past->samples[0][0] == t;
+  if (count > 0 && !same && t - past->samples[0][0] < window_s / predictors_linear_CAPACITY - records_ROUNDING_S) {
     return;
   }
   if (!same) {
-    for (int64_t i = 3 * predictors_linear_CAPACITY - 1; i > 2; i--) {
-      memory.p[predictors_linear_PAST + i] = memory.p[predictors_linear_PAST + i - 3];
+    for (int64_t i = predictors_linear_CAPACITY - 1; i > 0; i--) {
+      for (int64_t j = 0; j < 3; j++) {
+        past->samples[i][j] = past->samples[i - 1][j];
+      }
     }
-    memory.p[predictors_linear_COUNT] = min_whole(count + 1, predictors_linear_CAPACITY);
+    past->count = min_whole(count + 1, predictors_linear_CAPACITY);
   }
-  memory.p[predictors_linear_PAST] = t;
-  memory.p[predictors_linear_PAST + 1] = x;
-  memory.p[predictors_linear_PAST + 2] = y;
+  past->samples[0][0] = t;
+  past->samples[0][1] = x;
+  past->samples[0][2] = y;
 }
 
 /* Whether there is a sample before ``t``; the oldest within the window, else the newest: (t, x, y). */
-Tb3d predictors_linear_before(Vector memory, double t) {
-  int64_t place;
+Tb3d predictors_linear_before(predictors_linear_Past * past, double window_s, double t) {
+  int64_t found;
   double age;
-  place = -1;
-  for (int64_t i = 0, end_1 = (int64_t)memory.p[predictors_linear_COUNT]; i < end_1; i++) {
-    age = t - memory.p[predictors_linear_PAST + 3 * i];
-    if (age > 0.0 && (place < 0 || age <= memory.p[predictors_linear_WINDOW_S] + records_ROUNDING_S)) {
-      place = predictors_linear_PAST + 3 * i;
+  found = -1;
+  for (int64_t i = 0, end_1 = (int64_t)past->count; i < end_1; i++) {
+    age = t - past->samples[i][0];
+    if (age > 0.0 && (found < 0 || age <= window_s + records_ROUNDING_S)) {
+      found = i;
     }
   }
-  if (place < 0) {
+  if (found < 0) {
     return (Tb3d){false, t, 0.0, 0.0};
   }
-  return (Tb3d){true, memory.p[place], memory.p[place + 1], memory.p[place + 2]};
+  return (Tb3d){true, past->samples[found][0], past->samples[found][1], past->samples[found][2]};
 }
 
 /* Carry the mean velocity of the window on over the horizon. */
-T10d predictors_linear_step(Vector memory, T10d motion) {
+T10d predictors_linear_step(predictors_linear_Memory * memory, T10d motion) {
   records_MotionRow m;
+  predictors_linear_Settings * settings;
+  predictors_movement_State * s;
+  predictors_linear_Past * past;
   int64_t fault;
   bool new, any_before;
   double phase, before_t, before_x, before_y, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_linear_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  past = &memory->state.past;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_linear_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
   if (new) {
-    memory.p[predictors_linear_COUNT] = 0.0;
+    past->count = 0.0;
   }
-  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_linear_AT), m);
-  Tb3d values_2 = predictors_linear_before(memory, m.t);
+  phase = predictors_movement_phase(s, m);
+  Tb3d values_2 = predictors_linear_before(past, settings->window_s, m.t);
   any_before = values_2.f0;
   before_t = values_2.f1;
   before_x = values_2.f2;
   before_y = values_2.f3;
-  predictors_linear_remember(memory, m.t, m.x, m.y);
+  predictors_linear_remember(past, settings->window_s, m.t, m.x, m.y);
   if (!any_before) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
-  ahead = memory.p[predictors_linear_HORIZON_S] / max_float(m.t - before_t, memory.p[predictors_linear_WINDOW_S] / predictors_linear_CAPACITY);
+  ahead = settings->horizon_s / max_float(m.t - before_t, settings->window_s / predictors_linear_CAPACITY);
   return records_endpoint(m.t, m.x + ahead * (m.x - before_x), m.y + ahead * (m.y - before_y), phase);
 }
 
 /* Divide the way done by the share that the speed says is done. */
-T10d predictors_minimum_jerk_step(Vector memory, T10d motion) {
+T10d predictors_minimum_jerk_step(predictors_movement_State * s, T10d motion) {
   records_MotionRow m;
   int64_t fault;
-  double phase, peak, tau, done, ahead;
+  double phase, tau, done, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
-  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
-  peak = ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->peak;
-  if (peak < predictors_movement_STILL_M_S) {
+  phase = predictors_movement_phase(s, m);
+  if (s->peak < predictors_movement_STILL_M_S) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
-  T2d values_2 = predictors_minimum_jerk_progress(hypot(m.vx, m.vy) / peak);
+  T2d values_2 = predictors_minimum_jerk_progress(hypot(m.vx, m.vy) / s->peak);
   tau = values_2.f0;
   done = values_2.f1;
   ahead = (1.0 - done) / done;
-  return (T10d){m.t, m.x + ahead * (m.x - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->x0), m.y + ahead * (m.y - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->y0), NAN, NAN, NAN, (m.t - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->t0) * (1.0 - tau) / tau, phase, NAN, NAN};
+  return (T10d){m.t, m.x + ahead * (m.x - s->x0), m.y + ahead * (m.y - s->y0), NAN, NAN, NAN, (m.t - s->t0) * (1.0 - tau) / tau, phase, NAN, NAN};
 }
 
 /* The density above which places of the probability ``level`` lie: exact for a single part. */
@@ -1146,112 +1098,114 @@ int64_t predictors_mixture_outlines(Table parts, int64_t count, double threshold
 }
 
 /* One sample of one axis (figure 2.4); returns the endpoint in px from the movement's start. */
-double predictors_switched_advance(Vector memory, int64_t axis, double t, double place, double v, double a) {
-  double moved, before;
-  int64_t regression, third;
+double predictors_switched_advance(predictors_switched_Settings * settings, predictors_switched_Axis * axis, double t, double x, double v, double a) {
+  double dx, before;
+  regression_drem_Regression regression;
+  Vector w, theta;
   bool solved;
-  moved = place - memory.p[axis + predictors_switched_PLACE];
-  memory.p[axis + predictors_switched_PLACE] = place;
-  memory.p[axis + predictors_switched_PEAK] = max_float(memory.p[axis + predictors_switched_PEAK], fabs(v));
-  before = memory.p[axis + predictors_switched_ENDPOINT];
-  regression = axis + predictors_switched_DREM;
-  memory.p[regression + regression_drem_REGRESSOR] = -a;
-  memory.p[regression + regression_drem_REGRESSOR + 1] = -v;
-  memory.p[regression + regression_drem_REGRESSOR + 2] = 1.0;
-  if (fabs(v) < memory.p[predictors_switched_THRESHOLD] * memory.p[axis + predictors_switched_PEAK]) {
-    third = regression_drem_estimates(regression, predictors_switched_UNKNOWNS) + 2;
-    memory.p[third] = before;
-    solved = regression_drem_advance(memory, regression, predictors_switched_UNKNOWNS, memory.p[predictors_switched_DELAY_S], memory.p[predictors_switched_GAMMA], (T2d){t, place});
-    if (solved && fabs(memory.p[third] - before) < memory.p[predictors_switched_BOUND] * fabs(place)) {
-      memory.p[axis + predictors_switched_ENDPOINT] = memory.p[third];
+  dx = x - axis->x;
+  before = axis->endpoint;
+  axis->x = x;
+  axis->peak = max_float(axis->peak, fabs(v));
+  regression = regression_drem_parts((Vector){axis->numbers, 695}, predictors_switched_UNKNOWNS);
+  w = regression.w;
+  theta = regression.theta;
+  w.p[0] = -a;
+  w.p[1] = -v;
+  w.p[2] = 1.0;
+  if (fabs(v) < settings->threshold * axis->peak) {
+    theta.p[predictors_switched_T] = before;
+    solved = regression_drem_advance(&axis->regression, regression, settings->delay_s, settings->gamma, t, x);
+    if (solved && fabs(theta.p[predictors_switched_T] - before) < settings->bound * fabs(x)) {
+      axis->endpoint = theta.p[predictors_switched_T];
     }
   } else {
-    regression_drem_remember(memory, regression, predictors_switched_UNKNOWNS, memory.p[predictors_switched_DELAY_S], t, place);
+    regression_drem_remember(&axis->regression, regression, settings->delay_s, t, x);
     if (a * v >= 0.0) {
-      memory.p[axis + predictors_switched_ENDPOINT] = before + 2.0 * moved;
+      axis->endpoint = before + 2.0 * dx;
     }
   }
-  return memory.p[axis + predictors_switched_ENDPOINT];
+  return axis->endpoint;
 }
 
 /* Both axes, each in its own phase (Remark 2.5.1). */
-T10d predictors_switched_step(Vector memory, T10d motion) {
+T10d predictors_switched_step(predictors_switched_Memory * memory, T10d motion) {
   records_MotionRow m;
+  predictors_switched_Settings * settings;
+  predictors_movement_State * s;
+  predictors_switched_Axis * x, *y;
   int64_t fault;
   bool new;
-  double x0, y0, since, end_x, end_y;
+  double since, end_x, end_y;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_switched_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  x = &memory->state.x;
+  y = &memory->state.y;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_switched_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
   if (new) {
-    fill((Vector){memory.p + predictors_switched_X_AXIS, memory.n - predictors_switched_X_AXIS}, 0.0);
+    memset(x, 0, sizeof(predictors_switched_Axis));
+    memset(y, 0, sizeof(predictors_switched_Axis));
   }
-  x0 = ((predictors_movement_State *)(memory.p + predictors_switched_AT))->x0;
-  y0 = ((predictors_movement_State *)(memory.p + predictors_switched_AT))->y0;
-  since = m.t - ((predictors_movement_State *)(memory.p + predictors_switched_AT))->t0;
-  end_x = x0 + predictors_switched_advance(memory, predictors_switched_X_AXIS, since, m.x - x0, m.vx, m.ax);
-  end_y = y0 + predictors_switched_advance(memory, predictors_switched_Y_AXIS, since, m.y - y0, m.vy, m.ay);
-  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_switched_AT), m));
+  since = m.t - s->t0;
+  end_x = s->x0 + predictors_switched_advance(settings, x, since, m.x - s->x0, m.vx, m.ax);
+  end_y = s->y0 + predictors_switched_advance(settings, y, since, m.y - s->y0, m.vy, m.ay);
+  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase(s, m));
 }
 
 /* A movement starts at rest at (x, y). */
-void predictors_switched_direction_begin_submovement(Vector memory, int64_t at, double x, double y) {
-  memory.p[at + predictors_switched_direction_PEAK] = 0.0;
-  memory.p[at + predictors_switched_direction_VALLEY] = 0.0;
-  memory.p[at + predictors_switched_direction_PEAK_X] = x;
-  memory.p[at + predictors_switched_direction_PEAK_Y] = y;
-  memory.p[at + predictors_switched_direction_VALLEY_X] = x;
-  memory.p[at + predictors_switched_direction_VALLEY_Y] = y;
-  memory.p[at + predictors_switched_direction_START_X] = x;
-  memory.p[at + predictors_switched_direction_START_Y] = y;
+void predictors_switched_direction_begin_submovement(predictors_switched_direction_Submovement * s, double x, double y) {
+  s->peak = 0.0;
+  s->valley = 0.0;
+  s->peak_x = x;
+  s->peak_y = y;
+  s->valley_x = x;
+  s->valley_y = y;
+  s->start_x = x;
+  s->start_y = y;
 }
 
 /* Take one sample in; a rise of the speed by ``rise`` of the peak out of a valley is a new sub-movement. */
-void predictors_switched_direction_follow_submovement(Vector memory, int64_t at, double rise, double x, double y, double speed) {
-  double peak, valley;
-  peak = memory.p[at + predictors_switched_direction_PEAK];
-  valley = memory.p[at + predictors_switched_direction_VALLEY];
-  if (speed < peak && speed <= valley + rise * peak) {
-    if (speed <= valley) {
-      memory.p[at + predictors_switched_direction_VALLEY] = speed;
-      memory.p[at + predictors_switched_direction_VALLEY_X] = x;
-      memory.p[at + predictors_switched_direction_VALLEY_Y] = y;
+void predictors_switched_direction_follow_submovement(predictors_switched_direction_Submovement * s, double rise, double x, double y, double speed) {
+  if (speed < s->peak && speed <= s->valley + rise * s->peak) {
+    if (speed <= s->valley) {
+      s->valley = speed;
+      s->valley_x = x;
+      s->valley_y = y;
     }
     return;
   }
-  if (speed < peak) {
-    double value_1 = memory.p[at + predictors_switched_direction_VALLEY_X];
-    double value_2 = memory.p[at + predictors_switched_direction_VALLEY_Y];
-    memory.p[at + predictors_switched_direction_START_X] = value_1;
-    memory.p[at + predictors_switched_direction_START_Y] = value_2;
+  if (speed < s->peak) {
+    double value_1 = s->valley_x;
+    double value_2 = s->valley_y;
+    s->start_x = value_1;
+    s->start_y = value_2;
   }
-  memory.p[at + predictors_switched_direction_PEAK] = speed;
-  memory.p[at + predictors_switched_direction_VALLEY] = speed;
-  memory.p[at + predictors_switched_direction_PEAK_X] = x;
-  memory.p[at + predictors_switched_direction_PEAK_Y] = y;
-  memory.p[at + predictors_switched_direction_VALLEY_X] = x;
-  memory.p[at + predictors_switched_direction_VALLEY_Y] = y;
+  s->peak = speed;
+  s->peak_x = x;
+  s->peak_y = y;
+  s->valley = speed;
+  s->valley_x = x;
+  s->valley_y = y;
 }
 
 /* Averaged gain g in px/m by least squares, displacement = g times the hand's; 0 where unknown. */
-double predictors_switched_direction_gain(Vector memory, double dt, double away_x, double away_y, double vx, double vy) {
-  double hand_x, hand_y;
-  memory.p[predictors_switched_direction_HAND_X] += 0.5 * dt * (vx + memory.p[predictors_switched_direction_VX]);
-  memory.p[predictors_switched_direction_HAND_Y] += 0.5 * dt * (vy + memory.p[predictors_switched_direction_VY]);
-  memory.p[predictors_switched_direction_VX] = vx;
-  memory.p[predictors_switched_direction_VY] = vy;
-  hand_x = memory.p[predictors_switched_direction_HAND_X];
-  hand_y = memory.p[predictors_switched_direction_HAND_Y];
-  memory.p[predictors_switched_direction_CROSS] += dt * (away_x * hand_x + away_y * hand_y);
-  memory.p[predictors_switched_direction_SQUARE] += dt * (hand_x * hand_x + hand_y * hand_y);
-  if (!(memory.p[predictors_switched_direction_CROSS] > 0.0 && memory.p[predictors_switched_direction_SQUARE] > 0.0)) {
+double predictors_switched_direction_gain(predictors_switched_direction_Hand * hand, double dt, double away_x, double away_y, double vx, double vy) {
+  hand->x += 0.5 * dt * (vx + hand->vx);
+  hand->y += 0.5 * dt * (vy + hand->vy);
+  hand->vx = vx;
+  hand->vy = vy;
+  hand->cross += dt * (away_x * hand->x + away_y * hand->y);
+  hand->square_ += dt * (hand->x * hand->x + hand->y * hand->y);
+  if (!(hand->cross > 0.0 && hand->square_ > 0.0)) {
     return 0.0;
   }
-  return memory.p[predictors_switched_direction_CROSS] / memory.p[predictors_switched_direction_SQUARE];
+  return hand->cross / hand->square_;
 }
 
 /* Time constant at the peak in s, from the sub-movement's own, way done / peak speed, and a typical. */
@@ -1263,53 +1217,60 @@ double predictors_switched_direction_time_constant(double own, double typical_s,
 }
 
 /* Rate k in 1/s of the approach V = k (T - x): from the switch and the slope since; 0 where unknown. */
-double predictors_switched_direction_approach(Vector memory, double px_m, double x, double y, double speed) {
-  double peak, peak_x, peak_y, done, at_switch, since, slope, share;
-  peak = memory.p[predictors_switched_direction_UNIT + predictors_switched_direction_PEAK];
-  peak_x = memory.p[predictors_switched_direction_UNIT + predictors_switched_direction_PEAK_X];
-  peak_y = memory.p[predictors_switched_direction_UNIT + predictors_switched_direction_PEAK_Y];
-  done = hypot(peak_x - memory.p[predictors_switched_direction_UNIT + predictors_switched_direction_START_X], peak_y - memory.p[predictors_switched_direction_UNIT + predictors_switched_direction_START_Y]);
+double predictors_switched_direction_approach(predictors_switched_direction_Settings * settings, predictors_switched_direction_Submovement * s, double px_m, double x, double y, double speed) {
+  double done, at_switch, since, slope, share;
+  done = hypot(s->peak_x - s->start_x, s->peak_y - s->start_y);
   if (done == 0.0) {
     return 0.0;
   }
-  at_switch = 1.0 / predictors_switched_direction_time_constant(memory.p[predictors_switched_direction_OWN], memory.p[predictors_switched_direction_TYPICAL_S], done, peak * px_m);
-  since = hypot(x - peak_x, y - peak_y);
-  slope = since > 0.0 ? (peak - speed) * px_m / since : 0.0;
-  share = pow(speed / peak, memory.p[predictors_switched_direction_TURN]);
-  return share * at_switch + (1.0 - share) * memory.p[predictors_switched_direction_WATCHED] * slope;
+  at_switch = 1.0 / predictors_switched_direction_time_constant(settings->own, settings->typical_s, done, s->peak * px_m);
+  since = hypot(x - s->peak_x, y - s->peak_y);
+  slope = since > 0.0 ? (s->peak - speed) * px_m / since : 0.0;
+  share = pow(speed / s->peak, settings->turn);
+  return share * at_switch + (1.0 - share) * settings->watched * slope;
 }
 
 /* Follow the sub-movement and add what is left of it in the direction of the hand. */
-T10d predictors_switched_direction_step(Vector memory, T10d motion) {
+T10d predictors_switched_direction_step(predictors_switched_direction_Memory * memory, T10d motion) {
   records_MotionRow m;
+  predictors_switched_direction_Settings * settings;
+  predictors_movement_State * s;
+  predictors_switched_direction_Submovement * submovement;
+  predictors_switched_direction_Hand * hand;
   int64_t fault;
-  bool new;
-  double dt, speed, phase, px_m, rate, ahead_s, braking;
+  bool new, known;
+  double dt, speed, px_m, rate, ahead_s, braking, end_x, end_y;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m);
+  settings = &memory->settings;
+  s = &memory->state.movement;
+  submovement = &memory->state.submovement;
+  hand = &memory->state.hand;
+  Tqbd values_1 = predictors_movement_follow(s, m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m, fault);
+    return predictors_movement_refuse(s, m, fault);
   }
   if (new) {
-    fill((Vector){memory.p + predictors_switched_direction_VX, predictors_switched_direction_END - predictors_switched_direction_VX}, 0.0);
+    memset(hand, 0, sizeof(predictors_switched_direction_Hand));
   }
-  if (new || m.t == ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->t0) {
-    predictors_switched_direction_begin_submovement(memory, predictors_switched_direction_UNIT, m.x, m.y);
+  if (new || m.t == s->t0) {
+    predictors_switched_direction_begin_submovement(submovement, m.x, m.y);
   }
   speed = hypot(m.vx, m.vy);
-  predictors_switched_direction_follow_submovement(memory, predictors_switched_direction_UNIT, memory.p[predictors_switched_direction_RISE], m.x, m.y, speed);
-  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m);
-  px_m = predictors_switched_direction_gain(memory, dt, m.x - ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->x0, m.y - ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->y0, m.vx, m.vy);
-  rate = px_m > 0.0 && speed > predictors_movement_STILL_M_S ? predictors_switched_direction_approach(memory, px_m, m.x, m.y, speed) : 0.0;
+  predictors_switched_direction_follow_submovement(submovement, settings->rise, m.x, m.y, speed);
+  px_m = predictors_switched_direction_gain(hand, dt, m.x - s->x0, m.y - s->y0, m.vx, m.vy);
+  known = px_m > 0.0 && speed > predictors_movement_STILL_M_S;
+  rate = known ? predictors_switched_direction_approach(settings, submovement, px_m, m.x, m.y, speed) : 0.0;
   ahead_s = rate > 0.0 ? 1.0 / rate : 0.0;
   braking = -(m.ax * m.vx + m.ay * m.vy);
-  if (braking > 0.0 && ahead_s * braking > memory.p[predictors_switched_direction_STOPPING] * speed * speed) {
-    ahead_s = memory.p[predictors_switched_direction_STOPPING] * speed * speed / braking;
+  if (braking > 0.0 && ahead_s * braking > settings->stopping * speed * speed) {
+    ahead_s = settings->stopping * speed * speed / braking;
   }
-  return records_endpoint(m.t, m.x + ahead_s * px_m * m.vx, m.y + ahead_s * px_m * m.vy, phase);
+  end_x = m.x + ahead_s * px_m * m.vx;
+  end_y = m.y + ahead_s * px_m * m.vy;
+  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase(s, m));
 }
 
 void loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
@@ -1319,7 +1280,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_minimum_jerk_step(Vec
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_minimum_jerk_step(memory, records_row_at(rows, i));
+    answer = predictors_minimum_jerk_step((predictors_movement_State *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1333,7 +1294,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_delphian_step(Vector 
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_delphian_step(memory, records_row_at(rows, i));
+    answer = predictors_delphian_step((predictors_delphian_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1347,7 +1308,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_hold_step(Vector memo
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_hold_step(memory, records_row_at(rows, i));
+    answer = predictors_hold_step((predictors_movement_State *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1361,7 +1322,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_kalman_step(Vector me
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_kalman_step(memory, records_row_at(rows, i));
+    answer = predictors_kalman_step((predictors_kalman_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1375,7 +1336,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_kep_step(Vector memor
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_kep_step(memory, records_row_at(rows, i));
+    answer = predictors_kep_step((predictors_kep_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1403,7 +1364,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_linear_step(Vector me
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_linear_step(memory, records_row_at(rows, i));
+    answer = predictors_linear_step((predictors_linear_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1417,7 +1378,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_switched_step(Vector 
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_switched_step(memory, records_row_at(rows, i));
+    answer = predictors_switched_step((predictors_switched_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1431,7 +1392,7 @@ void loop__stage_learn_nothing__records_row_at__predictors_switched_direction_st
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = predictors_switched_direction_step(memory, records_row_at(rows, i));
+    answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)memory.p, records_row_at(rows, i));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -1445,7 +1406,7 @@ T10d joint__differentiators_difference_step__predictors_minimum_jerk_step(Vector
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_minimum_jerk_step(other, answer);
+    answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1455,7 +1416,7 @@ T10d joint__differentiators_difference_step__predictors_minimum_jerk_step(Vector
 
 bool follow__predictors_minimum_jerk_step(Vector memory, T10d row) {
   double t;
-  t = predictors_minimum_jerk_step(memory, row).f0;
+  t = predictors_minimum_jerk_step((predictors_movement_State *)memory.p, row).f0;
   return t == t;
 }
 
@@ -1479,7 +1440,7 @@ T10d last__differentiators_difference_step__follow__predictors_minimum_jerk_step
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_minimum_jerk_step(other, between);
+      answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1496,7 +1457,7 @@ T10d joint__differentiators_homogeneous_step__predictors_minimum_jerk_step(Vecto
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_minimum_jerk_step(other, answer);
+    answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1524,7 +1485,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_ste
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_minimum_jerk_step(other, between);
+      answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1541,7 +1502,7 @@ T10d joint__differentiators_kalman_step__predictors_minimum_jerk_step(Vector mem
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_minimum_jerk_step(other, answer);
+    answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1569,7 +1530,7 @@ T10d last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__pr
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_minimum_jerk_step(other, between);
+      answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1586,7 +1547,7 @@ T10d joint__differentiators_difference_step__predictors_delphian_step(Vector mem
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_delphian_step(other, answer);
+    answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1596,7 +1557,7 @@ T10d joint__differentiators_difference_step__predictors_delphian_step(Vector mem
 
 bool follow__predictors_delphian_step(Vector memory, T10d row) {
   double t;
-  t = predictors_delphian_step(memory, row).f0;
+  t = predictors_delphian_step((predictors_delphian_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -1620,7 +1581,7 @@ T10d last__differentiators_difference_step__follow__predictors_delphian_step__pr
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_delphian_step(other, between);
+      answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1637,7 +1598,7 @@ T10d joint__differentiators_homogeneous_step__predictors_delphian_step(Vector me
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_delphian_step(other, answer);
+    answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1665,7 +1626,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_delphian_step__p
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_delphian_step(other, between);
+      answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1682,7 +1643,7 @@ T10d joint__differentiators_kalman_step__predictors_delphian_step(Vector memory,
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_delphian_step(other, answer);
+    answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1710,7 +1671,7 @@ T10d last__differentiators_kalman_step__follow__predictors_delphian_step__predic
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_delphian_step(other, between);
+      answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1727,7 +1688,7 @@ T10d joint__differentiators_difference_step__predictors_hold_step(Vector memory,
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_hold_step(other, answer);
+    answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1737,7 +1698,7 @@ T10d joint__differentiators_difference_step__predictors_hold_step(Vector memory,
 
 bool follow__predictors_hold_step(Vector memory, T10d row) {
   double t;
-  t = predictors_hold_step(memory, row).f0;
+  t = predictors_hold_step((predictors_movement_State *)memory.p, row).f0;
   return t == t;
 }
 
@@ -1761,7 +1722,7 @@ T10d last__differentiators_difference_step__follow__predictors_hold_step__predic
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_hold_step(other, between);
+      answer = predictors_hold_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1778,7 +1739,7 @@ T10d joint__differentiators_homogeneous_step__predictors_hold_step(Vector memory
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_hold_step(other, answer);
+    answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1806,7 +1767,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_hold_step__predi
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_hold_step(other, between);
+      answer = predictors_hold_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1823,7 +1784,7 @@ T10d joint__differentiators_kalman_step__predictors_hold_step(Vector memory, Vec
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_hold_step(other, answer);
+    answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1851,7 +1812,7 @@ T10d last__differentiators_kalman_step__follow__predictors_hold_step__predictors
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_hold_step(other, between);
+      answer = predictors_hold_step((predictors_movement_State *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1868,7 +1829,7 @@ T10d joint__differentiators_difference_step__predictors_kalman_step(Vector memor
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kalman_step(other, answer);
+    answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1878,7 +1839,7 @@ T10d joint__differentiators_difference_step__predictors_kalman_step(Vector memor
 
 bool follow__predictors_kalman_step(Vector memory, T10d row) {
   double t;
-  t = predictors_kalman_step(memory, row).f0;
+  t = predictors_kalman_step((predictors_kalman_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -1902,7 +1863,7 @@ T10d last__differentiators_difference_step__follow__predictors_kalman_step__pred
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kalman_step(other, between);
+      answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1919,7 +1880,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kalman_step(Vector memo
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kalman_step(other, answer);
+    answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1947,7 +1908,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kalman_step__pre
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kalman_step(other, between);
+      answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -1964,7 +1925,7 @@ T10d joint__differentiators_kalman_step__predictors_kalman_step(Vector memory, V
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kalman_step(other, answer);
+    answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -1992,7 +1953,7 @@ T10d last__differentiators_kalman_step__follow__predictors_kalman_step__predicto
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kalman_step(other, between);
+      answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2009,7 +1970,7 @@ T10d joint__differentiators_difference_step__predictors_kep_step(Vector memory, 
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kep_step(other, answer);
+    answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2019,7 +1980,7 @@ T10d joint__differentiators_difference_step__predictors_kep_step(Vector memory, 
 
 bool follow__predictors_kep_step(Vector memory, T10d row) {
   double t;
-  t = predictors_kep_step(memory, row).f0;
+  t = predictors_kep_step((predictors_kep_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -2043,7 +2004,7 @@ T10d last__differentiators_difference_step__follow__predictors_kep_step__predict
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kep_step(other, between);
+      answer = predictors_kep_step((predictors_kep_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2060,7 +2021,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kep_step(Vector memory,
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kep_step(other, answer);
+    answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2088,7 +2049,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kep_step__predic
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kep_step(other, between);
+      answer = predictors_kep_step((predictors_kep_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2105,7 +2066,7 @@ T10d joint__differentiators_kalman_step__predictors_kep_step(Vector memory, Vect
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_kep_step(other, answer);
+    answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2133,7 +2094,7 @@ T10d last__differentiators_kalman_step__follow__predictors_kep_step__predictors_
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_kep_step(other, between);
+      answer = predictors_kep_step((predictors_kep_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2291,7 +2252,7 @@ T10d joint__differentiators_difference_step__predictors_linear_step(Vector memor
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_linear_step(other, answer);
+    answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2301,7 +2262,7 @@ T10d joint__differentiators_difference_step__predictors_linear_step(Vector memor
 
 bool follow__predictors_linear_step(Vector memory, T10d row) {
   double t;
-  t = predictors_linear_step(memory, row).f0;
+  t = predictors_linear_step((predictors_linear_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -2325,7 +2286,7 @@ T10d last__differentiators_difference_step__follow__predictors_linear_step__pred
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_linear_step(other, between);
+      answer = predictors_linear_step((predictors_linear_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2342,7 +2303,7 @@ T10d joint__differentiators_homogeneous_step__predictors_linear_step(Vector memo
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_linear_step(other, answer);
+    answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2370,7 +2331,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_linear_step__pre
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_linear_step(other, between);
+      answer = predictors_linear_step((predictors_linear_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2387,7 +2348,7 @@ T10d joint__differentiators_kalman_step__predictors_linear_step(Vector memory, V
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_linear_step(other, answer);
+    answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2415,7 +2376,7 @@ T10d last__differentiators_kalman_step__follow__predictors_linear_step__predicto
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_linear_step(other, between);
+      answer = predictors_linear_step((predictors_linear_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2432,7 +2393,7 @@ T10d joint__differentiators_difference_step__predictors_switched_step(Vector mem
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_step(other, answer);
+    answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2442,7 +2403,7 @@ T10d joint__differentiators_difference_step__predictors_switched_step(Vector mem
 
 bool follow__predictors_switched_step(Vector memory, T10d row) {
   double t;
-  t = predictors_switched_step(memory, row).f0;
+  t = predictors_switched_step((predictors_switched_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -2466,7 +2427,7 @@ T10d last__differentiators_difference_step__follow__predictors_switched_step__pr
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_step(other, between);
+      answer = predictors_switched_step((predictors_switched_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2483,7 +2444,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_step(Vector me
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_step(other, answer);
+    answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2511,7 +2472,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_step__p
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_step(other, between);
+      answer = predictors_switched_step((predictors_switched_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2528,7 +2489,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_step(Vector memory,
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_step(other, answer);
+    answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2556,7 +2517,7 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_step__predic
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_step(other, between);
+      answer = predictors_switched_step((predictors_switched_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2573,7 +2534,7 @@ T10d joint__differentiators_difference_step__predictors_switched_direction_step(
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_direction_step(other, answer);
+    answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2583,7 +2544,7 @@ T10d joint__differentiators_difference_step__predictors_switched_direction_step(
 
 bool follow__predictors_switched_direction_step(Vector memory, T10d row) {
   double t;
-  t = predictors_switched_direction_step(memory, row).f0;
+  t = predictors_switched_direction_step((predictors_switched_direction_Memory *)memory.p, row).f0;
   return t == t;
 }
 
@@ -2607,7 +2568,7 @@ T10d last__differentiators_difference_step__follow__predictors_switched_directio
   if (count == rows.n - 1) {
     between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_direction_step(other, between);
+      answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2624,7 +2585,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_direction_step
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_direction_step(other, answer);
+    answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2652,7 +2613,7 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_directi
   if (count == rows.n - 1) {
     between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_direction_step(other, between);
+      answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {
@@ -2669,7 +2630,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_direction_step(Vect
   kept = (Vector){buffer_1, memory.n};
   answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
-    answer = predictors_switched_direction_step(other, answer);
+    answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
       memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
     }
@@ -2697,7 +2658,7 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_direction_st
   if (count == rows.n - 1) {
     between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
-      answer = predictors_switched_direction_step(other, between);
+      answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, between);
     }
   }
   if (answer.f0 != answer.f0) {

@@ -4,12 +4,12 @@
 static const int64_t regression_delay_PER_DELAY = 64;
 
 /* The parts of ``numbers(n)`` floats. */
-least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n) {
-  return (least_squares_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Table){(Vector){memory.p + 2 * n, 2 * n + n * n - 2 * n}.p, n, n}};
+regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n) {
+  return (regression_least_squares_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Table){(Vector){memory.p + 2 * n, 2 * n + n * n - 2 * n}.p, n, n}};
 }
 
 /* A = d A + w w', psi = d psi + w y for the regressor w and y = ``output``. */
-void regression_least_squares_advance(regression_least_squares_Sums * s, least_squares_Regression regression, double forgetting, double output) {
+void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output) {
   Vector w, z;
   Table r;
   int64_t n;
@@ -64,7 +64,7 @@ double regression_least_squares_excitation(Table r, int64_t j) {
 }
 
 /* Write the estimate to ``out``; False, without writing, if an excitation is below ``least``. */
-bool regression_least_squares_solve(least_squares_Regression regression, double least, Vector out) {
+bool regression_least_squares_solve(regression_least_squares_Regression regression, double least, Vector out) {
   Vector z;
   Table r;
   int64_t n, i;
@@ -89,11 +89,11 @@ bool regression_least_squares_solve(least_squares_Regression regression, double 
 }
 
 /* The parts of ``numbers(n)`` floats. */
-drem_Regression regression_drem_parts(Vector memory, int64_t n) {
+regression_drem_Regression regression_drem_parts(Vector memory, int64_t n) {
   int64_t tables, ring;
   tables = 5 * n;
   ring = tables + 2 * n * n;
-  return (drem_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Vector){memory.p + 2 * n, 3 * n - 2 * n}, (Vector){memory.p + 3 * n, 4 * n - 3 * n}, (Vector){memory.p + 4 * n, 5 * n - 4 * n}, (Table){(Vector){memory.p + tables, tables + n * n - tables}.p, n, n}, (Vector){memory.p + (tables + n * n), ring - (tables + n * n)}, (Vector){memory.p + ring, memory.n - ring}};
+  return (regression_drem_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Vector){memory.p + 2 * n, 3 * n - 2 * n}, (Vector){memory.p + 3 * n, 4 * n - 3 * n}, (Vector){memory.p + 4 * n, 5 * n - 4 * n}, (Table){(Vector){memory.p + tables, tables + n * n - tables}.p, n, n}, (Vector){memory.p + (tables + n * n), ring - (tables + n * n)}, (Vector){memory.p + ring, memory.n - ring}};
 }
 
 /* Store the sample (t, w, y), never before the last. */
@@ -135,7 +135,7 @@ int64_t regression_delay_capacity(int64_t delays) {
 }
 
 /* Store y = w'theta at ``t`` without learning; returns the step in s. */
-double regression_drem_remember(regression_drem_State * s, drem_Regression r, double delay_s, double t, double y) {
+double regression_drem_remember(regression_drem_State * s, regression_drem_Regression r, double delay_s, double t, double y) {
   double h;
   int64_t n;
   h = s->started == 1.0 ? t - s->t : 0.0;
@@ -196,7 +196,7 @@ Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, doub
 }
 
 /* Phi and Y: row i is w and y at t - i delay_s; False if the history is too short or a row is zero. */
-bool regression_drem_extend(drem_Regression r, double delay_s, double t) {
+bool regression_drem_extend(regression_drem_Regression r, double delay_s, double t) {
   int64_t n, samples;
   regression_delay_Ring * past;
   Vector row;
@@ -331,7 +331,7 @@ double regression_gradient_descend(double theta, double mixed, double phi, doubl
 }
 
 /* Learn from y = w'theta at ``t``; False while the history is shorter than (n - 1) delays. */
-bool regression_drem_advance(regression_drem_State * s, drem_Regression r, double delay_s, double gamma, double t, double y) {
+bool regression_drem_advance(regression_drem_State * s, regression_drem_Regression r, double delay_s, double gamma, double t, double y) {
   double h, phi;
   h = regression_drem_remember(s, r, delay_s, t, y);
   s->phi = 0.0;

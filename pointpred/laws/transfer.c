@@ -5,7 +5,6 @@ static const double records_LARGEST = 1000000000.0;
 static const double records_LATEST_S = 100000000000.0;
 static const double records_METRES_PER_INCH = 0.0254;
 static const double records_ROUNDING_S = 1e-06;
-static const int64_t regression_least_squares_REGRESSOR = 3;
 static const int64_t transfer_bands_BANDS = 20;
 static const double transfer_functions_ARCTAN = 3.0;
 static const double transfer_functions_BOUNDED = 5.0;
@@ -288,15 +287,17 @@ void transfer_identification_learn(transfer_identification_Memory * memory, Vect
   transfer_identification_Settings * settings;
   transfer_identification_Learned * learned;
   int64_t n;
+  regression_least_squares_Regression regression;
   double band;
   transfer_bands_Model model;
   settings = &memory->settings;
   learned = &memory->learned;
   n = (int64_t)settings->count;
+  regression = regression_least_squares_parts((Vector){learned->numbers, 63}, n);
   for (int64_t j = 0; j < n; j++) {
-    learned->solver[regression_least_squares_REGRESSOR + j] = row.p[j];
+    regression.w.p[j] = row.p[j];
   }
-  regression_least_squares_advance((Vector){learned->solver, 66}, 0, n, settings->forgetting, output);
+  regression_least_squares_advance(&learned->sums, regression, settings->forgetting, output);
   band = (speed - settings->speed_low) / settings->band_width;
   model = (transfer_bands_Model){n, 1 - (int64_t)settings->power, settings->forgetting};
   transfer_bands_learn((Vector){learned->bands, 160}, model, band, row, output);

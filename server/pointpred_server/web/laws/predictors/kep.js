@@ -1,20 +1,10 @@
 // Written by `make laws` from kep.py: change that and run it again.
-import { hypot, larger, smaller } from "../arithmetic.js";
+import { hypot, larger, smaller, view } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
 import * as $least_squares from "../regression/least_squares.js";
 import * as $stage from "../stage.js";
 export const STEPS_MOST = 80;
-export const DEGREE = 0;
-export const REACH = 1;
-export const CHANGE_MOST = 2;
-export const AT = 3;
-export const FIT = 12;
-export const COEFFICIENTS = 50;
-export const LENGTH = 55;
-export const ACCEPTED = 56;
-export const ACCEPTED_X = 57;
-export const ACCEPTED_Y = 58;
 export const EXCITATION_LEAST = 1e-05;
 export function value(p, w) {
   return p[0] + w * (p[1] + w * (p[2] + w * (p[3] + w * p[4])));
@@ -87,72 +77,79 @@ export function first_zero(p, far) {
   }
   return NaN;
 }
-export function add(memory, distance, speed) {
-  const terms = Math.trunc(memory[DEGREE]) + 1;
+export function add(fit, degree, distance, speed, fit_at = 0) {
+  const regression = $least_squares.parts(view(fit, fit_at + 3, fit_at + 38), degree + 1);
   let power = 1;
-  for (let j = 0; j < terms; j++) {
-    memory[FIT + $least_squares.REGRESSOR + j] = power;
+  for (let j = 0, end_1 = degree + 1; j < end_1; j++) {
+    regression[0][j] = power;
     power *= distance;
   }
-  $least_squares.advance(memory, FIT, terms, 1, speed);
+  $least_squares.advance(fit, regression, 1, speed, fit_at);
 }
-export function remaining(memory, travelled) {
-  const degree = Math.trunc(memory[DEGREE]);
-  if (!(travelled > 0 && $least_squares.solve(memory, FIT, degree + 1, EXCITATION_LEAST, COEFFICIENTS))) {
+export function remaining(fit, degree, reach, travelled, fit_at = 0) {
+  const c = view(fit, fit_at + 38, fit_at + 43);
+  const regression = $least_squares.parts(view(fit, fit_at + 3, fit_at + 38), degree + 1);
+  if (!(travelled > 0 && $least_squares.solve(regression, EXCITATION_LEAST, c))) {
     return NaN;
   }
-  const c0 = memory[COEFFICIENTS];
-  const c1 = memory[COEFFICIENTS + 1] * travelled;
-  const c2 = memory[COEFFICIENTS + 2] * (travelled * travelled);
-  const c3 = degree > 2 ? memory[COEFFICIENTS + 3] * Math.pow(travelled, 3) : 0;
-  const c4 = degree > 3 ? memory[COEFFICIENTS + 4] * Math.pow(travelled, 4) : 0;
+  const c0 = c[0];
+  const c1 = c[1] * travelled;
+  const c2 = c[2] * (travelled * travelled);
+  const c3 = degree > 2 ? c[3] * Math.pow(travelled, 3) : 0;
+  const c4 = degree > 3 ? c[4] * Math.pow(travelled, 4) : 0;
   const here = [value([c0, c1, c2, c3, c4], 1), c1 + 2 * c2 + 3 * c3 + 4 * c4, c2 + 3 * c3 + 6 * c4, c3 + 4 * c4, c4];
-  return first_zero(here, memory[REACH]) * travelled;
+  return first_zero(here, reach) * travelled;
 }
-export function judge(memory, length, x, y) {
-  const before = memory[LENGTH];
-  if (before > 0 && Math.abs(length - before) < memory[CHANGE_MOST] * before) {
-    memory[ACCEPTED] = 1;
-    memory[ACCEPTED_X] = x;
-    memory[ACCEPTED_Y] = y;
+export function judge(check, change_most, length, x, y, check_at = 0) {
+  const before = check[check_at];
+  if (before > 0 && Math.abs(length - before) < change_most * before) {
+    check[check_at + 1] = 1;
+    check[check_at + 2] = x;
+    check[check_at + 3] = y;
   }
-  memory[LENGTH] = length > 0 ? length : 0;
+  check[check_at] = length > 0 ? length : 0;
 }
-export function step(memory, motion) {
+export function step(memory, motion, memory_at = 0) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, m, AT);
+  const settings_at = memory_at;
+  const s_at = memory_at + 3;
+  const fit_at = memory_at + 12;
+  const check_at = memory_at + 55;
+  const values_1 = $predictors_movement.follow(memory, m, s_at);
   const fault = values_1[0];
   const new_ = values_1[1];
   const dt = values_1[2];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, m, fault, AT);
+    return $predictors_movement.refuse(memory, m, fault, s_at);
   }
-  const travelled = memory[AT + 8];
   if (new_) {
-    memory.fill(0, FIT);
+    memory.fill(0, fit_at, fit_at + 43);
+    memory.fill(0, check_at, check_at + 4);
   }
+  const degree = Math.trunc(memory[settings_at]);
+  const travelled = memory[s_at + 8];
   if (new_ || dt > 0) {
-    add(memory, travelled, hypot(m[3], m[4]));
+    add(memory, degree, travelled, hypot(m[3], m[4]), fit_at);
   }
-  const away_x = m[1] - memory[AT + 5];
-  const away_y = m[2] - memory[AT + 6];
+  const away_x = m[1] - memory[s_at + 5];
+  const away_y = m[2] - memory[s_at + 6];
   const away = hypot(away_x, away_y);
   let end_x = NaN;
   let end_y = NaN;
   if (away > 0) {
-    const ahead = remaining(memory, travelled);
+    const ahead = remaining(memory, degree, memory[settings_at + 1], travelled, fit_at);
     end_x = m[1] + ahead * (away_x / away);
     end_y = m[2] + ahead * (away_y / away);
     if (dt > 0) {
-      judge(memory, travelled + ahead, end_x, end_y);
+      judge(memory, memory[settings_at + 2], travelled + ahead, end_x, end_y, check_at);
     }
   }
-  if (memory[CHANGE_MOST] > 0) {
-    const accepted = memory[ACCEPTED] === 1;
-    end_x = accepted ? memory[ACCEPTED_X] : NaN;
-    end_y = accepted ? memory[ACCEPTED_Y] : NaN;
+  if (memory[settings_at + 2] > 0) {
+    const accepted = memory[check_at + 1] === 1;
+    end_x = accepted ? memory[check_at + 2] : NaN;
+    end_y = accepted ? memory[check_at + 3] : NaN;
   }
-  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, AT));
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, s_at));
 }
 export const KinematicEndpointPredictor = {
   step: step,

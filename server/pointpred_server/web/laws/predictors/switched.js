@@ -1,62 +1,56 @@
 // Written by `make laws` from switched.py: change that and run it again.
-import { larger } from "../arithmetic.js";
+import { larger, view } from "../arithmetic.js";
 import * as $predictors_movement from "./movement.js";
 import * as $records from "../records.js";
 import * as $drem from "../regression/drem.js";
 import * as $stage from "../stage.js";
 export const UNKNOWNS = 3;
-export const PEAK = 0;
-export const PLACE = 1;
-export const ENDPOINT = 2;
-export const DREM = 3;
-export const THRESHOLD = 0;
-export const BOUND = 1;
-export const DELAY_S = 2;
-export const GAMMA = 3;
-export const AT = 4;
-export const X_AXIS = 13;
-export const Y_AXIS = 715;
-export function advance(memory, axis, t, place, v, a) {
-  const moved = place - memory[axis + PLACE];
-  memory[axis + PLACE] = place;
-  memory[axis + PEAK] = larger(memory[axis + PEAK], Math.abs(v));
-  const before = memory[axis + ENDPOINT];
-  const regression = axis + DREM;
-  memory[regression + $drem.REGRESSOR] = -a;
-  memory[regression + $drem.REGRESSOR + 1] = -v;
-  memory[regression + $drem.REGRESSOR + 2] = 1;
-  if (Math.abs(v) < memory[THRESHOLD] * memory[axis + PEAK]) {
-    const third = $drem.estimates(regression, UNKNOWNS) + 2;
-    memory[third] = before;
-    const solved = $drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], [t, place]);
-    if (solved && Math.abs(memory[third] - before) < memory[BOUND] * Math.abs(place)) {
-      memory[axis + ENDPOINT] = memory[third];
+export const T = 2;
+export function advance(settings, axis, t, x, v, a, settings_at = 0, axis_at = 0) {
+  const dx = x - axis[axis_at + 1];
+  const before = axis[axis_at + 2];
+  axis[axis_at + 1] = x;
+  axis[axis_at] = larger(axis[axis_at], Math.abs(v));
+  const regression = $drem.parts(view(axis, axis_at + 7, axis_at + 702), UNKNOWNS);
+  const w = regression[0];
+  const theta = regression[2];
+  w[0] = -a;
+  w[1] = -v;
+  w[2] = 1;
+  if (Math.abs(v) < settings[settings_at] * axis[axis_at]) {
+    theta[T] = before;
+    const solved = $drem.advance(axis, regression, settings[settings_at + 2], settings[settings_at + 3], t, x, axis_at + 3);
+    if (solved && Math.abs(theta[T] - before) < settings[settings_at + 1] * Math.abs(x)) {
+      axis[axis_at + 2] = theta[T];
     }
   } else {
-    $drem.remember(memory, regression, UNKNOWNS, memory[DELAY_S], t, place);
+    $drem.remember(axis, regression, settings[settings_at + 2], t, x, axis_at + 3);
     if (a * v >= 0) {
-      memory[axis + ENDPOINT] = before + 2 * moved;
+      axis[axis_at + 2] = before + 2 * dx;
     }
   }
-  return memory[axis + ENDPOINT];
+  return axis[axis_at + 2];
 }
-export function step(memory, motion) {
+export function step(memory, motion, memory_at = 0) {
   const m = motion;
-  const values_1 = $predictors_movement.follow(memory, m, AT);
+  const settings_at = memory_at;
+  const s_at = memory_at + 4;
+  const x_at = memory_at + 13;
+  const y_at = memory_at + 715;
+  const values_1 = $predictors_movement.follow(memory, m, s_at);
   const fault = values_1[0];
   const new_ = values_1[1];
   if (fault !== $records.FINE) {
-    return $predictors_movement.refuse(memory, m, fault, AT);
+    return $predictors_movement.refuse(memory, m, fault, s_at);
   }
   if (new_) {
-    memory.fill(0, X_AXIS);
+    memory.fill(0, x_at, x_at + 702);
+    memory.fill(0, y_at, y_at + 702);
   }
-  const x0 = memory[AT + 5];
-  const y0 = memory[AT + 6];
-  const since = m[0] - memory[AT + 4];
-  const end_x = x0 + advance(memory, X_AXIS, since, m[1] - x0, m[3], m[5]);
-  const end_y = y0 + advance(memory, Y_AXIS, since, m[2] - y0, m[4], m[6]);
-  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, AT));
+  const since = m[0] - memory[s_at + 4];
+  const end_x = memory[s_at + 5] + advance(memory, memory, since, m[1] - memory[s_at + 5], m[3], m[5], settings_at, x_at);
+  const end_y = memory[s_at + 6] + advance(memory, memory, since, m[2] - memory[s_at + 6], m[4], m[6], settings_at, y_at);
+  return $records.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, m, s_at));
 }
 export const SwitchedPredictor = {
   step: step,

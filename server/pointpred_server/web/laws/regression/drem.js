@@ -1,62 +1,55 @@
 // Written by `make laws` from drem.py: change that and run it again.
-import { larger } from "../arithmetic.js";
+import { larger, table, view } from "../arithmetic.js";
 import * as $delay from "./delay.js";
 import * as $gradient from "./gradient.js";
-export const STARTED = 0;
-export const T = 1;
-export const PHI = 2;
-export const EXCITATION = 3;
-export const REGRESSOR = 4;
-export function work(n) {
-  return n * n;
+export function parts(memory, n) {
+  const tables = 5 * n;
+  const ring = tables + 2 * n * n;
+  return [view(memory, 0, n), view(memory, n, 2 * n), view(memory, 2 * n, 3 * n), view(memory, 3 * n, 4 * n), view(memory, 4 * n, 5 * n), table(view(memory, tables, tables + n * n), n, n), view(memory, tables + n * n, ring), view(memory, ring)];
 }
-export function determinant(memory, at, n) {
+export function determinant(a) {
+  const n = a.length;
   let result = 1;
   for (let k = 0; k < n; k++) {
     let pivot = k;
     for (let i = k + 1; i < n; i++) {
-      if (Math.abs(memory[at + i * n + k]) > Math.abs(memory[at + pivot * n + k])) {
+      if (Math.abs(a[i][k]) > Math.abs(a[pivot][k])) {
         pivot = i;
       }
     }
-    const value = memory[at + pivot * n + k];
+    const value = a[pivot][k];
     if (value === 0) {
       return 0;
     }
     if (pivot !== k) {
       result = -result;
       for (let j = k; j < n; j++) {
-        const top = at + k * n + j;
-        const low = at + pivot * n + j;
-        const value_1 = memory[low];
-        const value_2 = memory[top];
-        memory[top] = value_1;
-        memory[low] = value_2;
+        const value_1 = a[pivot][j];
+        const value_2 = a[k][j];
+        a[k][j] = value_1;
+        a[pivot][j] = value_2;
       }
     }
     result *= value;
     for (let i = k + 1; i < n; i++) {
-      const factor = memory[at + i * n + k] / value;
+      const factor = a[i][k] / value;
       for (let j = k + 1; j < n; j++) {
-        memory[at + i * n + j] -= factor * memory[at + k * n + j];
+        a[i][j] -= factor * a[k][j];
       }
     }
   }
   return result;
 }
-export function mix3(memory, a, y, out) {
-  const a11 = memory[a];
-  const a12 = memory[a + 1];
-  const a13 = memory[a + 2];
-  const a21 = memory[a + 3];
-  const a22 = memory[a + 4];
-  const a23 = memory[a + 5];
-  const a31 = memory[a + 6];
-  const a32 = memory[a + 7];
-  const a33 = memory[a + 8];
-  const y1 = memory[y];
-  const y2 = memory[y + 1];
-  const y3 = memory[y + 2];
+export function mix3(a, y, out) {
+  const a11 = a[0][0];
+  const a12 = a[0][1];
+  const a13 = a[0][2];
+  const a21 = a[1][0];
+  const a22 = a[1][1];
+  const a23 = a[1][2];
+  const a31 = a[2][0];
+  const a32 = a[2][1];
+  const a33 = a[2][2];
   const c11 = a22 * a33 - a23 * a32;
   const c12 = a23 * a31 - a21 * a33;
   const c13 = a21 * a32 - a22 * a31;
@@ -66,105 +59,84 @@ export function mix3(memory, a, y, out) {
   const c31 = a12 * a23 - a13 * a22;
   const c32 = a13 * a21 - a11 * a23;
   const c33 = a11 * a22 - a12 * a21;
-  memory[out] = c11 * y1 + c21 * y2 + c31 * y3;
-  memory[out + 1] = c12 * y1 + c22 * y2 + c32 * y3;
-  memory[out + 2] = c13 * y1 + c23 * y2 + c33 * y3;
+  out[0] = c11 * y[0] + c21 * y[1] + c31 * y[2];
+  out[1] = c12 * y[0] + c22 * y[1] + c32 * y[2];
+  out[2] = c13 * y[0] + c23 * y[1] + c33 * y[2];
   return a11 * c11 + a12 * c12 + a13 * c13;
 }
-export function mix(memory, a, y, n, out, scratch) {
+export function mix(a, y, out, scratch) {
   let phi;
+  const n = y.length;
   if (n === 3) {
-    return mix3(memory, a, y, out);
+    return mix3(a, y, out);
   }
+  const replaced = table(scratch, n, n);
   for (let column = -1; column < n; column++) {
     for (let i = 0; i < n; i++) {
       for (let j = 0; j < n; j++) {
-        memory[scratch + i * n + j] = j === column ? memory[y + i] : memory[a + i * n + j];
+        replaced[i][j] = j === column ? y[i] : a[i][j];
       }
     }
-    const value = determinant(memory, scratch, n);
+    const value = determinant(replaced);
     if (column < 0) {
       phi = value;
     } else {
-      memory[out + column] = value;
+      out[column] = value;
     }
   }
   return phi;
 }
-export function estimates(at, n) {
-  return at + REGRESSOR + 2 * n;
-}
-export function ring(at, n) {
-  return at + REGRESSOR + 5 * n + n * n + work(n);
-}
-export function extend(memory, at, n, delay_s, t) {
-  const scale = at + REGRESSOR + n;
-  const output = at + REGRESSOR + 3 * n;
-  const rows = output + 2 * n;
-  const past = ring(at, n);
+export function extend(r, delay_s, t) {
+  const n = r[0].length;
+  const past_at = 0;
   const samples = $delay.capacity(n - 1);
   for (let i = 0; i < n; i++) {
-    const values_1 = $delay.find(memory, past, n + 1, samples, t - i * delay_s);
-    const long_enough = values_1[0];
-    const before = values_1[1];
-    const after = values_1[2];
-    const share = values_1[3];
-    if (!long_enough) {
+    const row = r[5][i];
+    const values_1 = $delay.delayed(r[7], samples, t - i * delay_s, row, past_at);
+    const known = values_1[0];
+    const y = values_1[1];
+    if (!known) {
       return false;
     }
     let square = 0;
     for (let j = 0; j < n; j++) {
-      let value = memory[before + j] + share * (memory[after + j] - memory[before + j]);
-      value = memory[scale + j] > 0 ? value / memory[scale + j] : 0;
-      memory[rows + i * n + j] = value;
-      square += value * value;
+      row[j] = r[1][j] > 0 ? row[j] / r[1][j] : 0;
+      square += row[j] * row[j];
     }
     if (square === 0) {
       return false;
     }
     const norm = Math.sqrt(square);
     for (let j = 0; j < n; j++) {
-      memory[rows + i * n + j] /= norm;
+      row[j] /= norm;
     }
-    const y = memory[before + n] + share * (memory[after + n] - memory[before + n]);
-    memory[output + i] = y / norm;
+    r[3][i] = y / norm;
   }
   return true;
 }
-export function remember(memory, at, n, delay_s, t, output) {
-  const scale = at + REGRESSOR + n;
-  const h = memory[at + STARTED] === 1 ? t - memory[at + T] : 0;
-  memory[at + STARTED] = 1;
-  memory[at + T] = t;
-  const slot = $delay.push(memory, ring(at, n), n + 1, $delay.capacity(n - 1), delay_s / $delay.PER_DELAY, t);
+export function remember(s, r, delay_s, t, y, s_at = 0) {
+  const h = s[s_at] === 1 ? t - s[s_at + 1] : 0;
+  s[s_at] = 1;
+  s[s_at + 1] = t;
+  const n = r[0].length;
+  $delay.push(r[7], $delay.capacity(n - 1), delay_s / $delay.PER_DELAY, t, r[0], y);
   for (let j = 0; j < n; j++) {
-    const value = memory[at + REGRESSOR + j];
-    memory[slot + j] = value;
-    memory[scale + j] = larger(memory[scale + j], Math.abs(value));
+    r[1][j] = larger(r[1][j], Math.abs(r[0][j]));
   }
-  memory[slot + n] = output;
   return h;
 }
-export function advance(memory, at, n, delay_s, gamma, sample) {
-  const scale = at + REGRESSOR + n;
-  const theta = estimates(at, n);
-  const extended = at + REGRESSOR + 3 * n;
-  const mixed = extended + n;
-  const rows = extended + 2 * n;
-  const t = sample[0];
-  const output = sample[1];
-  const h = remember(memory, at, n, delay_s, t, output);
-  memory[at + PHI] = 0;
-  if (!extend(memory, at, n, delay_s, t)) {
+export function advance(s, r, delay_s, gamma, t, y, s_at = 0) {
+  const h = remember(s, r, delay_s, t, y, s_at);
+  s[s_at + 2] = 0;
+  if (!extend(r, delay_s, t)) {
     return false;
   }
-  const phi = mix(memory, rows, extended, n, mixed, rows + n * n);
-  memory[at + PHI] = phi;
-  memory[at + EXCITATION] += gamma * phi * phi * h;
-  for (let i = 0; i < n; i++) {
-    if (memory[scale + i] > 0) {
-      const target = memory[mixed + i] / memory[scale + i];
-      memory[theta + i] = $gradient.descend(memory[theta + i], target, phi, gamma, h);
+  const phi = mix(r[5], r[3], r[4], r[6]);
+  s[s_at + 2] = phi;
+  s[s_at + 3] += gamma * phi * phi * h;
+  for (let i = 0, end_1 = r[2].length; i < end_1; i++) {
+    if (r[1][i] > 0) {
+      r[2][i] = $gradient.descend(r[2][i], r[4][i] / r[1][i], phi, gamma, h);
     }
   }
   return true;
