@@ -98,6 +98,3 @@ def key_of(function: Any) -> str:
         )
     maker = function.__qualname__.partition(".<locals>")[0]
     return " ".join([f"{function.__module__}:{maker}", *(f"({key_of(one.cell_contents)})" for one in closed)])
-
-
-layout = law

@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, 
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Slot
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 from pointpred.records import BoolArray, FloatArray, FloatTable, refusal
@@ -53,7 +53,7 @@ def offsets(*sizes: int) -> tuple[int, ...]:
     return tuple(ends)
 
 
-@layout
+@law
 def copy_values(values: FloatArray, memory: FloatArray) -> None:
     """What most stages do with the numbers of their parameters: these are their settings."""
     for i in range(len(values)):

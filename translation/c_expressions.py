@@ -23,7 +23,6 @@ from translation.kinds import (
     Kind,
     Memories,
     Memory,
-    Number,
     Parts,
     annotated,
     joined,
@@ -626,6 +625,3 @@ def literal(value: Any) -> Value:
         assert kind is not None
         return Value("{" + ", ".join(literal(one).text for one in value) + "}", kind)
     raise TypeError(f"no constant: {value!r}")
-
-
-__all__ = ["NOTHING", "Expressions", "Number", "Value", "literal"]

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import importlib
-import importlib.util
 import inspect
-import pkgutil
-from collections.abc import Iterable
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -72,7 +68,10 @@ def texts(package: str) -> dict[str, str]:
     }
     files |= {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
     digest = hashlib.sha256("".join(files[name] for name in sorted(files)).encode()).hexdigest()
-    files["module.c"] = files["module.c"].replace("DIGEST", digest)
+    # Apart from the module, which takes the longest to compile.
+    files["digest.c"] = (
+        f'{WRITTEN}\nextern const char digest_of_laws[];\nconst char digest_of_laws[] = "{digest}";\n'
+    )
     return files
 
 
@@ -87,20 +86,9 @@ def laws_in(package: str) -> list[Law]:
 
 def modules_of(package: str) -> list[str]:
     """The modules of a package that have laws."""
-    home = importlib.import_module(package)
-    if hasattr(home, "__getattr__"):
-        list(dir(home))
-    names = [one.name for one in pkgutil.walk_packages(home.__path__, f"{package}.")]
-    return [name for name in names if any(mark in _source(name) for mark in ("@law", "@layout"))]
-
-
-def _source(name: str) -> str:
-    found = importlib.util.find_spec(name)
-    return (
-        Path(found.origin).read_text("utf-8")
-        if found and found.origin and found.origin.endswith(".py")
-        else ""
-    )
+    home = Path(str(importlib.import_module(package).__file__)).parent
+    files = [path for path in sorted(home.rglob("*.py")) if "\n@law\n" in path.read_text("utf-8")]
+    return [".".join([package, *path.relative_to(home).with_suffix("").parts]) for path in files]
 
 
 def closures(package: str) -> list[Law]:
@@ -225,6 +213,3 @@ def constant(name: Name) -> str:
     if isinstance(kind, Parts) and type(value) is not tuple:
         word = in_c(Name(type(value).__module__, type(value).__name__))
     return f"static const {word} {c_name(name)} = {literal(value).text};"
-
-
-__all__ = ["Iterable", "ModuleType", "texts", "write"]

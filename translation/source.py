@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-MARKS = ("law", "layout")
+MARK = "law"
 PLAIN = {"pointpred.regions"}
 """Modules of laws that stay plain Python: another module compiles them by ``law(function)``."""
 
@@ -92,7 +92,7 @@ def _is_name(node: ast.expr, name: str) -> bool:
 
 
 def _is_mark(node: ast.expr) -> bool:
-    return any(_is_name(node, mark) for mark in MARKS)
+    return _is_name(node, MARK)
 
 
 def origin(reader: Module, name: str) -> Name:

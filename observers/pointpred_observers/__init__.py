@@ -7,6 +7,7 @@ of this package at every start.
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
+        if find_spec(f"{__name__}.{name}") is not None:  # a module, which public.py may be importing
+            return import_module(f"{__name__}.{name}")
         return getattr(import_module("pointpred_observers.public"), name)
 
     def __dir__() -> list[str]:

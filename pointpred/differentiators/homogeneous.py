@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.errors import ParameterError
@@ -137,7 +137,7 @@ def chatter(memory: Memory, place: float, h: float, steps: int) -> float:
     return fastest
 
 
-@layout
+@law
 def place_poles(settings: Settings, gain_lambda: float, gain_xi: float) -> None:
     """The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)).
 
@@ -154,7 +154,7 @@ def place_poles(settings: Settings, gain_lambda: float, gain_xi: float) -> None:
         settings.gain[0] += rate
 
 
-@layout
+@law
 def fill(values: FloatArray, settings: Settings) -> None:
     """The settings but for the settling time; between two samples the position runs on a line."""
     sampling.fill(values, settings.memory)
@@ -163,7 +163,7 @@ def fill(values: FloatArray, settings: Settings) -> None:
     place_poles(settings, values[LAMBDA_OF], values[XI_OF])
 
 
-@layout
+@law
 def settle(memory: Memory) -> None:
     """Measure how long the law takes to settle, in a memory without states."""
     h = min(memory.settings.step_s, 1e-3)

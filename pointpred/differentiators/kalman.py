@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator
 from pointpred.layout import Layout, clear
@@ -61,7 +61,7 @@ class Memory(Layout):
     state: State
 
 
-@layout
+@law
 def fill(values: FloatArray, settings: Settings) -> None:
     """The settings; of the noise in m its variance."""
     sampling.fill(values, settings.memory)

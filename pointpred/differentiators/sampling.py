@@ -6,7 +6,7 @@ movement is noticed. The rules are those of the public interface, so all differe
 
 from __future__ import annotations
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.records import (
     FINE,
@@ -52,7 +52,7 @@ class State(Layout):
 MERGED, RESTARTED, MOVED = 0, 1, 2
 
 
-@layout
+@law
 def fill(values: FloatArray, memory: FloatArray) -> None:
     """The settings of counts per inch (0: counts are not used), px per inch, gap and pause in s.
 

@@ -11323,8 +11323,9 @@ static PyMethodDef methods[] = {
   {"pointpred.transfer.pixels:turn", (PyCFunction)(void (*)(void))py_transfer_pixels_turn, METH_FASTCALL, NULL},
   {NULL, NULL, 0, NULL},
 };
+extern const char digest_of_laws[];
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "3f4340e5dcc22beedf40a056de2f079692212268b45a2d5a5f398ac99d6d29f6", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", digest_of_laws, 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.layout import Layout, clear
 from pointpred.parameter import option, parameter
@@ -97,13 +97,13 @@ class Match(Layout):
 TEMPLATES_OF, LONGEST_OF, SHORTEST_OF = range(3)
 
 
-@layout
+@law
 def samples_of(longest_s: float) -> int:
     """Samples in the profile of the longest movement: one for each 50 ms, and the zero before them."""
     return int((longest_s + STAMP_S) / STEP_S) + 1
 
 
-@layout
+@law
 def fill(values: FloatArray, settings: Settings) -> None:
     """The settings and the kernel, without a library."""
     settings.learned_most, settings.library = values[TEMPLATES_OF], 0.0
@@ -112,7 +112,7 @@ def fill(values: FloatArray, settings: Settings) -> None:
         settings.half[k] = KERNEL[k]
 
 
-@layout
+@law
 def sizes(values: FloatArray) -> tuple[int, int, int]:
     """How many settings, learned floats and states of a movement there are without a library."""
     templates, longest = int(values[TEMPLATES_OF]), samples_of(values[LONGEST_OF])

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.records import FloatArray
 
@@ -25,13 +25,13 @@ class Ring(Layout):
     samples: Annotated[FloatArray, None]
 
 
-@layout
+@law
 def capacity(delays: int) -> int:
     """Samples needed to span a number of delays: the two newest and one on each side."""
     return delays * PER_DELAY + 4
 
 
-@layout
+@law
 def states(n: int, samples: int) -> int:
     """Floats of a ring for that many samples of n + 1 values."""
     return Ring.length + samples * (n + 2)

@@ -12,7 +12,7 @@ from typing import Annotated, Any, NamedTuple
 
 import msgspec
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.parameter import parameter
 from pointpred.records import FloatArray, FloatTable
@@ -52,7 +52,7 @@ class Regression(NamedTuple):
     """The ring of past w and y."""
 
 
-@layout
+@law
 def numbers(n: int) -> int:
     """Floats that n unknowns need besides the state."""
     return 5 * n + 2 * n * n + delay.states(n, delay.capacity(n - 1))

@@ -18,7 +18,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
@@ -44,7 +44,7 @@ class Regression(NamedTuple):
     """n x n, upper."""
 
 
-@layout
+@law
 def numbers(n: int) -> int:
     """Floats that n unknowns need besides the sums."""
     return 2 * n + n * n

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.records import FloatArray
 
 BANDS = 20
@@ -22,7 +22,7 @@ TRUSTED = 0.02
 """Relative error at which a band's trust is one half."""
 
 
-@layout
+@law
 def states(n: int) -> int:
     """Floats of all bands: for each the sum of w_1 y and those of w_1 w_i, w_1 the regressor of c_1."""
     return BANDS * (1 + n)

@@ -7,7 +7,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
@@ -104,7 +104,7 @@ def step(memory: Memory, report: tuple[float, float, float]) -> tuple[float, flo
     return t, carry(carried, 0, scale * dx), carry(carried, 1, scale * dy)
 
 
-@layout
+@law
 def lay_out(
     memory: FloatArray,
     own: FloatArray,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import ceil
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.records import FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers import nonlinearity
@@ -23,37 +23,37 @@ STEPS_MOST = 100_000
 """Most steps between two samples."""
 
 
-@layout
+@law
 def injected_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Offset of R, through which inputs enter the nonlinearity; R2 follows it."""
     return CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k)
 
 
-@layout
+@law
 def start_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Offset of the start."""
     return injected_at(q, k, inputs, outputs) + (k + outputs) * inputs
 
 
-@layout
+@law
 def replaced_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Offset of what replaces missing inputs."""
     return start_at(q, k, inputs, outputs) + q
 
 
-@layout
+@law
 def state_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Offset of the state."""
     return replaced_at(q, k, inputs, outputs) + inputs * (2 + q + k + inputs)
 
 
-@layout
+@law
 def room(q: int, k: int, inputs: int) -> int:
     """Number of floats of scratch space."""
     return 4 * (q + inputs) + k
 
 
-@layout
+@law
 def floats(q: int, k: int, inputs: int) -> int:
     """Number of floats of the state."""
     return 2 + q + inputs + room(q, k, inputs) + inputs

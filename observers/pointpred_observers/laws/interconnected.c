@@ -396,12 +396,3 @@ int64_t interconnected_persidskii_law_step(Vector memory, Vector row, Vector out
   }
   return verdict;
 }
-
-void loop__interconnected_persidskii_law_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  for (int64_t i = 0; i < rows.n; i++) {
-    if (begin.p[i]) {
-      fill((Vector){memory.p + first, memory.n - first}, 0.0);
-    }
-    interconnected_persidskii_law_step(memory, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
-  }
-}

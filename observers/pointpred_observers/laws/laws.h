@@ -129,7 +129,6 @@ int64_t interconnected_persidskii_law_start_at(int64_t q, int64_t k, int64_t inp
 int64_t interconnected_persidskii_law_state_at(int64_t q, int64_t k, int64_t inputs, int64_t outputs);
 int64_t interconnected_persidskii_law_step(Vector memory, Vector row, Vector out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__interconnected_persidskii_law_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 double nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h);

@@ -1052,32 +1052,6 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__interconnected_persidskii_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.interconnected.persidskii_law:step)";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  FlagVector a2;
-  Table a3;
-  Table a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__interconnected_persidskii_law_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)";
   Held held;
@@ -1588,7 +1562,6 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:state_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_state_at, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_into (pointpred_observers.interconnected.persidskii_law:step)", (PyCFunction)(void (*)(void))py_loop__interconnected_persidskii_law_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
   {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:finite", (PyCFunction)(void (*)(void))py_regressors_gradient_finite, METH_FASTCALL, NULL},
@@ -1614,8 +1587,9 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.triangular.program:execute", (PyCFunction)(void (*)(void))py_triangular_program_execute, METH_FASTCALL, NULL},
   {NULL, NULL, 0, NULL},
 };
+extern const char digest_of_laws[];
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 static PyModuleDef definition = {
-  PyModuleDef_HEAD_INIT, "_laws", "c33fe5b10aacf4729e516f0b3fef6bae67412fae48211f841d21cdf758c3f44a", 0, methods, slots, NULL, NULL, NULL,
+  PyModuleDef_HEAD_INIT, "_laws", digest_of_laws, 0, methods, slots, NULL, NULL, NULL,
 };
 PyMODINIT_FUNC PyInit__laws(void) { return PyModuleDef_Init(&definition); }

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray
@@ -32,19 +32,19 @@ COUNT, OUTPUTS, KIND, START = range(4)
 SAMPLE = 1
 
 
-@layout
+@law
 def width(n: int, p: int) -> int:
     """Floats of a sample: p rows of the regressor, then p outputs."""
     return p * n + p
 
 
-@layout
+@law
 def state_at(n: int) -> int:
     """Offset of the state."""
     return START + n + n * n
 
 
-@layout
+@law
 def states(n: int, p: int) -> int:
     """Floats of the state."""
     return 2 + n + 2 * width(n, p)

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError, UndecidedError
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray
@@ -39,13 +39,13 @@ COUNT, OUTPUTS, GAIN, CODE, STEEPEST, START = range(6)
 SAMPLE = 1
 
 
-@layout
+@law
 def width(n: int, r: int) -> int:
     """Floats of a sample."""
     return r * n + r + 1
 
 
-@layout
+@law
 def states(n: int, r: int) -> int:
     """Floats of the state."""
     return 2 + n + 2 * width(n, r) + 3 * n

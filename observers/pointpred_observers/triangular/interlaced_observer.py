@@ -13,7 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import parameter
 from pointpred.records import BoolArray, FloatArray
@@ -45,13 +45,13 @@ NEVER = 1e300
 """A time that no interval reaches, s."""
 
 
-@layout
+@law
 def settings(q: int, p: int) -> int:
     """Floats before the program."""
     return START + q + 2 * q * q + q * p
 
 
-@layout
+@law
 def states(q: int, p: int) -> int:
     """Floats of the state, with two scratch vectors, before the program's registers."""
     return Y + p + 3 * q

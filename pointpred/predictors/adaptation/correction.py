@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import floor, hypot, sqrt
 from typing import Annotated
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Layout, clear
 from pointpred.predictors.adaptation import (
     arrival_intervals,
@@ -108,7 +108,7 @@ class Movement(Layout):
 UNEQUAL = 21
 
 
-@layout
+@law
 def fault(learned: Person) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
     if learned.distances.count != learned.durations.count:

@@ -12,7 +12,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Known, Layout
 from pointpred.records import LARGEST, FloatArray, FloatTable
 
@@ -64,7 +64,7 @@ LEAST_UNKNOWN = FORGET * UNKNOWN_SHARE
 FINE, TOO_SHORT, TOO_SURE, NO_SHARES = range(4)
 
 
-@layout
+@law
 def fault(learned: Distances) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
     count = int(learned.count)

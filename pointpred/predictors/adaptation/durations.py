@@ -11,7 +11,7 @@ from typing import Annotated
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Known, Layout
 from pointpred.records import LATEST_S, FloatArray
 
@@ -77,7 +77,7 @@ def forget(s: Durations) -> None:
     s.movements = KEEP * s.movements + 1.0
 
 
-@layout
+@law
 def value_of_rank(s: Durations, rank: int) -> float:
     """The duration that would stand at a place if they were sorted."""
     count = int(s.count)
@@ -91,7 +91,7 @@ def value_of_rank(s: Durations, rank: int) -> float:
     return np.nan
 
 
-@layout
+@law
 def median(s: Durations) -> float:
     """The median of the durations, bit for bit that of ``np.median``."""
     count = int(s.count)
@@ -99,7 +99,7 @@ def median(s: Durations) -> float:
     return upper if count % 2 else (value_of_rank(s, count // 2 - 1) + upper) / 2.0
 
 
-@layout
+@law
 def fault(learned: Durations) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
     for i in range(int(learned.count)):

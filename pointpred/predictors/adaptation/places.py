@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import hypot
 from typing import Annotated
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Known, Layout
 from pointpred.records import LARGEST, FloatArray
 
@@ -59,7 +59,7 @@ class Places(Layout):
 FINE, TOO_LIGHT, NO_SUCH_PLACE = 0, 41, 42
 
 
-@layout
+@law
 def fault(learned: Places) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
     count = int(learned.count)

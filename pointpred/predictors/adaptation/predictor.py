@@ -7,7 +7,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Layout, clear, slots_of
 from pointpred.parameter import parameter
 from pointpred.predictors.adaptation import correction, destination, places
@@ -44,7 +44,7 @@ class Memory(Layout):
     movement: correction.Movement
 
 
-@layout
+@law
 def sizes(values: FloatArray) -> tuple[int, int, int]:
     """How many settings, learned floats and states there are: without adaptation nothing is learned."""
     learned = correction.Person.length if values[ADAPT_OF] == 1.0 else 0

@@ -16,7 +16,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from pointpred.compiled import law, layout
+from pointpred.compiled import law
 from pointpred.layout import Known, Layout
 from pointpred.predictors.adaptation import arrival_intervals, moments
 from pointpred.predictors.adaptation.arrival_intervals import Intervals
@@ -247,7 +247,7 @@ def learn(
 FINE, NOT_POSITIVE = 0, 31
 
 
-@layout
+@law
 def fault(learned: Sums) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
     least = factor(learned, PRIOR, np.empty(SUMS))
