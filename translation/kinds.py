@@ -58,8 +58,8 @@ class Memory(NamedTuple):
 
     @property
     def struct(self) -> str:
-        """The name of the struct."""
-        return f"{self.of.__module__.rpartition('.')[2]}_{self.of.__name__}"
+        """The name of the struct: as laws of its module are called."""
+        return f"{self.of.__module__.partition('.')[2].replace('.', '_')}_{self.of.__name__}"
 
     @property
     def c(self) -> str:
