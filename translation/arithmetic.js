@@ -36,6 +36,11 @@ export function view(array, first, end) {
   return array instanceof Float64Array ? array.subarray(first, end) : array.slice(first, end);
 }
 
+/** The numbers of an array as a table, which shares their memory. */
+export function table(array, rows, columns) {
+  return Array.from({ length: rows }, (_, i) => array.subarray(i * columns, (i + 1) * columns));
+}
+
 /** A table of zeros: an array of rows. */
 export function matrix(rows, columns) {
   return Array.from({ length: rows }, () => new Float64Array(columns));

@@ -449,6 +449,8 @@ class Expressions:
                 name = member(self.reader, owner, word)
             case ast.Attribute(value=array, attr="copy") if not node.args:
                 return self._copy(node, self.value(array))
+            case ast.Attribute(value=array, attr="reshape"):
+                return self._table(node, self.value(array))
             case _:
                 raise self.error(node, f"call of {ast.unparse(node.func)}")
         if (layout := layout_of(name)) is not None:
@@ -519,6 +521,8 @@ class Expressions:
                 return set().union(*map(self.base, parts))
             case ast.Call(func=ast.Attribute(attr="empty" | "zeros" | "copy")):
                 return set()
+            case ast.Call(func=ast.Attribute(value=value, attr="reshape")):
+                return self.base(value)
             case ast.Call(args=parts):
                 return set().union(*map(self.base, parts))
         return set()
@@ -531,6 +535,14 @@ class Expressions:
             f"RELEASED {of.c} *{name} = copied({value.within(CALL)}.p, sizeof({of.c}) * {value.within(CALL)}.n);"
         )
         return Value(f"({value.kind.c}){{{name}, {value.within(CALL)}.n}}", value.kind, CALL)
+
+    def _table(self, node: ast.Call, value: Value) -> Value:
+        """The numbers of an array as rows."""
+        if not isinstance(value.kind, Array) or value.kind.dimensions != 1 or len(node.args) != 2:
+            raise self.error(node, f"{ast.unparse(node)} of {value.kind.c}")
+        kind = Array(value.kind.of, 2)
+        rows, columns = (self.whole(one).text for one in node.args)
+        return Value(f"({kind.c}){{{value.within(CALL)}.p, {rows}, {columns}}}", kind, CALL)
 
     def _buffer(self, node: ast.AST) -> str:
         if self._guarded:

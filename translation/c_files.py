@@ -18,7 +18,7 @@ from pointpred.pipeline import joint_of, last_of
 from pointpred.predictors import Predictor
 from pointpred.stage import CompiledStage
 from translation.c_expressions import literal
-from translation.c_law import Function
+from translation.c_law import Function, holds_arrays
 from translation.c_module import module_text
 from translation.c_names import Law, Made, c_name, local
 from translation.kinds import Memory, Parts, kind_of_value
@@ -52,7 +52,10 @@ def texts(package: str) -> dict[str, str]:
     for law in [*laws_in(package), *closures(package)]:
         read(law)
     entries = [
-        one for law, one in known.items() if law.module.partition(".")[0] == package or isinstance(law, Made)
+        one
+        for law, one in known.items()
+        if (law.module.partition(".")[0] == package or isinstance(law, Made))
+        and not holds_arrays(one.returns)
     ]
     rooms: dict[str, list[Function]] = {}
     for one in known.values():

@@ -280,7 +280,7 @@ class Function:
                 yield f"(void){value.within(CALL)};"
             case ast.Name(id=name):
                 place = self._place(target, value.kind)
-                if source is not None and _holds_arrays(value.kind):
+                if source is not None and holds_arrays(value.kind):
                     at.sources[name] = at.sources.get(name, set()) | at.base(source)
                 yield f"{place.text} = {at.cast(value, place.kind, target).text};"
             case ast.Tuple(elts=targets):
@@ -331,9 +331,10 @@ class Function:
         return at.value(target)
 
 
-def _holds_arrays(kind: Kind) -> bool:
+def holds_arrays(kind: Kind) -> bool:
+    """Whether a value shares memory: an array, a memory with names, or a tuple with one in it."""
     return isinstance(kind, Array | Memory) or (
-        isinstance(kind, Parts) and any(map(_holds_arrays, kind.kinds))
+        isinstance(kind, Parts) and any(map(holds_arrays, kind.kinds))
     )
 
 

@@ -227,6 +227,8 @@ class Expressions:
 
     def _call(self, node: ast.Call) -> Text:
         match node.func:
+            case ast.Attribute(value=array, attr="reshape"):
+                return self._own("table", self.text(array), *(self.text(one) for one in node.args))
             case ast.Name(id=word) if word not in self.locals.names:
                 name = origin(self.reader, word)
             case ast.Attribute(value=ast.Name(id=owner), attr=word) if owner in self.reader.imports:

@@ -205,6 +205,8 @@ class _Flat(ast.NodeTransformer):
         return ast.Subscript(place.array, at, node.ctx)
 
     def visit_Call(self, node: ast.Call) -> ast.expr:  # noqa: N802
+        if isinstance(node.func, ast.Attribute) and node.func.attr == "reshape":
+            return self.generic_visit(node)  # type: ignore[return-value]
         name = self._called(node)
         if name == Name("", "len") and isinstance(node.args[0], ast.Attribute | ast.Subscript):
             size = self._size(node.args[0])
