@@ -82,7 +82,7 @@ def _taken(place: str, source: str, word: str, kind: Kind, written: bool) -> Ite
         yield f"take_{kind.c}({source}, &{place})"
     elif isinstance(kind, Memory):
         flag = "true" if written else "false"
-        yield f"take_array(&held, {source}, law, \"{word}\", 'd', 1, {flag}, &view)"
+        yield f'take_memory(&held, {source}, law, "{word}", {flag}, &view)'
         yield f'is_long_enough(view, law, "{word}", {kind.of.length})'
         yield f"({place} = view->buf, true)"
     elif isinstance(kind, Array):

@@ -43,6 +43,19 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+/* The memory of a layout, or a flat array that stands for one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written,
+                        const Py_buffer **taken) {
+  PyObject *memory = PyObject_CheckBuffer(given) ? NULL : PyObject_GetAttrString(given, "memory");
+  if (memory == NULL) {
+    PyErr_Clear();
+    memory = Py_NewRef(given);
+  }
+  bool is_one = take_array(held, memory, law, argument, 'd', 1, written, taken);
+  Py_DECREF(memory);
+  return is_one;
+}
+
 static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
   if (view->shape[0] >= least) return true;
   PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
