@@ -38,7 +38,9 @@ export function view(array, first, end) {
 
 /** The numbers of an array as a table, which shares their memory. */
 export function table(array, rows, columns) {
-  return Array.from({ length: rows }, (_, i) => array.subarray(i * columns, (i + 1) * columns));
+  const made = [];
+  for (let i = 0; i < rows; i++) made.push(array.subarray(i * columns, (i + 1) * columns));
+  return made;
 }
 
 /** A table of zeros: an array of rows. */
