@@ -97,8 +97,7 @@ def places(layout: type[Layout], prefix: str = "", at: int = 0) -> Iterator[tupl
 
 
 def _is_closed(layout: type[Layout]) -> bool:
-    last = layout.parts[-1] if layout.parts else None
-    return last is None or (_is_closed(last.of) if last.of and not last.shape else last.shape != (-1,))
+    return not layout.parts or layout.parts[-1].shape != (-1,)
 
 
 def _part(name: str, at: int, hint: Any) -> Part:
