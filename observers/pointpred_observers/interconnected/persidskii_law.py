@@ -62,7 +62,7 @@ class State(NamedTuple):
     ``space`` is for a step of the integration.
     """
 
-    sample: FloatArray
+    clock: FloatArray
     both: FloatArray
     space: FloatArray
     absent: FloatArray
@@ -103,8 +103,8 @@ def parts_of(memory: Memory) -> tuple[Matrices, State]:
     v1_at = v0_at + m * q
     v2_at = v1_at + m * k
     first_at = v2_at + m * m
-    sample_at = first_at + m
-    both_at = sample_at + 2
+    clock_at = first_at + m
+    both_at = clock_at + 2
     space_at = both_at + q + m
     absent_at = space_at + 4 * (q + m) + k
     matrices = Matrices(
@@ -122,10 +122,10 @@ def parts_of(memory: Memory) -> tuple[Matrices, State]:
         memory.rest[v0_at:v1_at].reshape(m, q),
         memory.rest[v1_at:v2_at].reshape(m, k),
         memory.rest[v2_at:first_at].reshape(m, m),
-        memory.rest[first_at:sample_at],
+        memory.rest[first_at:clock_at],
     )
     state = State(
-        memory.rest[sample_at:both_at],
+        memory.rest[clock_at:both_at],
         memory.rest[both_at:space_at],
         memory.rest[space_at:absent_at],
         memory.rest[absent_at : absent_at + m],
@@ -178,7 +178,7 @@ def flow(m: Matrices, s: State, row: FloatArray, begin: float, h: float) -> None
     """
     q, inputs = len(m.start), len(m.first)
     w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
-    length = h * (row[0] - s.sample[1])
+    length = h * (row[0] - s.clock[1])
     for i in range(q):
         value = w[i]
         space.first[i] = value
@@ -255,7 +255,7 @@ def bridge(m: Matrices, s: State, row: FloatArray, length: float, h: float) -> N
 @law
 def move(memory: Memory, m: Matrices, s: State, row: FloatArray, missing: bool) -> None:
     """Carry w, and missing inputs, from the last sample to ``row``."""
-    h = row[0] - s.sample[1]
+    h = row[0] - s.clock[1]
     if memory.discrete == 1.0:
         q, inputs = len(m.start), len(m.first)
         w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
@@ -292,7 +292,7 @@ def advance(memory: Memory, m: Matrices, s: State, row: FloatArray) -> int:
     """
     q, inputs = len(m.start), len(m.first)
     w, last = s.both[:q], s.both[q:]
-    started, discrete, h = s.sample[0] == 1.0, memory.discrete == 1.0, row[0] - s.sample[1]
+    started, discrete, h = s.clock[0] == 1.0, memory.discrete == 1.0, row[0] - s.clock[1]
     if started and h < 0.0:
         return BACKWARDS
     if started and h == 0.0:
@@ -327,7 +327,7 @@ def advance(memory: Memory, m: Matrices, s: State, row: FloatArray) -> int:
             last[j] = row[1 + j]
     for i in range(q):
         w[i] -= m.start[i]
-    s.sample[0], s.sample[1] = 1.0, row[0]
+    s.clock[0], s.clock[1] = 1.0, row[0]
     return ACCEPTED
 
 

@@ -144,7 +144,7 @@ class PersidskiiObserver(CompiledStage):
                 value=self.gap_s,
             )
 
-    def _sample(self) -> tuple[bool, float]:
+    def _clock(self) -> tuple[bool, float]:
         """Whether there was a sample, and its time."""
         started, t = self._memory[self._state_at : self._state_at + 2].tolist()
         return started == 1.0, t
@@ -179,21 +179,21 @@ class PersidskiiObserver(CompiledStage):
             if begin[i]:
                 self._memory[:] = 0.0
             if self._plain.step(self._memory, row, out[i]) == law.TOO_LONG:
-                raise self._refused(row[0], self._sample()[1])
+                raise self._refused(row[0], self._clock()[1])
         return out
 
     def _check_intervals(self, begin: BoolArray, times: FloatArray) -> None:
         """Raise EventError for an interval that is too long, before anything changes."""
         if self.time == "discrete" or self.gap_s is not None or not len(times):
             return
-        started, last = self._sample()
+        started, last = self._clock()
         before = np.concatenate([[last] if started else times[:1], times[:-1]])
         for i in np.flatnonzero((times - before > self._bridged) & ~begin)[:1]:
             raise self._refused(float(times[i]), float(before[i]))
 
     def _check_steps(self, begin: BoolArray, times: FloatArray) -> None:
         """The same in discrete time, where an index is the last one, the next one, or runs backwards."""
-        started, before = self._sample()
+        started, before = self._clock()
         last = before if started else None
         for first, t in zip(begin.tolist(), times.tolist(), strict=True):
             if first or last is None or t == last + 1.0:
@@ -209,7 +209,7 @@ class PersidskiiObserver(CompiledStage):
         runs backwards and DivergenceError if the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
-        before, (_, last) = self._memory.copy(), self._sample()
+        before, (_, last) = self._memory.copy(), self._clock()
         out = np.empty(self.width)
         step: Any = law.step if self._plain is None else self._plain.step
         verdict = step(self._memory, row, out)
