@@ -30,7 +30,8 @@ def evaluated(expressions: Any, at: tuple[float, float], *, plain: bool = False)
     memory[constants:inputs] = made.constants
     memory[inputs:computed] = at
     execute = triangular_program.execute
-    (getattr(execute, "py_func", execute) if plain else execute)(memory, 0, len(made.rows))
+    rows = memory[:constants].reshape(-1, ROW)
+    (getattr(execute, "py_func", execute) if plain else execute)(memory, rows)
     found: list[float] = memory[len(memory) - made.outputs :].tolist()
     return found
 
