@@ -19,7 +19,7 @@ static const int64_t records_ORDER = 1;
 static const double records_ROUNDING_S = 1e-06;
 
 /* Velocity over the last interval, acceleration between the middles of the last two. */
-void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt) {
+void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt) {
   double velocity;
   velocity = (u - last->u[axis]) / dt;
   if (last->span_s > 0.0) {
@@ -30,7 +30,7 @@ void differentiators_difference_advance(difference_Differences * last, int64_t a
 }
 
 /* Take one event in: (verdict, dt in s, motor position that the law used last in m, movement started). */
-Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_State * s, records_EventRow event) {
+Tq3db differentiators_sampling_accept(differentiators_sampling_Settings * settings, differentiators_sampling_State * s, records_EventRow event) {
   double t, x, y, dx, dy, buttons, dt, before_u, before_v;
   bool started, released, start, counted, merged, restarted;
   int64_t fault;
@@ -91,14 +91,14 @@ Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_Sta
 }
 
 /* 1 once there are ``samples`` samples over ``settle_s`` s since the restart, else 0. */
-double differentiators_sampling_settled(sampling_State * s, double samples, double settle_s) {
+double differentiators_sampling_settled(differentiators_sampling_State * s, double samples, double settle_s) {
   bool long_enough;
   long_enough = s->t - s->since >= settle_s;
   return long_enough && s->samples >= samples ? 1.0 : 0.0;
 }
 
 /* The row of the motion after an accepted event; ``hand``: its velocity m/s and acceleration m/s^2. */
-T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start) {
+T10d differentiators_sampling_motion(differentiators_sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start) {
   double t, x, y, vx, vy, ax, ay;
   T2d velocity, acceleration;
   t = event.t;
@@ -114,10 +114,10 @@ T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event,
 }
 
 /* One event through the differences of both axes. */
-T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event) {
-  difference_Settings * settings;
-  sampling_State * samples;
-  difference_Differences * last;
+T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event) {
+  differentiators_difference_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_difference_Differences * last;
   int64_t verdict;
   bool start;
   double dt, settled;
@@ -132,7 +132,7 @@ T10d differentiators_difference_step(difference_Memory * memory, records_EventRo
     return records_refused(-verdict, samples->t);
   }
   if (verdict == differentiators_sampling_RESTARTED) {
-    memset(last, 0, sizeof(difference_Differences));
+    memset(last, 0, sizeof(differentiators_difference_Differences));
     last->t = samples->t;
   }
   dt = samples->t - last->t;
@@ -149,7 +149,7 @@ T10d differentiators_difference_step(difference_Memory * memory, records_EventRo
 }
 
 /* Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last z_n'. */
-double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps) {
+double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps) {
   int64_t order;
   double slope, y, error, size, scale, push, carried;
   order = (int64_t)settings->order;
@@ -171,10 +171,10 @@ double differentiators_homogeneous_advance(homogeneous_Settings * settings, homo
 }
 
 /* One event through the differentiator of both axes. */
-T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_EventRow event) {
-  homogeneous_Settings * settings;
-  sampling_State * samples;
-  homogeneous_Estimates * z;
+T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event) {
+  differentiators_homogeneous_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_homogeneous_Estimates * z;
   int64_t verdict, steps;
   double dt, before_u, before_v, h, settled;
   bool start, second;
@@ -192,7 +192,7 @@ T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_Event
     return records_refused(-verdict, samples->t);
   }
   if (verdict == differentiators_sampling_RESTARTED) {
-    memset(z, 0, sizeof(homogeneous_Estimates));
+    memset(z, 0, sizeof(differentiators_homogeneous_Estimates));
   } else if (verdict == differentiators_sampling_MOVED) {
     steps = (int64_t)ceil(dt / settings->step_s);
     h = dt / steps;
@@ -207,8 +207,8 @@ T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_Event
 }
 
 /* Seconds until the velocity stays within 5 % of a ramp's ``speed`` m/s, from rest; spoils ``memory``. */
-double differentiators_homogeneous_settling(homogeneous_Memory * memory, double speed, double h, int64_t steps) {
-  homogeneous_Axis * axis;
+double differentiators_homogeneous_settling(differentiators_homogeneous_Memory * memory, double speed, double h, int64_t steps) {
+  differentiators_homogeneous_Axis * axis;
   double settled_s;
   axis = &memory->state.estimates.x;
   settled_s = 0.0;
@@ -222,8 +222,8 @@ double differentiators_homogeneous_settling(homogeneous_Memory * memory, double 
 }
 
 /* Largest speed in m/s long after the position stepped to ``place`` m and rests; spoils ``memory``. */
-double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double place, double h, int64_t steps) {
-  homogeneous_Axis * axis;
+double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * memory, double place, double h, int64_t steps) {
+  differentiators_homogeneous_Axis * axis;
   double fastest, speed;
   axis = &memory->state.estimates.x;
   differentiators_homogeneous_advance(&memory->settings, axis, place, place, h, steps);
@@ -239,7 +239,7 @@ double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double p
 }
 
 /* The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)). */
-void differentiators_homogeneous_place_poles(homogeneous_Settings * settings, double gain_lambda, double gain_xi) {
+void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi) {
   double rate;
   for (int64_t i = 0, end_1 = (int64_t)settings->order; i < end_1; i++) {
     rate = gain_lambda * whole_power(gain_xi, i);
@@ -260,7 +260,7 @@ void differentiators_sampling_fill(Vector values, Vector memory) {
 }
 
 /* The settings but for the settling time; between two samples the position runs on a line. */
-void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * settings) {
+void differentiators_homogeneous_fill(Vector values, differentiators_homogeneous_Settings * settings) {
   differentiators_sampling_fill(values, (Vector){(double *)settings, 17});
   settings->order = values.p[differentiators_homogeneous_ORDER_OF];
   settings->alpha = values.p[differentiators_homogeneous_ALPHA_OF];
@@ -271,15 +271,15 @@ void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * sett
 }
 
 /* Measure how long the law takes to settle, in a memory without states. */
-void differentiators_homogeneous_settle(homogeneous_Memory * memory) {
+void differentiators_homogeneous_settle(differentiators_homogeneous_Memory * memory) {
   double h;
   h = min_float(memory->settings.step_s, 0.001);
   memory->settings.settle_s = differentiators_homogeneous_settling(memory, differentiators_homogeneous_SETTLING_SPEED_M_S, h, (int64_t)floor(2.0 / h + 0.5));
-  memset(&memory->state, 0, sizeof(homogeneous_State));
+  memset(&memory->state, 0, sizeof(differentiators_homogeneous_State));
 }
 
 /* The settings; of the noise in m its variance. */
-void differentiators_kalman_fill(Vector values, kalman_Settings * settings) {
+void differentiators_kalman_fill(Vector values, differentiators_kalman_Settings * settings) {
   differentiators_sampling_fill(values, (Vector){(double *)settings, 6});
   settings->noise = settings->noise * settings->noise;
 }
@@ -291,7 +291,7 @@ void differentiators_kalman_predict(Vector axis, double dt) {
 }
 
 /* Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly. */
-void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, double dt) {
+void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt) {
   double half, q, f00, f01, f02, g11, g12;
   half = 0.5 * dt * dt;
   q = jerk_density * dt;
@@ -309,7 +309,7 @@ void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, d
 }
 
 /* One axis after its position was measured with variance ``noise``; the covariance stays. */
-void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double noise, double measured) {
+void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured) {
   double share;
   share = (measured - axis.p[0]) / (p->p00 + noise);
   axis.p[0] += p->p00 * share;
@@ -318,7 +318,7 @@ void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double n
 }
 
 /* Covariance after a position was measured with variance ``noise``. */
-void differentiators_kalman_narrow(kalman_Covariance * p, double noise) {
+void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise) {
   double p00, p01, p02, total;
   p00 = p->p00;
   p01 = p->p01;
@@ -333,15 +333,15 @@ void differentiators_kalman_narrow(kalman_Covariance * p, double noise) {
 }
 
 /* Both axes at the origin of the path, at a speed that nobody knows. */
-void differentiators_kalman_restart(kalman_Plane * plane, double noise) {
-  memset(plane, 0, sizeof(kalman_Plane));
+void differentiators_kalman_restart(differentiators_kalman_Plane * plane, double noise) {
+  memset(plane, 0, sizeof(differentiators_kalman_Plane));
   plane->covariance.p00 = noise;
   plane->covariance.p11 = square(differentiators_kalman_START_SPEED_M_S);
   plane->covariance.p22 = square(differentiators_kalman_START_ACCELERATION_M_S2);
 }
 
 /* Both axes and their covariance after ``dt`` s, and after their positions were measured. */
-void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place) {
+void differentiators_kalman_follow(differentiators_kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place) {
   double u, v;
   u = place.f0;
   v = place.f1;
@@ -354,7 +354,7 @@ void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, do
 }
 
 /* Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6). */
-double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_State * samples) {
+double differentiators_kalman_settle_s(differentiators_kalman_Settings * settings, differentiators_sampling_State * samples) {
   double intervals, period;
   intervals = max_float(samples->samples - 1.0, 1.0);
   period = (samples->t - samples->since) / intervals;
@@ -362,10 +362,10 @@ double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_Stat
 }
 
 /* One event through the filter of both axes. */
-T10d differentiators_kalman_step(kalman_Memory * memory, records_EventRow event) {
-  kalman_Settings * settings;
-  sampling_State * samples;
-  kalman_Plane * plane;
+T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event) {
+  differentiators_kalman_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_kalman_Plane * plane;
   int64_t verdict;
   double dt, settled;
   bool start;
@@ -398,7 +398,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_difference_ste
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -412,7 +412,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_homogeneous_st
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -426,7 +426,7 @@ void loop__stage_learn_nothing__records_event_at__differentiators_kalman_step(Ve
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     for (int64_t j = 0; j < 10; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }

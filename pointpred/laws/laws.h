@@ -139,13 +139,7 @@ typedef struct {
   double v[2];
   double a[2];
   double span_s;
-} difference_Differences;
-typedef struct {
-  double metres_per_count;
-  double metres_per_px;
-  double gap_s;
-  double pause_s;
-} sampling_Settings;
+} differentiators_difference_Differences;
 typedef struct {
   double started;
   double t;
@@ -159,49 +153,55 @@ typedef struct {
   double since;
   double last_u;
   double last_v;
-} sampling_State;
+} differentiators_sampling_State;
 typedef struct {
-  sampling_Settings sampling;
+  double metres_per_count;
+  double metres_per_px;
+  double gap_s;
+  double pause_s;
+} differentiators_sampling_Settings;
+typedef struct {
+  differentiators_sampling_Settings sampling;
   double shortest_s;
-} difference_Settings;
+} differentiators_difference_Settings;
 typedef struct {
-  sampling_State sampling;
-  difference_Differences last;
-} difference_State;
+  differentiators_sampling_State sampling;
+  differentiators_difference_Differences last;
+} differentiators_difference_State;
 typedef struct {
-  difference_Settings settings;
-  difference_State state;
-} difference_Memory;
+  differentiators_difference_Settings settings;
+  differentiators_difference_State state;
+} differentiators_difference_Memory;
 typedef struct {
-  double z[8];
-} homogeneous_Axis;
-typedef struct {
-  sampling_Settings sampling;
+  differentiators_sampling_Settings sampling;
   double order;
   double alpha;
   double step_s;
   double hold;
   double settle_s;
   double gain[8];
-} homogeneous_Settings;
+} differentiators_homogeneous_Settings;
 typedef struct {
-  homogeneous_Axis x;
-  homogeneous_Axis y;
+  double z[8];
+} differentiators_homogeneous_Axis;
+typedef struct {
+  differentiators_homogeneous_Axis x;
+  differentiators_homogeneous_Axis y;
   double slope[2];
-} homogeneous_Estimates;
+} differentiators_homogeneous_Estimates;
 typedef struct {
-  sampling_State sampling;
-  homogeneous_Estimates estimates;
-} homogeneous_State;
+  differentiators_sampling_State sampling;
+  differentiators_homogeneous_Estimates estimates;
+} differentiators_homogeneous_State;
 typedef struct {
-  homogeneous_Settings settings;
-  homogeneous_State state;
-} homogeneous_Memory;
+  differentiators_homogeneous_Settings settings;
+  differentiators_homogeneous_State state;
+} differentiators_homogeneous_Memory;
 typedef struct {
-  sampling_Settings sampling;
+  differentiators_sampling_Settings sampling;
   double jerk_density;
   double noise;
-} kalman_Settings;
+} differentiators_kalman_Settings;
 typedef struct {
   double p00;
   double p01;
@@ -209,20 +209,20 @@ typedef struct {
   double p11;
   double p12;
   double p22;
-} kalman_Covariance;
+} differentiators_kalman_Covariance;
 typedef struct {
   double x[3];
   double y[3];
-  kalman_Covariance covariance;
-} kalman_Plane;
+  differentiators_kalman_Covariance covariance;
+} differentiators_kalman_Plane;
 typedef struct {
-  sampling_State sampling;
-  kalman_Plane plane;
-} kalman_State;
+  differentiators_sampling_State sampling;
+  differentiators_kalman_Plane plane;
+} differentiators_kalman_State;
 typedef struct {
-  kalman_Settings settings;
-  kalman_State state;
-} kalman_Memory;
+  differentiators_kalman_Settings settings;
+  differentiators_kalman_State state;
+} differentiators_kalman_Memory;
 typedef struct {
   double known;
   double t;
@@ -233,7 +233,7 @@ typedef struct {
   double y0;
   double peak;
   double path;
-} movement_State;
+} predictors_movement_State;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
 static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
 static inline loop_Chance loop_Chance_of_T5d(T5d value) { return (loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
@@ -241,28 +241,28 @@ static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { 
 static inline assistance_OffsetReport assistance_OffsetReport_of_T5d(T5d value) { return (assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline assistance_GuidedReport assistance_GuidedReport_of_T8d(T8d value) { return (assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 static inline pixels_CountsRow pixels_CountsRow_of_T3d(T3d value) { return (pixels_CountsRow){value.f0, value.f1, value.f2}; }
-void differentiators_difference_advance(difference_Differences * last, int64_t axis, double u, double dt);
-T10d differentiators_difference_step(difference_Memory * memory, records_EventRow event);
-double differentiators_homogeneous_advance(homogeneous_Settings * settings, homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
-double differentiators_homogeneous_chatter(homogeneous_Memory * memory, double place, double h, int64_t steps);
-void differentiators_homogeneous_fill(Vector values, homogeneous_Settings * settings);
-void differentiators_homogeneous_place_poles(homogeneous_Settings * settings, double gain_lambda, double gain_xi);
-void differentiators_homogeneous_settle(homogeneous_Memory * memory);
-double differentiators_homogeneous_settling(homogeneous_Memory * memory, double speed, double h, int64_t steps);
-T10d differentiators_homogeneous_step(homogeneous_Memory * memory, records_EventRow event);
-void differentiators_kalman_correct(Vector axis, kalman_Covariance * p, double noise, double measured);
-void differentiators_kalman_fill(Vector values, kalman_Settings * settings);
-void differentiators_kalman_follow(kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
-void differentiators_kalman_narrow(kalman_Covariance * p, double noise);
+void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt);
+T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event);
+double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
+double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * memory, double place, double h, int64_t steps);
+void differentiators_homogeneous_fill(Vector values, differentiators_homogeneous_Settings * settings);
+void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi);
+void differentiators_homogeneous_settle(differentiators_homogeneous_Memory * memory);
+double differentiators_homogeneous_settling(differentiators_homogeneous_Memory * memory, double speed, double h, int64_t steps);
+T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event);
+void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
+void differentiators_kalman_fill(Vector values, differentiators_kalman_Settings * settings);
+void differentiators_kalman_follow(differentiators_kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
+void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise);
 void differentiators_kalman_predict(Vector axis, double dt);
-void differentiators_kalman_restart(kalman_Plane * plane, double noise);
-double differentiators_kalman_settle_s(kalman_Settings * settings, sampling_State * samples);
-void differentiators_kalman_spread(kalman_Covariance * p, double jerk_density, double dt);
-T10d differentiators_kalman_step(kalman_Memory * memory, records_EventRow event);
-Tq3db differentiators_sampling_accept(sampling_Settings * settings, sampling_State * s, records_EventRow event);
+void differentiators_kalman_restart(differentiators_kalman_Plane * plane, double noise);
+double differentiators_kalman_settle_s(differentiators_kalman_Settings * settings, differentiators_sampling_State * samples);
+void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt);
+T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event);
+Tq3db differentiators_sampling_accept(differentiators_sampling_Settings * settings, differentiators_sampling_State * s, records_EventRow event);
 void differentiators_sampling_fill(Vector values, Vector memory);
-T10d differentiators_sampling_motion(sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
-double differentiators_sampling_settled(sampling_State * s, double samples, double settle_s);
+T10d differentiators_sampling_motion(differentiators_sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
+double differentiators_sampling_settled(differentiators_sampling_State * s, double samples, double settle_s);
 bool follow__predictors_adaptation_predictor_step(Vector memory, T10d row, Vector shared_0);
 bool follow__predictors_delphian_step(Vector memory, T10d row);
 bool follow__predictors_hold_step(Vector memory, T10d row);
@@ -538,10 +538,10 @@ double predictors_mixture_share_above(Table parts, int64_t count, int64_t points
 double predictors_mixture_squared_radius(double share, double tail);
 double predictors_mixture_squared_radius_over_tail(double level, double heavy);
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points);
-int64_t predictors_movement_fault_of(movement_State * s, records_MotionRow m);
-Tqbd predictors_movement_follow(movement_State * s, records_MotionRow m);
-double predictors_movement_phase(movement_State * s, records_MotionRow m);
-T10d predictors_movement_refuse(movement_State * s, records_MotionRow m, int64_t fault);
+int64_t predictors_movement_fault_of(predictors_movement_State * s, records_MotionRow m);
+Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m);
+double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m);
+T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault);
 double predictors_switched_advance(Vector memory, int64_t axis, double t, double place, double v, double a);
 double predictors_switched_direction_approach(Vector memory, double px_m, double x, double y, double speed);
 void predictors_switched_direction_begin_submovement(Vector memory, int64_t at, double x, double y);
@@ -571,7 +571,7 @@ int64_t regression_drem_ring(int64_t at, int64_t n);
 int64_t regression_drem_states(int64_t n);
 int64_t regression_drem_work(int64_t n);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
-void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h);
+void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regression_least_squares_advance(Vector memory, int64_t at, int64_t n, double forgetting, double output);
 double regression_least_squares_excitation(Vector memory, int64_t at, int64_t n, int64_t j);
 int64_t regression_least_squares_root(int64_t at, int64_t n);

@@ -44,6 +44,19 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+/* The memory of a layout, or a flat array that stands for one. */
+static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written,
+                        const Py_buffer **taken) {
+  PyObject *memory = PyObject_CheckBuffer(given) ? NULL : PyObject_GetAttrString(given, "memory");
+  if (memory == NULL) {
+    PyErr_Clear();
+    memory = Py_NewRef(given);
+  }
+  bool is_one = take_array(held, memory, law, argument, 'd', 1, written, taken);
+  Py_DECREF(memory);
+  return is_one;
+}
+
 static bool is_long_enough(const Py_buffer *view, const char *law, const char *argument, Py_ssize_t least) {
   if (view->shape[0] >= least) return true;
   PyErr_Format(PyExc_TypeError, "%s: %s must hold at least %zd numbers, received %zd", law, argument, least, view->shape[0]);
@@ -382,14 +395,14 @@ static PyObject *py_differentiators_difference_advance(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.difference:advance";
   Held held;
   const Py_buffer *view;
-  difference_Differences * a0;
+  differentiators_difference_Differences * a0;
   int64_t a1;
   double a2;
   double a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "last", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "last", true, &view)
         && is_long_enough(view, law, "last", 8)
         && (a0 = view->buf, true)
         && take_int64_t(args[1], &a1)
@@ -404,13 +417,13 @@ static PyObject *py_differentiators_difference_step(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.difference:step";
   Held held;
   const Py_buffer *view;
-  difference_Memory * a0;
+  differentiators_difference_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 25)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
@@ -429,8 +442,8 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:advance";
   Held held;
   const Py_buffer *view;
-  homogeneous_Settings * a0;
-  homogeneous_Axis * a1;
+  differentiators_homogeneous_Settings * a0;
+  differentiators_homogeneous_Axis * a1;
   double a2;
   double a3;
   double a4;
@@ -439,10 +452,10 @@ static PyObject *py_differentiators_homogeneous_advance(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "settings", false, &view)
         && is_long_enough(view, law, "settings", 17)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "axis", 'd', 1, true, &view)
+        && take_memory(&held, args[1], law, "axis", true, &view)
         && is_long_enough(view, law, "axis", 8)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
@@ -458,7 +471,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   static const char law[] = "pointpred.differentiators.homogeneous:chatter";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -466,7 +479,7 @@ static PyObject *py_differentiators_homogeneous_chatter(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 47)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -482,13 +495,13 @@ static PyObject *py_differentiators_homogeneous_fill(PyObject *self, PyObject *c
   Held held;
   const Py_buffer *view;
   Vector a0;
-  homogeneous_Settings * a1;
+  differentiators_homogeneous_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
+        && take_memory(&held, args[1], law, "settings", true, &view)
         && is_long_enough(view, law, "settings", 17)
         && (a1 = view->buf, true)))
     return let_go(&held);
@@ -500,13 +513,13 @@ static PyObject *py_differentiators_homogeneous_place_poles(PyObject *self, PyOb
   static const char law[] = "pointpred.differentiators.homogeneous:place_poles";
   Held held;
   const Py_buffer *view;
-  homogeneous_Settings * a0;
+  differentiators_homogeneous_Settings * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "settings", true, &view)
         && is_long_enough(view, law, "settings", 17)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -520,11 +533,11 @@ static PyObject *py_differentiators_homogeneous_settle(PyObject *self, PyObject 
   static const char law[] = "pointpred.differentiators.homogeneous:settle";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 47)
         && (a0 = view->buf, true)))
     return let_go(&held);
@@ -536,7 +549,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   static const char law[] = "pointpred.differentiators.homogeneous:settling";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   double a1;
   double a2;
   int64_t a3;
@@ -544,7 +557,7 @@ static PyObject *py_differentiators_homogeneous_settling(PyObject *self, PyObjec
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 47)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -559,13 +572,13 @@ static PyObject *py_differentiators_homogeneous_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.homogeneous:step";
   Held held;
   const Py_buffer *view;
-  homogeneous_Memory * a0;
+  differentiators_homogeneous_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 47)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
@@ -585,7 +598,7 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   Held held;
   const Py_buffer *view;
   Vector a0;
-  kalman_Covariance * a1;
+  differentiators_kalman_Covariance * a1;
   double a2;
   double a3;
   (void)self, (void)view;
@@ -593,7 +606,7 @@ static PyObject *py_differentiators_kalman_correct(PyObject *self, PyObject *con
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "axis", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && take_memory(&held, args[1], law, "p", false, &view)
         && is_long_enough(view, law, "p", 6)
         && (a1 = view->buf, true)
         && take_double(args[2], &a2)
@@ -608,13 +621,13 @@ static PyObject *py_differentiators_kalman_fill(PyObject *self, PyObject *const 
   Held held;
   const Py_buffer *view;
   Vector a0;
-  kalman_Settings * a1;
+  differentiators_kalman_Settings * a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "settings", 'd', 1, true, &view)
+        && take_memory(&held, args[1], law, "settings", true, &view)
         && is_long_enough(view, law, "settings", 6)
         && (a1 = view->buf, true)))
     return let_go(&held);
@@ -626,7 +639,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:follow";
   Held held;
   const Py_buffer *view;
-  kalman_Plane * a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   double a2;
   double a3;
@@ -634,7 +647,7 @@ static PyObject *py_differentiators_kalman_follow(PyObject *self, PyObject *cons
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "plane", true, &view)
         && is_long_enough(view, law, "plane", 12)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -652,12 +665,12 @@ static PyObject *py_differentiators_kalman_narrow(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:narrow";
   Held held;
   const Py_buffer *view;
-  kalman_Covariance * a0;
+  differentiators_kalman_Covariance * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "p", true, &view)
         && is_long_enough(view, law, "p", 6)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
@@ -687,12 +700,12 @@ static PyObject *py_differentiators_kalman_restart(PyObject *self, PyObject *con
   static const char law[] = "pointpred.differentiators.kalman:restart";
   Held held;
   const Py_buffer *view;
-  kalman_Plane * a0;
+  differentiators_kalman_Plane * a0;
   double a1;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "plane", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "plane", true, &view)
         && is_long_enough(view, law, "plane", 12)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)))
@@ -705,16 +718,16 @@ static PyObject *py_differentiators_kalman_settle_s(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.kalman:settle_s";
   Held held;
   const Py_buffer *view;
-  kalman_Settings * a0;
-  sampling_State * a1;
+  differentiators_kalman_Settings * a0;
+  differentiators_sampling_State * a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "settings", false, &view)
         && is_long_enough(view, law, "settings", 6)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "samples", 'd', 1, false, &view)
+        && take_memory(&held, args[1], law, "samples", false, &view)
         && is_long_enough(view, law, "samples", 12)
         && (a1 = view->buf, true)))
     return let_go(&held);
@@ -726,13 +739,13 @@ static PyObject *py_differentiators_kalman_spread(PyObject *self, PyObject *cons
   static const char law[] = "pointpred.differentiators.kalman:spread";
   Held held;
   const Py_buffer *view;
-  kalman_Covariance * a0;
+  differentiators_kalman_Covariance * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "p", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "p", true, &view)
         && is_long_enough(view, law, "p", 6)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -746,13 +759,13 @@ static PyObject *py_differentiators_kalman_step(PyObject *self, PyObject *const 
   static const char law[] = "pointpred.differentiators.kalman:step";
   Held held;
   const Py_buffer *view;
-  kalman_Memory * a0;
+  differentiators_kalman_Memory * a0;
   records_EventRow a1;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "memory", true, &view)
         && is_long_enough(view, law, "memory", 30)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
@@ -771,17 +784,17 @@ static PyObject *py_differentiators_sampling_accept(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:accept";
   Held held;
   const Py_buffer *view;
-  sampling_Settings * a0;
-  sampling_State * a1;
+  differentiators_sampling_Settings * a0;
+  differentiators_sampling_State * a1;
   records_EventRow a2;
   Tq3db result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "settings", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "settings", false, &view)
         && is_long_enough(view, law, "settings", 4)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "s", 'd', 1, true, &view)
+        && take_memory(&held, args[1], law, "s", true, &view)
         && is_long_enough(view, law, "s", 12)
         && (a1 = view->buf, true)
         && take_tuple(args[2], law, "event", 6)
@@ -818,7 +831,7 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   static const char law[] = "pointpred.differentiators.sampling:motion";
   Held held;
   const Py_buffer *view;
-  sampling_State * a0;
+  differentiators_sampling_State * a0;
   records_EventRow a1;
   T2_T2d_ a2;
   double a3;
@@ -827,7 +840,7 @@ static PyObject *py_differentiators_sampling_motion(PyObject *self, PyObject *co
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "s", false, &view)
         && is_long_enough(view, law, "s", 12)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
@@ -855,14 +868,14 @@ static PyObject *py_differentiators_sampling_settled(PyObject *self, PyObject *c
   static const char law[] = "pointpred.differentiators.sampling:settled";
   Held held;
   const Py_buffer *view;
-  sampling_State * a0;
+  differentiators_sampling_State * a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "s", false, &view)
         && is_long_enough(view, law, "s", 12)
         && (a0 = view->buf, true)
         && take_double(args[1], &a1)
@@ -7580,13 +7593,13 @@ static PyObject *py_predictors_movement_fault_of(PyObject *self, PyObject *const
   static const char law[] = "pointpred.predictors.movement:fault_of";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "s", false, &view)
         && is_long_enough(view, law, "s", 9)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
@@ -7609,13 +7622,13 @@ static PyObject *py_predictors_movement_follow(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:follow";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   Tqbd result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && take_memory(&held, args[0], law, "s", true, &view)
         && is_long_enough(view, law, "s", 9)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
@@ -7638,13 +7651,13 @@ static PyObject *py_predictors_movement_phase(PyObject *self, PyObject *const *a
   static const char law[] = "pointpred.predictors.movement:phase";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "s", false, &view)
         && is_long_enough(view, law, "s", 9)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
@@ -7667,14 +7680,14 @@ static PyObject *py_predictors_movement_refuse(PyObject *self, PyObject *const *
   static const char law[] = "pointpred.predictors.movement:refuse";
   Held held;
   const Py_buffer *view;
-  movement_State * a0;
+  predictors_movement_State * a0;
   records_MotionRow a1;
   int64_t a2;
   T10d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "s", 'd', 1, false, &view)
+        && take_memory(&held, args[0], law, "s", false, &view)
         && is_long_enough(view, law, "s", 9)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 10)
@@ -8325,24 +8338,23 @@ static PyObject *py_regression_gradient_descend_along(PyObject *self, PyObject *
   Held held;
   const Py_buffer *view;
   Vector a0;
-  T3q a1;
-  int64_t a2;
+  Vector a1;
+  Table a2;
   double a3;
   double a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_array(&held, args[0], law, "theta", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "at", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "gain", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)))
     return let_go(&held);
-  regression_gradient_descend_along(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS regression_gradient_descend_along(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return Py_NewRef(Py_None);
 }

@@ -261,7 +261,7 @@ double predictors_mixture_squared_radius_over_tail(double level, double heavy) {
 }
 
 /* FINE; ORDER before the last time; MOTION_FIELD plus the place of the first value out of its bounds. */
-int64_t predictors_movement_fault_of(movement_State * s, records_MotionRow m) {
+int64_t predictors_movement_fault_of(predictors_movement_State * s, records_MotionRow m) {
   for (int64_t i = 0; i < predictors_movement_NUMBERS; i++) {
     if (!(fabs(((const double *)&m)[i]) <= records_MOTION_MOST)) {
       return records_MOTION_FIELD + i;
@@ -271,7 +271,7 @@ int64_t predictors_movement_fault_of(movement_State * s, records_MotionRow m) {
 }
 
 /* Take one motion in: (its fault, a movement starts here, dt in s since the motion before). */
-Tqbd predictors_movement_follow(movement_State * s, records_MotionRow m) {
+Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m) {
   double t, x, y, dt;
   int64_t fault;
   bool new;
@@ -311,12 +311,12 @@ T2d predictors_minimum_jerk_progress(double ratio) {
 }
 
 /* The answer to a motion with a fault. */
-T10d predictors_movement_refuse(movement_State * s, records_MotionRow m, int64_t fault) {
+T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault) {
   return records_refused(fault, fault == records_ORDER ? s->t : ((const double *)&m)[fault - records_MOTION_FIELD]);
 }
 
 /* The phase by speed alone: still, ballistic above a fifth of the peak, corrective below. */
-double predictors_movement_phase(movement_State * s, records_MotionRow m) {
+double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m) {
   double speed;
   speed = hypot(m.vx, m.vy);
   if (speed < predictors_movement_STILL_M_S) {
@@ -332,22 +332,22 @@ T10d predictors_delphian_step(Vector memory, T10d motion) {
   int64_t fault;
   bool new;
   m = records_MotionRow_of_T10d(motion);
-  before = ((movement_State *)(memory.p + predictors_delphian_AT))->peak;
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_delphian_AT), m);
+  before = ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->peak;
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_delphian_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_delphian_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_delphian_AT), m, fault);
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_delphian_AT), m);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_delphian_AT), m);
   if (new) {
     fill((Vector){memory.p + predictors_delphian_PEAK_X, memory.n - predictors_delphian_PEAK_X}, 0.0);
   }
-  peak = ((movement_State *)(memory.p + predictors_delphian_AT))->peak;
+  peak = ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->peak;
   speed = hypot(m.vx, m.vy);
   if (new || peak > before) {
-    away_x = m.x - ((movement_State *)(memory.p + predictors_delphian_AT))->x0;
-    away_y = m.y - ((movement_State *)(memory.p + predictors_delphian_AT))->y0;
+    away_x = m.x - ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->x0;
+    away_y = m.y - ((predictors_movement_State *)(memory.p + predictors_delphian_AT))->y0;
     away = hypot(away_x, away_y);
     memory.p[predictors_delphian_PEAK_X] = m.x;
     memory.p[predictors_delphian_PEAK_Y] = m.y;
@@ -371,12 +371,12 @@ T10d predictors_hold_step(Vector memory, T10d motion) {
   records_MotionRow m;
   int64_t fault;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_hold_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_hold_AT), m);
   fault = values_1.f0;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_hold_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_hold_AT), m, fault);
   }
-  return records_endpoint(m.t, m.x, m.y, predictors_movement_phase((movement_State *)(memory.p + predictors_hold_AT), m));
+  return records_endpoint(m.t, m.x, m.y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_hold_AT), m));
 }
 
 /* Expect a cursor that rests at (x, y). */
@@ -400,9 +400,9 @@ T3d predictors_kalman_correct(Vector memory, int64_t mean, double measured) {
 /* Take the last position (x, y) in and expect the state ``dt`` later. */
 void predictors_kalman_expect(Vector memory, double dt, double x, double y) {
   double noise;
-  kalman_Plane * plane;
+  differentiators_kalman_Plane * plane;
   noise = square(memory.p[predictors_kalman_NOISE_PX]);
-  plane = (kalman_Plane *)(memory.p + predictors_kalman_MEAN_X);
+  plane = (differentiators_kalman_Plane *)(memory.p + predictors_kalman_MEAN_X);
   differentiators_kalman_correct((Vector){plane->x, 3}, &plane->covariance, noise, x);
   differentiators_kalman_predict((Vector){plane->x, 3}, dt);
   differentiators_kalman_correct((Vector){plane->y, 3}, &plane->covariance, noise, y);
@@ -418,17 +418,17 @@ T10d predictors_kalman_step(Vector memory, T10d motion) {
   int64_t fault;
   bool new;
   m = records_MotionRow_of_T10d(motion);
-  last_x = ((movement_State *)(memory.p + predictors_kalman_AT))->x;
-  last_y = ((movement_State *)(memory.p + predictors_kalman_AT))->y;
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_kalman_AT), m);
+  last_x = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->x;
+  last_y = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->y;
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_kalman_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_kalman_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kalman_AT), m, fault);
   }
-  x0 = ((movement_State *)(memory.p + predictors_kalman_AT))->x0;
-  y0 = ((movement_State *)(memory.p + predictors_kalman_AT))->y0;
+  x0 = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->x0;
+  y0 = ((predictors_movement_State *)(memory.p + predictors_kalman_AT))->y0;
   if (new || dt > memory.p[predictors_kalman_GAP_S] + records_ROUNDING_S) {
     predictors_kalman_expect_rest(memory, m.x - x0, m.y - y0);
   } else if (dt > 0.0) {
@@ -443,7 +443,7 @@ T10d predictors_kalman_step(Vector memory, T10d motion) {
   py = values_3.f0;
   vy_px = values_3.f1;
   ay_px = values_3.f2;
-  return records_endpoint(m.t, x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), predictors_movement_phase((movement_State *)(memory.p + predictors_kalman_AT), m));
+  return records_endpoint(m.t, x0 + px + h * (vx_px + 0.5 * h * ax_px), y0 + py + h * (vy_px + 0.5 * h * ay_px), predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kalman_AT), m));
 }
 
 /* The polynomial at w. */
@@ -582,22 +582,22 @@ T10d predictors_kep_step(Vector memory, T10d motion) {
   bool new, accepted;
   double dt, travelled, away_x, away_y, away, end_x, end_y, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_kep_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_kep_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_kep_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kep_AT), m, fault);
   }
-  travelled = ((movement_State *)(memory.p + predictors_kep_AT))->path;
+  travelled = ((predictors_movement_State *)(memory.p + predictors_kep_AT))->path;
   if (new) {
     fill((Vector){memory.p + predictors_kep_FIT, memory.n - predictors_kep_FIT}, 0.0);
   }
   if (new || dt > 0.0) {
     predictors_kep_add(memory, travelled, hypot(m.vx, m.vy));
   }
-  away_x = m.x - ((movement_State *)(memory.p + predictors_kep_AT))->x0;
-  away_y = m.y - ((movement_State *)(memory.p + predictors_kep_AT))->y0;
+  away_x = m.x - ((predictors_movement_State *)(memory.p + predictors_kep_AT))->x0;
+  away_y = m.y - ((predictors_movement_State *)(memory.p + predictors_kep_AT))->y0;
   away = hypot(away_x, away_y);
   end_x = NAN;
   end_y = NAN;
@@ -614,7 +614,7 @@ T10d predictors_kep_step(Vector memory, T10d motion) {
     end_x = accepted ? memory.p[predictors_kep_ACCEPTED_X] : NAN;
     end_y = accepted ? memory.p[predictors_kep_ACCEPTED_Y] : NAN;
   }
-  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((movement_State *)(memory.p + predictors_kep_AT), m));
+  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kep_AT), m));
 }
 
 /* Samples in the profile of the longest movement: one for each 50 ms, and the zero before them. */
@@ -750,8 +750,8 @@ void predictors_ktm_keep(Vector memory, int64_t at, double distance) {
 /* How far the cursor is from the movement's start, px. */
 double predictors_ktm_distance(Vector memory, int64_t at) {
   double away_x;
-  away_x = ((movement_State *)(memory.p + at))->x - ((movement_State *)(memory.p + at))->x0;
-  return hypot(away_x, ((movement_State *)(memory.p + at))->y - ((movement_State *)(memory.p + at))->y0);
+  away_x = ((predictors_movement_State *)(memory.p + at))->x - ((predictors_movement_State *)(memory.p + at))->x0;
+  return hypot(away_x, ((predictors_movement_State *)(memory.p + at))->y - ((predictors_movement_State *)(memory.p + at))->y0);
 }
 
 /* The movement has ended: keep it as a template. */
@@ -765,9 +765,9 @@ void predictors_ktm_conclude(Vector memory) {
 void predictors_ktm_resample(Vector memory, int64_t at, double since, double x_before, double y_before) {
   double most, now, x, y, due, back, grid_x, grid_y, way;
   most = memory.p[predictors_ktm_LONGEST] + predictors_ktm_TAPS;
-  now = ((movement_State *)(memory.p + at))->t - ((movement_State *)(memory.p + at))->t0;
-  x = ((movement_State *)(memory.p + at))->x;
-  y = ((movement_State *)(memory.p + at))->y;
+  now = ((predictors_movement_State *)(memory.p + at))->t - ((predictors_movement_State *)(memory.p + at))->t0;
+  x = ((predictors_movement_State *)(memory.p + at))->x;
+  y = ((predictors_movement_State *)(memory.p + at))->y;
   due = memory.p[at + predictors_ktm_SAMPLES] * predictors_ktm_STEP_S;
   while (due <= now + predictors_ktm_STAMP_S && memory.p[at + predictors_ktm_SAMPLES] < most) {
     back = min_float(max_float((now - due) / since, 0.0), 1.0);
@@ -790,23 +790,23 @@ T10d predictors_ktm_step(Vector memory, T10d motion) {
   m = records_MotionRow_of_T10d(motion);
   at = predictors_ktm_counts(memory) + predictors_ktm_LEARNED;
   last_distance = predictors_ktm_distance(memory, at);
-  x_before = ((movement_State *)(memory.p + at))->x;
-  y_before = ((movement_State *)(memory.p + at))->y;
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + at), m);
+  x_before = ((predictors_movement_State *)(memory.p + at))->x;
+  y_before = ((predictors_movement_State *)(memory.p + at))->y;
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + at), m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + at), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + at), m, fault);
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + at), m);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + at), m);
   if (new) {
     predictors_ktm_keep(memory, at, last_distance);
     fill((Vector){memory.p + (at + 9), memory.n - (at + 9)}, 0.0);
     memory.p[at + predictors_ktm_POINTS] = 1.0;
     predictors_ktm_sample(memory, at, 0.0);
   }
-  if (new || m.t == ((movement_State *)(memory.p + at))->t0) {
+  if (new || m.t == ((predictors_movement_State *)(memory.p + at))->t0) {
     memory.p[at + predictors_ktm_GRID_X] = m.x;
     memory.p[at + predictors_ktm_GRID_Y] = m.y;
   }
@@ -823,8 +823,8 @@ T10d predictors_ktm_step(Vector memory, T10d motion) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
   ahead = memory.p[predictors_ktm_template(memory, best) + predictors_ktm_DISTANCE] / away - 1.0;
-  x0 = ((movement_State *)(memory.p + at))->x0;
-  y0 = ((movement_State *)(memory.p + at))->y0;
+  x0 = ((predictors_movement_State *)(memory.p + at))->x0;
+  y0 = ((predictors_movement_State *)(memory.p + at))->y0;
   return records_endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase);
 }
 
@@ -872,16 +872,16 @@ T10d predictors_linear_step(Vector memory, T10d motion) {
   bool new, any_before;
   double phase, before_t, before_x, before_y, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_linear_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_linear_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_linear_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_linear_AT), m, fault);
   }
   if (new) {
     memory.p[predictors_linear_COUNT] = 0.0;
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_linear_AT), m);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_linear_AT), m);
   Tb3d values_2 = predictors_linear_before(memory, m.t);
   any_before = values_2.f0;
   before_t = values_2.f1;
@@ -901,13 +901,13 @@ T10d predictors_minimum_jerk_step(Vector memory, T10d motion) {
   int64_t fault;
   double phase, peak, tau, done, ahead;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
   fault = values_1.f0;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_minimum_jerk_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m, fault);
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
-  peak = ((movement_State *)(memory.p + predictors_minimum_jerk_AT))->peak;
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT), m);
+  peak = ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->peak;
   if (peak < predictors_movement_STILL_M_S) {
     return records_endpoint(m.t, NAN, NAN, phase);
   }
@@ -915,7 +915,7 @@ T10d predictors_minimum_jerk_step(Vector memory, T10d motion) {
   tau = values_2.f0;
   done = values_2.f1;
   ahead = (1.0 - done) / done;
-  return (T10d){m.t, m.x + ahead * (m.x - ((movement_State *)(memory.p + predictors_minimum_jerk_AT))->x0), m.y + ahead * (m.y - ((movement_State *)(memory.p + predictors_minimum_jerk_AT))->y0), NAN, NAN, NAN, (m.t - ((movement_State *)(memory.p + predictors_minimum_jerk_AT))->t0) * (1.0 - tau) / tau, phase, NAN, NAN};
+  return (T10d){m.t, m.x + ahead * (m.x - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->x0), m.y + ahead * (m.y - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->y0), NAN, NAN, NAN, (m.t - ((predictors_movement_State *)(memory.p + predictors_minimum_jerk_AT))->t0) * (1.0 - tau) / tau, phase, NAN, NAN};
 }
 
 /* The density above which places of the probability ``level`` lie: exact for a single part. */
@@ -1182,21 +1182,21 @@ T10d predictors_switched_step(Vector memory, T10d motion) {
   bool new;
   double x0, y0, since, end_x, end_y;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_switched_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_switched_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_switched_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_switched_AT), m, fault);
   }
   if (new) {
     fill((Vector){memory.p + predictors_switched_X_AXIS, memory.n - predictors_switched_X_AXIS}, 0.0);
   }
-  x0 = ((movement_State *)(memory.p + predictors_switched_AT))->x0;
-  y0 = ((movement_State *)(memory.p + predictors_switched_AT))->y0;
-  since = m.t - ((movement_State *)(memory.p + predictors_switched_AT))->t0;
+  x0 = ((predictors_movement_State *)(memory.p + predictors_switched_AT))->x0;
+  y0 = ((predictors_movement_State *)(memory.p + predictors_switched_AT))->y0;
+  since = m.t - ((predictors_movement_State *)(memory.p + predictors_switched_AT))->t0;
   end_x = x0 + predictors_switched_advance(memory, predictors_switched_X_AXIS, since, m.x - x0, m.vx, m.ax);
   end_y = y0 + predictors_switched_advance(memory, predictors_switched_Y_AXIS, since, m.y - y0, m.vy, m.ay);
-  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((movement_State *)(memory.p + predictors_switched_AT), m));
+  return records_endpoint(m.t, end_x, end_y, predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_switched_AT), m));
 }
 
 /* A movement starts at rest at (x, y). */
@@ -1287,23 +1287,23 @@ T10d predictors_switched_direction_step(Vector memory, T10d motion) {
   bool new;
   double dt, speed, phase, px_m, rate, ahead_s, braking;
   m = records_MotionRow_of_T10d(motion);
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + predictors_switched_direction_AT), m);
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m);
   fault = values_1.f0;
   new = values_1.f1;
   dt = values_1.f2;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_switched_direction_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m, fault);
   }
   if (new) {
     fill((Vector){memory.p + predictors_switched_direction_VX, predictors_switched_direction_END - predictors_switched_direction_VX}, 0.0);
   }
-  if (new || m.t == ((movement_State *)(memory.p + predictors_switched_direction_AT))->t0) {
+  if (new || m.t == ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->t0) {
     predictors_switched_direction_begin_submovement(memory, predictors_switched_direction_UNIT, m.x, m.y);
   }
   speed = hypot(m.vx, m.vy);
   predictors_switched_direction_follow_submovement(memory, predictors_switched_direction_UNIT, memory.p[predictors_switched_direction_RISE], m.x, m.y, speed);
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_switched_direction_AT), m);
-  px_m = predictors_switched_direction_gain(memory, dt, m.x - ((movement_State *)(memory.p + predictors_switched_direction_AT))->x0, m.y - ((movement_State *)(memory.p + predictors_switched_direction_AT))->y0, m.vx, m.vy);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_switched_direction_AT), m);
+  px_m = predictors_switched_direction_gain(memory, dt, m.x - ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->x0, m.y - ((predictors_movement_State *)(memory.p + predictors_switched_direction_AT))->y0, m.vx, m.vy);
   rate = px_m > 0.0 && speed > predictors_movement_STILL_M_S ? predictors_switched_direction_approach(memory, px_m, m.x, m.y, speed) : 0.0;
   ahead_s = rate > 0.0 ? 1.0 / rate : 0.0;
   braking = -(m.ax * m.vx + m.ay * m.vy);
@@ -1444,7 +1444,7 @@ T10d joint__differentiators_difference_step__predictors_minimum_jerk_step(Vector
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1471,14 +1471,14 @@ T10d last__differentiators_difference_step__follow__predictors_minimum_jerk_step
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_minimum_jerk_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_minimum_jerk_step(other, between);
     }
@@ -1495,7 +1495,7 @@ T10d joint__differentiators_homogeneous_step__predictors_minimum_jerk_step(Vecto
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1516,14 +1516,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_ste
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_minimum_jerk_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_minimum_jerk_step(other, between);
     }
@@ -1540,7 +1540,7 @@ T10d joint__differentiators_kalman_step__predictors_minimum_jerk_step(Vector mem
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1561,14 +1561,14 @@ T10d last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__pr
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_minimum_jerk_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_minimum_jerk_step(other, between);
     }
@@ -1585,7 +1585,7 @@ T10d joint__differentiators_difference_step__predictors_delphian_step(Vector mem
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1612,14 +1612,14 @@ T10d last__differentiators_difference_step__follow__predictors_delphian_step__pr
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_delphian_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_delphian_step(other, between);
     }
@@ -1636,7 +1636,7 @@ T10d joint__differentiators_homogeneous_step__predictors_delphian_step(Vector me
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1657,14 +1657,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_delphian_step__p
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_delphian_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_delphian_step(other, between);
     }
@@ -1681,7 +1681,7 @@ T10d joint__differentiators_kalman_step__predictors_delphian_step(Vector memory,
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1702,14 +1702,14 @@ T10d last__differentiators_kalman_step__follow__predictors_delphian_step__predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_delphian_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_delphian_step(other, between);
     }
@@ -1726,7 +1726,7 @@ T10d joint__differentiators_difference_step__predictors_hold_step(Vector memory,
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1753,14 +1753,14 @@ T10d last__differentiators_difference_step__follow__predictors_hold_step__predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_hold_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_hold_step(other, between);
     }
@@ -1777,7 +1777,7 @@ T10d joint__differentiators_homogeneous_step__predictors_hold_step(Vector memory
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1798,14 +1798,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_hold_step__predi
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_hold_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_hold_step(other, between);
     }
@@ -1822,7 +1822,7 @@ T10d joint__differentiators_kalman_step__predictors_hold_step(Vector memory, Vec
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1843,14 +1843,14 @@ T10d last__differentiators_kalman_step__follow__predictors_hold_step__predictors
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_hold_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_hold_step(other, between);
     }
@@ -1867,7 +1867,7 @@ T10d joint__differentiators_difference_step__predictors_kalman_step(Vector memor
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1894,14 +1894,14 @@ T10d last__differentiators_difference_step__follow__predictors_kalman_step__pred
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kalman_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kalman_step(other, between);
     }
@@ -1918,7 +1918,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kalman_step(Vector memo
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1939,14 +1939,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kalman_step__pre
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kalman_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kalman_step(other, between);
     }
@@ -1963,7 +1963,7 @@ T10d joint__differentiators_kalman_step__predictors_kalman_step(Vector memory, V
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -1984,14 +1984,14 @@ T10d last__differentiators_kalman_step__follow__predictors_kalman_step__predicto
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kalman_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kalman_step(other, between);
     }
@@ -2008,7 +2008,7 @@ T10d joint__differentiators_difference_step__predictors_kep_step(Vector memory, 
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2035,14 +2035,14 @@ T10d last__differentiators_difference_step__follow__predictors_kep_step__predict
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kep_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kep_step(other, between);
     }
@@ -2059,7 +2059,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kep_step(Vector memory,
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2080,14 +2080,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kep_step__predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kep_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kep_step(other, between);
     }
@@ -2104,7 +2104,7 @@ T10d joint__differentiators_kalman_step__predictors_kep_step(Vector memory, Vect
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2125,14 +2125,14 @@ T10d last__differentiators_kalman_step__follow__predictors_kep_step__predictors_
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_kep_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kep_step(other, between);
     }
@@ -2149,7 +2149,7 @@ T10d joint__differentiators_difference_step__predictors_ktm_step(Vector memory, 
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2176,14 +2176,14 @@ T10d last__differentiators_difference_step__follow__predictors_ktm_step__predict
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_ktm_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_ktm_step(other, between);
     }
@@ -2200,7 +2200,7 @@ T10d joint__differentiators_homogeneous_step__predictors_ktm_step(Vector memory,
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2221,14 +2221,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_ktm_step__predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_ktm_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_ktm_step(other, between);
     }
@@ -2245,7 +2245,7 @@ T10d joint__differentiators_kalman_step__predictors_ktm_step(Vector memory, Vect
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2266,14 +2266,14 @@ T10d last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_ktm_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_ktm_step(other, between);
     }
@@ -2290,7 +2290,7 @@ T10d joint__differentiators_difference_step__predictors_linear_step(Vector memor
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2317,14 +2317,14 @@ T10d last__differentiators_difference_step__follow__predictors_linear_step__pred
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_linear_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_linear_step(other, between);
     }
@@ -2341,7 +2341,7 @@ T10d joint__differentiators_homogeneous_step__predictors_linear_step(Vector memo
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2362,14 +2362,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_linear_step__pre
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_linear_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_linear_step(other, between);
     }
@@ -2386,7 +2386,7 @@ T10d joint__differentiators_kalman_step__predictors_linear_step(Vector memory, V
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2407,14 +2407,14 @@ T10d last__differentiators_kalman_step__follow__predictors_linear_step__predicto
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_linear_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_linear_step(other, between);
     }
@@ -2431,7 +2431,7 @@ T10d joint__differentiators_difference_step__predictors_switched_step(Vector mem
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2458,14 +2458,14 @@ T10d last__differentiators_difference_step__follow__predictors_switched_step__pr
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_step(other, between);
     }
@@ -2482,7 +2482,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_step(Vector me
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2503,14 +2503,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_step__p
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_step(other, between);
     }
@@ -2527,7 +2527,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_step(Vector memory,
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2548,14 +2548,14 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_step__predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_step(other, between);
     }
@@ -2572,7 +2572,7 @@ T10d joint__differentiators_difference_step__predictors_switched_direction_step(
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2599,14 +2599,14 @@ T10d last__differentiators_difference_step__follow__predictors_switched_directio
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_direction_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_direction_step(other, between);
     }
@@ -2623,7 +2623,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_direction_step
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2644,14 +2644,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_directi
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_direction_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_direction_step(other, between);
     }
@@ -2668,7 +2668,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_direction_step(Vect
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step(other, answer);
     if (answer.f0 != answer.f0) {
@@ -2689,14 +2689,14 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_direction_st
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_switched_direction_step(other, between)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_switched_direction_step(other, between);
     }

@@ -2095,7 +2095,7 @@ time_left_Pace predictors_adaptation_predictor_pace_of(Vector own, records_Motio
   double peak, of_peak;
   peak = own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_PEAK];
   of_peak = peak > 0.0 ? hypot(m.vx, m.vy) / peak : 0.0;
-  return (time_left_Pace){of_peak, m.t - ((movement_State *)(own.p))->t0 - own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_FAST_T]};
+  return (time_left_Pace){of_peak, m.t - ((predictors_movement_State *)(own.p))->t0 - own.p[predictors_kinematic_features_TRACK + predictors_kinematic_track_FAST_T]};
 }
 
 /* The learned predictor's step, then what is known of the person. */
@@ -2113,7 +2113,7 @@ T10d predictors_adaptation_predictor_step(Vector memory, T10d motion, Vector coe
   if (m.start == 1.0) {
     predictors_adaptation_predictor_conclude(memory);
   }
-  start = (T3d){((movement_State *)(own.p))->t0, ((movement_State *)(own.p))->x0, ((movement_State *)(own.p))->y0};
+  start = (T3d){((predictors_movement_State *)(own.p))->t0, ((predictors_movement_State *)(own.p))->x0, ((predictors_movement_State *)(own.p))->y0};
   predictors_adaptation_correction_follow(memory, predictors_adaptation_predictor_MOVEMENT, (T3d){m.t, m.x, m.y}, start);
   return predictors_adaptation_predictor_adapt(memory, answer, predictors_adaptation_predictor_pace_of(own, m));
 }
@@ -2220,7 +2220,7 @@ T10d joint__differentiators_difference_step__predictors_adaptation_predictor_ste
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2247,14 +2247,14 @@ T10d last__differentiators_difference_step__follow__predictors_adaptation_predic
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }
@@ -2271,7 +2271,7 @@ T10d joint__differentiators_homogeneous_step__predictors_adaptation_predictor_st
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2292,14 +2292,14 @@ T10d last__differentiators_homogeneous_step__follow__predictors_adaptation_predi
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }
@@ -2316,7 +2316,7 @@ T10d joint__differentiators_kalman_step__predictors_adaptation_predictor_step(Ve
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -2337,14 +2337,14 @@ T10d last__differentiators_kalman_step__follow__predictors_adaptation_predictor_
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !follow__predictors_adaptation_predictor_step(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_adaptation_predictor_step(other, between, shared_0);
     }

@@ -306,15 +306,15 @@ Tq_history_Point_ predictors_kinematic_features_follow(Vector memory, int64_t at
   bool new;
   T3d last;
   history_Point point;
-  started = ((movement_State *)(memory.p + at))->known;
-  last_t = ((movement_State *)(memory.p + at))->t;
-  Tqbd values_1 = predictors_movement_follow((movement_State *)(memory.p + at), m);
+  started = ((predictors_movement_State *)(memory.p + at))->known;
+  last_t = ((predictors_movement_State *)(memory.p + at))->t;
+  Tqbd values_1 = predictors_movement_follow((predictors_movement_State *)(memory.p + at), m);
   fault = values_1.f0;
   new = values_1.f1;
   if (fault != records_FINE) {
     return (Tq_history_Point_){fault, (history_Point){0.0, 0.0, 0.0, 0.0}};
   }
-  if (new || m.t == ((movement_State *)(memory.p + at))->t0) {
+  if (new || m.t == ((predictors_movement_State *)(memory.p + at))->t0) {
     fill((Vector){memory.p + (at + predictors_kinematic_features_TRACK), at + predictors_kinematic_features_HISTORY - (at + predictors_kinematic_features_TRACK)}, 0.0);
     predictors_kinematic_history_begin(memory, at + predictors_kinematic_features_HISTORY);
   } else {
@@ -322,9 +322,9 @@ Tq_history_Point_ predictors_kinematic_features_follow(Vector memory, int64_t at
   }
   here = at + predictors_kinematic_features_TRACK;
   last = (T3d){memory.p[here + predictors_kinematic_track_T], memory.p[here + predictors_kinematic_track_X], memory.p[here + predictors_kinematic_track_Y]};
-  t0 = ((movement_State *)(memory.p + at))->t0;
-  x0 = ((movement_State *)(memory.p + at))->x0;
-  y0 = ((movement_State *)(memory.p + at))->y0;
+  t0 = ((predictors_movement_State *)(memory.p + at))->t0;
+  x0 = ((predictors_movement_State *)(memory.p + at))->x0;
+  y0 = ((predictors_movement_State *)(memory.p + at))->y0;
   point = predictors_kinematic_history_extend(memory, at + predictors_kinematic_features_HISTORY, last, (T3d){m.t - t0, m.x - x0, m.y - y0});
   T3d values_2 = predictors_kinematic_history_past(memory, at + predictors_kinematic_features_HISTORY, point, predictors_kinematic_track_SPAN_S);
   path_before = values_2.f2;
@@ -597,9 +597,9 @@ T10d predictors_kinematic_predictor_step(Vector memory, T10d motion, Vector coef
   fault = values_2.f0;
   frame = values_2.f1;
   if (fault != records_FINE) {
-    return predictors_movement_refuse((movement_State *)(memory.p + predictors_kinematic_predictor_AT), m, fault);
+    return predictors_movement_refuse((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT), m, fault);
   }
-  phase = predictors_movement_phase((movement_State *)(memory.p + predictors_kinematic_predictor_AT), m);
+  phase = predictors_movement_phase((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT), m);
   reach = frame.reach;
   ux = frame.ux;
   uy = frame.uy;
@@ -614,7 +614,7 @@ T10d predictors_kinematic_predictor_step(Vector memory, T10d motion, Vector coef
     along += out.p[predictors_kinematic_network_BASIS + i] * values.p[((const int64_t *)&predictors_kinematic_network_BASIS_ALONG)[i]];
     across += out.p[predictors_kinematic_network_BASIS + i] * values.p[((const int64_t *)&predictors_kinematic_network_BASIS_ACROSS)[i]];
   }
-  since = m.t - ((movement_State *)(memory.p + predictors_kinematic_predictor_AT))->t0;
+  since = m.t - ((predictors_movement_State *)(memory.p + predictors_kinematic_predictor_AT))->t0;
   left = (since + predictors_kinematic_network_HEAD_START_S) * predictors_kinematic_predictor_bounded_exp(out.p[predictors_kinematic_network_LEFT], predictors_kinematic_network_LEFT_LOGS);
   share = since / (since + left);
   scale = reach * predictors_kinematic_network_factor(coefficients, calibration_at, share, predictors_kinematic_network_WIDTH_FACTOR);
@@ -667,7 +667,7 @@ T10d joint__differentiators_difference_step__predictors_kinematic_predictor_step
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_difference_step((difference_Memory *)memory.p, row);
+  answer = differentiators_difference_step((differentiators_difference_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -688,14 +688,14 @@ T10d last__differentiators_difference_step__predictors_kinematic_predictor_follo
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_difference_step((difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_difference_step((differentiators_difference_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }
@@ -712,7 +712,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kinematic_predictor_ste
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, row);
+  answer = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -733,14 +733,14 @@ T10d last__differentiators_homogeneous_step__predictors_kinematic_predictor_foll
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_homogeneous_step((homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_homogeneous_step((differentiators_homogeneous_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }
@@ -757,7 +757,7 @@ T10d joint__differentiators_kalman_step__predictors_kinematic_predictor_step(Vec
   T10d answer;
   RELEASED double *buffer_1 = copied(memory.p, sizeof(double) * memory.n);
   kept = (Vector){buffer_1, memory.n};
-  answer = differentiators_kalman_step((kalman_Memory *)memory.p, row);
+  answer = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, row);
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step(other, answer, shared_0);
     if (answer.f0 != answer.f0) {
@@ -778,14 +778,14 @@ T10d last__differentiators_kalman_step__predictors_kinematic_predictor_follow__p
   answer = records_refused(records_EVENT_FIELD, NAN);
   count = 0;
   for (int64_t i = 0, end_3 = rows.n - 1; i < end_3; i++) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, i)));
     if (between.f0 != between.f0 || !predictors_kinematic_predictor_follow(other, between, shared_0)) {
       break;
     }
     count += 1;
   }
   if (count == rows.n - 1) {
-    between = differentiators_kalman_step((kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
+    between = differentiators_kalman_step((differentiators_kalman_Memory *)memory.p, records_EventRow_of_T6d(records_event_at(rows, count)));
     if (between.f0 == between.f0) {
       answer = predictors_kinematic_predictor_step(other, between, shared_0);
     }

@@ -36,6 +36,13 @@ export function view(array, first, end) {
   return array instanceof Float64Array ? array.subarray(first, end) : array.slice(first, end);
 }
 
+/** The numbers of an array as a table, which shares their memory. */
+export function table(array, rows, columns) {
+  const made = [];
+  for (let i = 0; i < rows; i++) made.push(array.subarray(i * columns, (i + 1) * columns));
+  return made;
+}
+
 /** A table of zeros: an array of rows. */
 export function matrix(rows, columns) {
   return Array.from({ length: rows }, () => new Float64Array(columns));
