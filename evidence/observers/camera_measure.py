@@ -58,10 +58,10 @@ def transition(truth: Trajectory, row: int) -> FloatArray:
     """Phi from a row to the next one: (p, v) is linear, so it is exact except for the change of w."""
     h = float(truth.t[row + 1] - truth.t[row])
     rx, ry, rz = (0.5 * h * (truth.w[row] + truth.w[row + 1])).tolist()
-    columns = IDENTITY.ravel().copy()
-    for i in range(6):
-        kinematics.carry(columns, i, 6, h, (rx, ry, rz))
-    return columns.reshape(6, 6)
+    columns = IDENTITY.copy()
+    for column in columns:
+        kinematics.carry(column, h, (rx, ry, rz))
+    return columns.T.copy()
 
 
 def information(truth: Trajectory, row: int, variance: float) -> FloatArray:
@@ -120,9 +120,9 @@ def _less(j: FloatArray, truth: Trajectory, row: int, gyro_noise: float, accel_n
     if gyro_noise == 0.0 and accel_noise == 0.0:
         return j
     h = float(truth.t[row] - truth.t[row - 1])
-    memory = np.concatenate([np.zeros(36), truth.p[row], truth.v[row]])
-    kinematics.add_noise(memory, 0, 36, gyro_noise**2 * h, accel_noise**2 * h)
-    noise = memory[:36].reshape(6, 6)
+    flat, state = np.zeros(36), np.concatenate([truth.p[row], truth.v[row]])
+    kinematics.add_noise(flat, state, gyro_noise**2 * h, accel_noise**2 * h)
+    noise = flat.reshape(6, 6)
     lost = noise @ np.linalg.inv(IDENTITY + j @ noise) @ j
     less: FloatArray = j @ (IDENTITY - lost)
     return 0.5 * (less + less.T)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import isnan
-from runpy import run_path
 from typing import Any
 
 import numpy as np
@@ -18,9 +17,6 @@ from pointpred_observers.triangular.program import ROW, program
 
 sp = pytest.importorskip("sympy")
 W1, W2 = W = sp.symbols("w1 w2")
-with pytest.MonkeyPatch.context() as patched:
-    patched.setattr("pointpred.compiled.law", lambda law: law)
-    PLAIN = run_path(triangular_program.__file__)["execute"]
 
 
 def evaluated(expressions: Any, at: tuple[float, float], *, plain: bool = False) -> list[float]:
@@ -33,7 +29,9 @@ def evaluated(expressions: Any, at: tuple[float, float], *, plain: bool = False)
     memory[:constants] = made.placed(inputs, constants, computed)
     memory[constants:inputs] = made.constants
     memory[inputs:computed] = at
-    (PLAIN if plain else triangular_program.execute)(memory, 0, len(made.rows))
+    execute = triangular_program.execute
+    rows = memory[:constants].reshape(-1, ROW)
+    (getattr(execute, "py_func", execute) if plain else execute)(memory, rows)
     found: list[float] = memory[len(memory) - made.outputs :].tolist()
     return found
 

@@ -1281,7 +1281,7 @@ int64_t regression_drem_numbers(int64_t n);
 regression_drem_Regression regression_drem_parts(Vector memory, int64_t n);
 double regression_drem_remember(regression_drem_State * s, regression_drem_Regression r, double delay_s, double t, double y);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
-void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h);
+void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output);
 double regression_least_squares_excitation(Table r, int64_t j);
 int64_t regression_least_squares_numbers(int64_t n);

@@ -7979,24 +7979,23 @@ static PyObject *py_regression_gradient_descend_along(PyObject *self, PyObject *
   Held held;
   const Py_buffer *view;
   Vector a0;
-  T3q a1;
-  int64_t a2;
+  Vector a1;
+  Table a2;
   double a3;
   double a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && take_array(&held, args[0], law, "theta", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "at", 3)
-        && take_int64_t(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_int64_t(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_int64_t(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "gain", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)))
     return let_go(&held);
-  regression_gradient_descend_along(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS regression_gradient_descend_along(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import expm1
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 
 
 @law
@@ -22,22 +22,22 @@ def descend(theta: float, mixed: float, phi: float, gamma: float, h: float) -> f
 
 
 @law
-def descend_along(memory: FloatArray, at: tuple[int, int, int], n: int, output: float, h: float) -> None:
-    """Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant; theta, w, G lie ``at``.
+def descend_along(theta: FloatArray, w: FloatArray, gain: FloatTable, output: float, h: float) -> None:
+    """Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant.
 
     Exactly: theta moves along G w by (1 - exp(-w'G w h)) / w'G w times the error, so it never passes the
-    plane w'theta = output. G is n x n, row-major, positive definite; theta stays where G w = 0.
+    plane w'theta = output. G is n x n, positive definite; theta stays where G w = 0.
     """
-    theta, w, gain = at
+    n = len(theta)
     error, square = output, 0.0
     for i in range(n):
-        error -= memory[w + i] * memory[theta + i]
+        error -= w[i] * theta[i]
         for j in range(n):
-            square += memory[w + i] * memory[gain + i * n + j] * memory[w + j]
+            square += w[i] * gain[i, j] * w[j]
     exponent = square * h
     if exponent <= 0.0:
         return
     share = -expm1(-exponent) / square * error
     for i in range(n):
         for j in range(n):
-            memory[theta + i] += share * memory[gain + i * n + j] * memory[w + j]
+            theta[i] += share * gain[i, j] * w[j]

@@ -48,12 +48,13 @@ def usable(sample: SampleRow, started: float, last_t: float, gap_s: float) -> bo
 
 
 class CameraStage(CompiledStage):
-    """A stage whose rows are camera samples; a subclass names the offsets of its last time and of its gap."""
+    """A stage whose rows are camera samples.
+
+    A subclass names its ``layout``, with ``started`` and ``t`` in the state and ``gap_s`` in the settings.
+    """
 
     step: ClassVar[Callable[..., Any]]
-    at_started: ClassVar[int]
-    at_t: ClassVar[int]
-    at_gap: ClassVar[int]
+    layout: ClassVar[Any]
 
     def advance(self, sample: CameraSample) -> Any:
         """The row of answers to one sample; raises EventError or EventOrderError and then changes nothing."""
@@ -77,8 +78,8 @@ class CameraStage(CompiledStage):
         return out
 
     def _last(self) -> float | None:
-        started = self._memory[self.at_started] == 1.0
-        return float(self._memory[self.at_t]) if started else None
+        state = self.layout(self._memory).state
+        return float(state.t) if state.started == 1.0 else None
 
     def _reason(self, values: tuple[float, ...], last_t: float | None) -> EventError:
         bounds = (LATEST_S, LARGEST_PX, LARGEST_PX, *[LARGEST_W] * 3, *[LARGEST_A] * 3)
@@ -93,7 +94,7 @@ class CameraStage(CompiledStage):
             return EventOrderError(
                 f"t must increase: received {t!r} s after {last_t!r} s", field="t", value=t
             )
-        gap_s = float(self._memory[self.at_gap])
+        gap_s = float(self.layout(self._memory).settings.gap_s)
         return EventError(
             f"the inertial sensor was silent from {last_t!r} s to {t!r} s, at most {gap_s:g} s are "
             "bridged: reset and begin anew",

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from math import ceil, nan
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import msgspec
 import numpy as np
 
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
+from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import Columns, FloatArray
+from pointpred.records import Columns, FloatTable
 from pointpred.stage import loop_of
 from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred_observers.camera.model import SCHEDULED, C
@@ -21,12 +22,43 @@ from pointpred_observers.unknown_input.observer import UnknownInputObserver
 LARGEST_RATE = 1e3
 """Beyond this |eta| 1/s the camera meets the point within a millisecond: the estimate is lost."""
 
-# The parameters; the bounds of zero, eta, a_z, w_x, w_y, low before high. The state: whether there was a
-# sample, its time and measurements, the observer's two states, whether there was an image, whether the
-# estimate is lost.
-FOCAL, HALF_SIGMA, START_CHI, START_ETA, GAP_S, BOX = range(6)
-STARTED = BOX + 10
-T, X, Y, WX, WY, WZ, AZ, CHI, R, IMAGED, LOST, END = range(STARTED + 1, STARTED + 13)
+
+class Settings(Layout):
+    """Focal length, half of sigma, start of chi and eta, longest silence; the certificate's box.
+
+    The box has the bounds, low and high, of the zero of chi, eta, a_z, w_x, w_y.
+    """
+
+    focal_px: float
+    half_sigma: float
+    start_chi: float
+    start_eta: float
+    gap_s: float
+    box: Annotated[FloatTable, 5, 2]
+
+
+class State(Layout):
+    """The last sample; the observer's two states; whether there was an image, whether they are lost."""
+
+    started: float
+    t: float
+    x: float
+    y: float
+    wx: float
+    wy: float
+    wz: float
+    az: float
+    chi: float
+    r: float
+    imaged: float
+    lost: float
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 class Measured(NamedTuple):
@@ -52,15 +84,15 @@ def rate(chi: float, r: float, m: Measured, dwx: float, dwy: float) -> tuple[flo
 
 
 @law
-def carry(memory: FloatArray, m: Measured, dt: float) -> None:
+def carry(state: State, m: Measured, dt: float) -> None:
     """Move (chi, r) over ``dt`` s by Runge-Kutta, with measurements linear between two samples."""
-    x0, y0, az0 = memory[X], memory[Y], memory[AZ]
-    wx0, wy0, wz0 = memory[WX], memory[WY], memory[WZ]
+    x0, y0, az0 = state.x, state.y, state.az
+    wx0, wy0, wz0 = state.wx, state.wy, state.wz
     dwx, dwy = (m.wx - wx0) / dt, (m.wy - wy0) / dt
     steps = ceil(dt / SUBSTEP_S)
     h = dt / steps
     for i in range(steps):
-        chi, r = memory[CHI], memory[R]
+        chi, r = state.chi, state.r
         sum_chi, sum_r, k_chi, k_r = 0.0, 0.0, 0.0, 0.0
         for stage in range(4):
             inner = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
@@ -77,60 +109,54 @@ def carry(memory: FloatArray, m: Measured, dt: float) -> None:
             share = 1.0 if stage == 0 or stage == 3 else 2.0
             sum_chi += share * k_chi
             sum_r += share * k_r
-        memory[CHI] = chi + h / 6.0 * sum_chi
-        memory[R] = r + h / 6.0 * sum_r
-        if not (abs(memory[R]) <= LARGEST_RATE and abs(memory[CHI]) <= LARGEST_PX):
-            memory[LOST] = 1.0
-            memory[CHI], memory[R] = chi, r
+        state.chi = chi + h / 6.0 * sum_chi
+        state.r = r + h / 6.0 * sum_r
+        if not (abs(state.r) <= LARGEST_RATE and abs(state.chi) <= LARGEST_PX):
+            state.lost = 1.0
+            state.chi, state.r = chi, r
             return
 
 
 @law
-def inside(memory: FloatArray, zero: float, eta: float) -> bool:
+def inside(memory: Memory, zero: float, eta: float) -> bool:
     """Whether the scheduling variables lie in the certificate's box; false without a certificate."""
-    values = (zero, eta, memory[AZ], memory[WX], memory[WY])
+    settings, s = memory.settings, memory.state
+    values = (zero, eta, s.az, s.wx, s.wy)
     for i in range(5):
-        if not memory[BOX + 2 * i] <= values[i] <= memory[BOX + 2 * i + 1]:
+        if not settings.box[i, 0] <= values[i] <= settings.box[i, 1]:
             return False
-    return bool(memory[BOX] < 0.0)
+    return bool(settings.box[0, 0] < 0.0)
 
 
 @law
 def step(
-    memory: FloatArray, sample: tuple[float, float, float, float, float, float, float, float, float]
+    memory: Memory, sample: tuple[float, float, float, float, float, float, float, float, float]
 ) -> tuple[float, float, float, float, float, float, float]:
     """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+    settings, s = memory.settings, memory.state
     row = SampleRow(*sample)
-    if not usable(row, memory[STARTED], memory[T], memory[GAP_S]):
+    if not usable(row, s.started, s.t, settings.gap_s):
         return nan, nan, nan, nan, 0.0, 0.0, 0.0
     t, x, y, wx, wy, wz, _, _, az = row
     image = x == x
-    flat_x = x / memory[FOCAL] if image else memory[X]
-    flat_y = y / memory[FOCAL] if image else memory[Y]
-    if memory[IMAGED] == 0.0 and image:
-        memory[CHI] = memory[START_CHI]
-        memory[R] = memory[START_ETA] + wy * flat_x - wx * flat_y
-        memory[IMAGED] = 1.0
-    elif memory[IMAGED] == 1.0 and memory[LOST] == 0.0:
-        carry(memory, Measured(flat_x, flat_y, wx, wy, wz, az), t - memory[T])
-    memory[STARTED] = 1.0
-    memory[T], memory[X], memory[Y] = t, flat_x, flat_y
-    memory[WX], memory[WY], memory[WZ], memory[AZ] = wx, wy, wz, az
-    if memory[IMAGED] == 0.0 or memory[LOST] == 1.0:
+    flat_x = x / settings.focal_px if image else s.x
+    flat_y = y / settings.focal_px if image else s.y
+    if s.imaged == 0.0 and image:
+        s.chi = settings.start_chi
+        s.r = settings.start_eta + wy * flat_x - wx * flat_y
+        s.imaged = 1.0
+    elif s.imaged == 1.0 and s.lost == 0.0:
+        carry(s, Measured(flat_x, flat_y, wx, wy, wz, az), t - s.t)
+    s.started = 1.0
+    s.t, s.x, s.y = t, flat_x, flat_y
+    s.wx, s.wy, s.wz, s.az = wx, wy, wz, az
+    if s.imaged == 0.0 or s.lost == 1.0:
         return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
-    eta = memory[R] - wy * flat_x + wx * flat_y
+    eta = s.r - wy * flat_x + wx * flat_y
     zero = flat_y * wx - flat_x * wy + eta
-    decays = zero < -memory[HALF_SIGMA] and eta < -memory[HALF_SIGMA]
+    decays = zero < -settings.half_sigma and eta < -settings.half_sigma
     proved = inside(memory, zero, eta)
-    return (
-        t,
-        memory[CHI],
-        eta,
-        zero,
-        1.0 if decays else 0.0,
-        1.0 if proved else 0.0,
-        1.0 if image else 0.0,
-    )
+    return t, s.chi, eta, zero, 1.0 if decays else 0.0, 1.0 if proved else 0.0, 1.0 if image else 0.0
 
 
 class Depth(msgspec.Struct, frozen=True):
@@ -196,11 +222,11 @@ class DepthObserver(CameraStage):
         "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
     )
     observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
-    states = END - STARTED
+    states = State.length
     width = 7
     loop = staticmethod(loop_of(step, sample_at))
     step = staticmethod(step)
-    at_started, at_t, at_gap = STARTED, T, GAP_S
+    layout = Memory
 
     @property
     def half_sigma(self) -> float:

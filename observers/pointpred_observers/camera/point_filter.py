@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from math import nan, sqrt
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.parameter import parameter
 from pointpred.records import BoolArray, FloatArray, Row
-from pointpred.stage import loop_into, offsets
+from pointpred.stage import loop_into
 from pointpred_observers.camera import kinematics, starting
 from pointpred_observers.camera.camera_stage import CameraStage, usable
 from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
@@ -18,101 +20,137 @@ from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSa
 NEAREST_M = 1e-4
 """The filter restarts if the point comes closer than this or goes behind the camera."""
 
-# The parameters. The state: whether there was a sample, its time, angular velocity and acceleration, the
-# mode, the number of restarts; p then v, its covariance row by row, scratch space for a column, the
-# initialisation.
-FOCAL, NOISE, GYRO, ACCEL, SHARE, GAP_S, STARTED, T, WX, WY, WZ, AX, AY, AZ, MODE, RESTARTS, STATE = range(17)
-_, SPREAD, COLUMN, START, END = offsets(STATE + 6, 36, 6, starting.STATES)
 WAITING, STARTING, RUNNING = 0.0, 1.0, 2.0
 
-# The answer: time, p then v and its covariance, the number of restarts, whether it runs.
-_, OUT_STATE, OUT_SPREAD, OUT_RESTARTS, OUT_RUNNING, WIDTH = offsets(1, 6, 36, 1, 1)
+
+class Settings(Layout):
+    """Focal length in px; variances: of a coordinate of the image, densities of the sensors; share, gap."""
+
+    focal_px: float
+    noise: float
+    gyro: float
+    accel: float
+    share: float
+    gap_s: float
+
+
+class State(Layout):
+    """The last sample of the inertial sensor, the mode; (p, v), its covariance, and what starts them."""
+
+    started: float
+    t: float
+    wx: float
+    wy: float
+    wz: float
+    ax: float
+    ay: float
+    az: float
+    mode: float
+    restarts: float
+    state: Annotated[FloatArray, 6]
+    spread: kinematics.Matrix
+    column: Annotated[FloatArray, 6]
+    """Space for a correction."""
+    start: starting.State
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
+
+
+class Answer(Layout):
+    """Time, (p, v) and its covariance, the number of restarts, whether it runs."""
+
+    t: float
+    state: Annotated[FloatArray, 6]
+    spread: kinematics.Matrix
+    restarts: float
+    running: float
 
 
 @law
-def correct(memory: FloatArray, measured: float, axis: int, x: float, y: float, z: float) -> None:
+def correct(s: State, noise: float, measured: float, axis: int, predicted: kinematics.Vector) -> None:
     """One coordinate of the image, linearised at the prediction (x, y, z)."""
+    x, y, z = predicted
     side = y if axis else x
     near, far = 1.0 / z, -side / (z * z)
     for i in range(6):
-        memory[COLUMN + i] = memory[SPREAD + 6 * i + axis] * near + memory[SPREAD + 6 * i + 2] * far
-    total = memory[COLUMN + axis] * near + memory[COLUMN + 2] * far + memory[NOISE]
-    expected = side * near + (memory[STATE + axis] - side) * near + (memory[STATE + 2] - z) * far
+        s.column[i] = s.spread.m[i, axis] * near + s.spread.m[i, 2] * far
+    total = s.column[axis] * near + s.column[2] * far + noise
+    expected = side * near + (s.state[axis] - side) * near + (s.state[2] - z) * far
     share = (measured - expected) / total
     for i in range(6):
-        memory[STATE + i] += memory[COLUMN + i] * share
+        s.state[i] += s.column[i] * share
     for i in range(6):
         for j in range(6):
-            memory[SPREAD + 6 * i + j] -= memory[COLUMN + i] * memory[COLUMN + j] / total
+            s.spread.m[i, j] -= s.column[i] * s.column[j] / total
 
 
 @law
-def predict(memory: FloatArray, dt: float, w: kinematics.Vector, a: kinematics.Vector) -> None:
+def predict(memory: Memory, dt: float, w: kinematics.Vector, a: kinematics.Vector) -> None:
     """Propagate over ``dt`` s: the state and its covariance, or the sums of the initialisation."""
-    turn = (
-        0.5 * dt * (memory[WX] + w[0]),
-        0.5 * dt * (memory[WY] + w[1]),
-        0.5 * dt * (memory[WZ] + w[2]),
-    )
-    running = memory[MODE] == RUNNING
-    # During the initialisation the point's position, and so the effect of a rotation error, is unknown.
-    gyro, accel = memory[GYRO] * dt if running else 0.0, memory[ACCEL] * dt
-    state = STATE if running else START + starting.FORCE
-    spread = SPREAD if running else START + starting.NOISE
-    if not running:
-        for i in range(6):
-            kinematics.carry(memory, START + starting.CARRY + i, 6, dt, turn)
-    kinematics.carry(memory, state, 1, dt, turn)
-    kinematics.push(memory, state, dt, turn, (memory[AX], memory[AY], memory[AZ]), a)
-    kinematics.turn_covariance(memory, spread, dt, turn)
-    kinematics.add_noise(memory, spread, state, gyro, accel)
-
-
-@law
-def look(memory: FloatArray, x: float, y: float) -> None:
-    """Process an image: correct the state, or initialise it."""
-    if memory[MODE] == WAITING:
-        starting.begin(memory, START)
-        memory[MODE] = STARTING
-    if memory[MODE] == STARTING:
-        starting.take(memory, START, x, y, memory[NOISE])
-        if starting.start(memory, START, STATE, SPREAD, memory[NOISE], memory[SHARE]):
-            memory[MODE] = RUNNING
+    settings, s = memory.settings, memory.state
+    turn = 0.5 * dt * (s.wx + w[0]), 0.5 * dt * (s.wy + w[1]), 0.5 * dt * (s.wz + w[2])
+    before, accel = (s.ax, s.ay, s.az), settings.accel * dt
+    if s.mode == RUNNING:
+        kinematics.propagate(s.state, s.spread, dt, turn, (before, a), settings.gyro * dt, accel)
         return
-    px, py, pz = memory[STATE], memory[STATE + 1], memory[STATE + 2]
-    if pz > NEAREST_M:
-        correct(memory, x, 0, px, py, pz)
-        correct(memory, y, 1, px, py, pz)
+    # During the initialisation the point's position, and so the effect of a rotation error, is unknown.
+    for i in range(6):
+        kinematics.carry_column(s.start.phi, i, dt, turn)
+    kinematics.propagate(s.start.g, s.start.noise, dt, turn, (before, a), 0.0, accel)
 
 
 @law
-def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> None:
+def look(memory: Memory, x: float, y: float) -> None:
+    """Process an image: correct the state, or initialise it."""
+    settings, s = memory.settings, memory.state
+    if s.mode == WAITING:
+        starting.begin(s.start)
+        s.mode = STARTING
+    if s.mode == STARTING:
+        starting.take(s.start, x, y, settings.noise)
+        if starting.start(s.start, s.state, s.spread, settings.noise, settings.share):
+            s.mode = RUNNING
+        return
+    predicted = s.state[0], s.state[1], s.state[2]
+    if predicted[2] > NEAREST_M:
+        correct(s, settings.noise, x, 0, predicted)
+        correct(s, settings.noise, y, 1, predicted)
+
+
+@law
+def step(memory: Memory, row: FloatArray, out: Answer) -> None:
     """One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before."""
     t, x, y, wx, wy, wz, ax, ay, az = row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8]
-    sample = SampleRow(t, x, y, wx, wy, wz, ax, ay, az)
-    if not usable(sample, memory[STARTED], memory[T], memory[GAP_S]):
+    settings, s = memory.settings, memory.state
+    if not usable(SampleRow(t, x, y, wx, wy, wz, ax, ay, az), s.started, s.t, settings.gap_s):
         return
-    if memory[MODE] != WAITING:
-        predict(memory, t - memory[T], (wx, wy, wz), (ax, ay, az))
+    if s.mode != WAITING:
+        predict(memory, t - s.t, (wx, wy, wz), (ax, ay, az))
     if x == x:
-        look(memory, x / memory[FOCAL], y / memory[FOCAL])
-    if memory[MODE] == RUNNING and not memory[STATE + 2] > NEAREST_M:
-        memory[MODE] = WAITING
-        memory[RESTARTS] += 1.0
-    memory[STARTED], memory[T] = 1.0, t
-    memory[WX], memory[WY], memory[WZ] = wx, wy, wz
-    memory[AX], memory[AY], memory[AZ] = ax, ay, az
-    out[0], out[OUT_RESTARTS], out[OUT_RUNNING] = t, memory[RESTARTS], 0.0
-    if memory[MODE] == RUNNING:
-        for i in range(42):
-            out[OUT_STATE + i] = memory[STATE + i]
-        out[OUT_RUNNING] = 1.0
+        look(memory, x / settings.focal_px, y / settings.focal_px)
+    if s.mode == RUNNING and not s.state[2] > NEAREST_M:
+        s.mode = WAITING
+        s.restarts += 1.0
+    s.started, s.t = 1.0, t
+    s.wx, s.wy, s.wz = wx, wy, wz
+    s.ax, s.ay, s.az = ax, ay, az
+    out.t, out.restarts, out.running = t, s.restarts, 0.0
+    if s.mode == RUNNING:
+        for i in range(6):
+            out.state[i] = s.state[i]
+            for j in range(6):
+                out.spread.m[i, j] = s.spread.m[i, j]
+        out.running = 1.0
 
 
-def answer(memory: FloatArray, sample: Row) -> FloatArray:
+def answer(memory: Any, sample: Row) -> Any:
     """``step`` for one sample without a table."""
-    out = np.empty(WIDTH)
-    out.fill(nan)
+    out: Any = np.full(Answer.length, nan)
     step(memory, np.array(sample), out)
     return out
 
@@ -210,11 +248,11 @@ class PointFilter(CameraStage):
     gap_s: float = parameter(
         "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
     )
-    states = END - STARTED
-    width = WIDTH
+    states = State.length
+    width = Answer.length
+    layout = Memory
     loop = staticmethod(loop_into(step))
     step = staticmethod(answer)
-    at_started, at_t, at_gap = STARTED, T, GAP_S
 
     def settings(self) -> list[float]:
         """The beginning of the memory, with variances instead of standard deviations."""
@@ -224,16 +262,14 @@ class PointFilter(CameraStage):
 
     def update(self, sample: CameraSample, /) -> PointEstimate | None:
         """Consume one sample; ``None`` before the start. A refused sample changes nothing."""
-        row = self.advance(sample)
-        if row[OUT_RUNNING] != 1.0:
+        found = Answer(self.advance(sample))
+        if found.running != 1.0:
             return None
-        state, covariance = row[OUT_STATE:OUT_SPREAD], row[OUT_SPREAD:OUT_RESTARTS]
-        return PointEstimate(row[0], np.array(state), covariance.reshape(6, 6), int(row[OUT_RESTARTS]))
+        return PointEstimate(found.t, found.state.copy(), found.spread.m, int(found.restarts))
 
     def run(self, columns: CameraColumns) -> PointTrack:
         """Consume a table; a refused row raises its error and nothing is consumed."""
         out = self.table(columns)
-        state, covariance = out[:, OUT_STATE:OUT_SPREAD], out[:, OUT_SPREAD:OUT_RESTARTS]
-        restarts = int(out[-1, OUT_RESTARTS]) if len(out) else 0
-        running = out[:, OUT_RUNNING] == 1.0
-        return PointTrack(out[:, 0], state, covariance.reshape(-1, 6, 6), running, restarts)
+        t, state, covariance, restarts, running = np.split(out, (1, 7, 43, 44), axis=1)
+        restarted = int(restarts[-1, 0]) if len(out) else 0
+        return PointTrack(t[:, 0], state, covariance.reshape(-1, 6, 6), running[:, 0] == 1.0, restarted)

@@ -7,16 +7,47 @@ from typing import NamedTuple
 
 from pointpred.compiled import law
 from pointpred.errors import EventError
+from pointpred.layout import Layout
 from pointpred.parameter import parameter
-from pointpred.records import LATEST_S, FloatArray, FloatTable
+from pointpred.records import LATEST_S, FloatTable
 from pointpred.stage import CompiledStage, loop_of
 
 SPREAD_START = 1.0
 """Standard deviation of d before the first image, 1/s."""
 
-# The parameters. The state: whether there was a row, its time, whether there was an image; its position and
-# d, the known part of the motion then, and the covariance of a position and d, shared by both axes.
-NOISE, DENSITY, STARTED, T, IMAGED, X, Y, DX, DY, KX, KY, P00, P01, P11, END = range(15)
+
+class Settings(Layout):
+    """The variance of an image, the density of the unknown input's rate in 1/s^3."""
+
+    noise: float
+    density: float
+
+
+class State(Layout):
+    """The time; of the last image the position, d and the known part of its motion, 1/s.
+
+    ``p00 p01 p11`` is the covariance of a position and d, which both axes share.
+    """
+
+    started: float
+    t: float
+    imaged: float
+    x: float
+    y: float
+    dx: float
+    dy: float
+    kx: float
+    ky: float
+    p00: float
+    p01: float
+    p11: float
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
 
 
 class FlowRow(NamedTuple):
@@ -40,50 +71,50 @@ def flow(x: float, y: float, eta: float, wx: float, wy: float, wz: float) -> tup
 
 
 @law
-def predict(memory: FloatArray, eta: float, wx: float, wy: float, wz: float, h: float) -> None:
+def predict(s: State, density: float, eta: float, wx: float, wy: float, wz: float, h: float) -> None:
     """Y' = known - d over ``h`` s, the known part fed forward by Heun's rule; d' is white."""
-    x, y, kx, ky = memory[X], memory[Y], memory[KX], memory[KY]
-    dx, dy = memory[DX], memory[DY]
+    x, y, kx, ky = s.x, s.y, s.kx, s.ky
+    dx, dy = s.dx, s.dy
     lx, ly = flow(x + h * (kx - dx), y + h * (ky - dy), eta, wx, wy, wz)
-    memory[X] = x + h * (0.5 * (kx + lx) - dx)
-    memory[Y] = y + h * (0.5 * (ky + ly) - dy)
-    q = memory[DENSITY]
-    p01, p11 = memory[P01], memory[P11]
-    memory[P00] += -2.0 * h * p01 + h * h * p11 + q * h**3 / 3.0
-    memory[P01] += -h * p11 - q * h * h / 2.0
-    memory[P11] += q * h
+    s.x = x + h * (0.5 * (kx + lx) - dx)
+    s.y = y + h * (0.5 * (ky + ly) - dy)
+    p01, p11 = s.p01, s.p11
+    s.p00 += -2.0 * h * p01 + h * h * p11 + density * h**3 / 3.0
+    s.p01 += -h * p11 - density * h * h / 2.0
+    s.p11 += density * h
 
 
 @law
 def step(
-    memory: FloatArray, row: tuple[float, float, float, float, float, float, float]
+    memory: Memory, row: tuple[float, float, float, float, float, float, float]
 ) -> tuple[float, float, float, float]:
     """One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s."""
+    settings, s = memory.settings, memory.state
     t, x, y, eta, wx, wy, wz = FlowRow(*row)
-    if not abs(t) <= LATEST_S or eta != eta or (memory[STARTED] == 1.0 and not t > memory[T]):
+    if not abs(t) <= LATEST_S or eta != eta or (s.started == 1.0 and not t > s.t):
         return nan, nan, nan, nan
     image = x == x
-    if memory[IMAGED] == 1.0:
-        predict(memory, eta, wx, wy, wz, t - memory[T])
+    if s.imaged == 1.0:
+        predict(s, settings.density, eta, wx, wy, wz, t - s.t)
         if image:
-            total = memory[P00] + memory[NOISE]
-            near, far = memory[P00] / total, memory[P01] / total
-            ex, ey = x - memory[X], y - memory[Y]
-            memory[X] += near * ex
-            memory[Y] += near * ey
-            memory[DX] += far * ex
-            memory[DY] += far * ey
-            memory[P11] -= far * memory[P01]
-            memory[P01] *= 1.0 - near
-            memory[P00] *= 1.0 - near
+            total = s.p00 + settings.noise
+            near, far = s.p00 / total, s.p01 / total
+            ex, ey = x - s.x, y - s.y
+            s.x += near * ex
+            s.y += near * ey
+            s.dx += far * ex
+            s.dy += far * ey
+            s.p11 -= far * s.p01
+            s.p01 *= 1.0 - near
+            s.p00 *= 1.0 - near
     elif image:
-        memory[IMAGED], memory[X], memory[Y] = 1.0, x, y
-        memory[P00], memory[P11] = memory[NOISE], SPREAD_START**2
-    memory[STARTED], memory[T] = 1.0, t
-    memory[KX], memory[KY] = flow(memory[X], memory[Y], eta, wx, wy, wz)
-    if memory[IMAGED] == 0.0:
+        s.imaged, s.x, s.y = 1.0, x, y
+        s.p00, s.p11 = settings.noise, SPREAD_START**2
+    s.started, s.t = 1.0, t
+    s.kx, s.ky = flow(s.x, s.y, eta, wx, wy, wz)
+    if s.imaged == 0.0:
         return t, nan, nan, nan
-    return t, memory[DX], memory[DY], memory[P11] ** 0.5
+    return t, s.dx, s.dy, s.p11**0.5
 
 
 @law
@@ -118,9 +149,10 @@ class UnknownInputFilter(CompiledStage):
     density: float = parameter(
         "1/s^3", 1e-12, 1e6, "spectral density of the unknown input's rate", default=3e-4
     )
-    states = END - STARTED
+    states = State.length
     width = 4
     loop = staticmethod(loop_of(step, row_at))
+    step = staticmethod(step)
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
@@ -129,7 +161,7 @@ class UnknownInputFilter(CompiledStage):
     def update(self, row: tuple[float, ...], /) -> tuple[float, float, float, float]:
         """Consume one row; a refused one changes nothing."""
         t, x, y, eta, wx, wy, wz = map(float, row)
-        answer = step(self._memory, (t, x, y, eta, wx, wy, wz))
+        answer: tuple[float, float, float, float] = self.advance((t, x, y, eta, wx, wy, wz))
         if answer[0] != answer[0]:
             raise EventError(f"t must increase and eta be a number, received {row!r}", value=row)
         return answer

@@ -3,312 +3,361 @@
 from __future__ import annotations
 
 from math import ceil
+from typing import Annotated, NamedTuple
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray
+from pointpred.layout import Layout
+from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import loop_into
 from pointpred_observers import nonlinearity
-
-# Parameters: states q, components k, inputs, outputs, discrete?, step, gap after which the law starts again,
-# longest interval that it bridges; then codes (k), N (q, q), L (q,
-# k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k), R (k, inputs), R2 (outputs, inputs) and the
-# start (q). Then what replaces missing inputs: whether it is a value (inputs), V0 (inputs, q), V1 (inputs,
-# k), V2 (inputs, inputs), and their start (inputs). The state: whether there was a sample, t, w minus its
-# start (q), the last inputs, scratch space for an integration step, and whether each of the last inputs was
-# missing.
-STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, BRIDGED, CODES = range(9)
 
 ACCEPTED, REPEATED, BACKWARDS, TOO_LONG, SKIPPED = 0, 1, 2, 3, 4
 STEPS_MOST = 100_000
 """Most steps between two samples."""
 
 
-@law
-def injected_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Offset of R, through which inputs enter the nonlinearity; R2 follows it."""
-    return CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k)
+class Memory(Layout):
+    """Sizes q, k, of inputs and outputs; times; then ``Matrices`` and ``State``, whose sizes follow."""
+
+    states: float
+    components: float
+    inputs: float
+    outputs: float
+    discrete: float
+    step_s: float
+    gap_s: float
+    """After a longer gap the law starts again."""
+    bridged_s: float
+    """The longest interval that it bridges."""
+    rest: Annotated[FloatArray, None]
 
 
-@law
-def start_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Offset of the start."""
-    return injected_at(q, k, inputs, outputs) + (k + outputs) * inputs
+class Matrices(NamedTuple):
+    """Codes of f (k); N (q, q), L (q, k), J (k, q), K (q, inputs); R0, R1, R and R2 of the outputs.
+
+    Then what replaces missing inputs: whether it is a value (inputs), V0 (inputs, q), V1 (inputs, k), V2
+    (inputs, inputs), and their start.
+    """
+
+    codes: FloatArray
+    N: FloatTable
+    L: FloatTable
+    J: FloatTable
+    K: FloatTable
+    R0: FloatTable
+    R1: FloatTable
+    R: FloatTable
+    R2: FloatTable
+    start: FloatArray
+    valued: FloatArray
+    V0: FloatTable
+    V1: FloatTable
+    V2: FloatTable
+    first: FloatArray
 
 
-@law
-def replaced_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Offset of what replaces missing inputs."""
-    return start_at(q, k, inputs, outputs) + q
+class State(NamedTuple):
+    """Whether there was a sample, and t; w minus its start, then the last inputs; which inputs were missing.
+
+    ``space`` is for a step of the integration.
+    """
+
+    clock: FloatArray
+    both: FloatArray
+    space: FloatArray
+    absent: FloatArray
 
 
-@law
-def state_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Offset of the state."""
-    return replaced_at(q, k, inputs, outputs) + inputs * (2 + q + k + inputs)
+class Space(NamedTuple):
+    """The numbers of a step: of w (q), or of w and the inputs; f (k); inputs between two samples."""
 
-
-@law
-def room(q: int, k: int, inputs: int) -> int:
-    """Number of floats of scratch space."""
-    return 4 * (q + inputs) + k
+    total: FloatArray
+    stage: FloatArray
+    change: FloatArray
+    first: FloatArray
+    nonlinear: FloatArray
+    inputs: FloatArray
 
 
 @law
 def floats(q: int, k: int, inputs: int) -> int:
     """Number of floats of the state."""
-    return 2 + q + inputs + room(q, k, inputs) + inputs
+    return 2 + 5 * (q + inputs) + k + inputs
 
 
 @law
-def slope(memory: FloatArray, w: int, inputs: int, nonlinear: int, to: int) -> None:
-    """N w + L f(Jw + R i) + K i, read at three offsets of the memory and written at a fourth."""
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    n_at = CODES + k
+def parts_of(memory: Memory) -> tuple[Matrices, State]:
+    """The matrices and the state in their places."""
+    q, k, m, p = int(memory.states), int(memory.components), int(memory.inputs), int(memory.outputs)
+    n_at = k
     l_at = n_at + q * q
     j_at = l_at + q * k
-    k_at = j_at + q * k
-    r_at = injected_at(q, k, m, int(memory[OUTPUTS]))
-    for j in range(k):
-        s = 0.0
-        for i in range(q):
-            s += memory[j_at + j * q + i] * memory[w + i]
-        for i in range(m):
-            s += memory[r_at + j * m + i] * memory[inputs + i]
-        memory[nonlinear + j] = nonlinearity.value(memory[CODES + j], s)
-    for i in range(q):
-        change = 0.0
-        for j in range(q):
-            change += memory[n_at + i * q + j] * memory[w + j]
-        for j in range(k):
-            change += memory[l_at + i * k + j] * memory[nonlinear + j]
-        for j in range(m):
-            change += memory[k_at + i * m + j] * memory[inputs + j]
-        memory[to + i] = change
+    k_at = j_at + k * q
+    r0_at = k_at + q * m
+    r1_at = r0_at + p * q
+    r_at = r1_at + p * k
+    r2_at = r_at + k * m
+    start_at = r2_at + p * m
+    valued_at = start_at + q
+    v0_at = valued_at + m
+    v1_at = v0_at + m * q
+    v2_at = v1_at + m * k
+    first_at = v2_at + m * m
+    clock_at = first_at + m
+    both_at = clock_at + 2
+    space_at = both_at + q + m
+    absent_at = space_at + 4 * (q + m) + k
+    matrices = Matrices(
+        memory.rest[:n_at],
+        memory.rest[n_at:l_at].reshape(q, q),
+        memory.rest[l_at:j_at].reshape(q, k),
+        memory.rest[j_at:k_at].reshape(k, q),
+        memory.rest[k_at:r0_at].reshape(q, m),
+        memory.rest[r0_at:r1_at].reshape(p, q),
+        memory.rest[r1_at:r_at].reshape(p, k),
+        memory.rest[r_at:r2_at].reshape(k, m),
+        memory.rest[r2_at:start_at].reshape(p, m),
+        memory.rest[start_at:valued_at],
+        memory.rest[valued_at:v0_at],
+        memory.rest[v0_at:v1_at].reshape(m, q),
+        memory.rest[v1_at:v2_at].reshape(m, k),
+        memory.rest[v2_at:first_at].reshape(m, m),
+        memory.rest[first_at:clock_at],
+    )
+    state = State(
+        memory.rest[clock_at:both_at],
+        memory.rest[both_at:space_at],
+        memory.rest[space_at:absent_at],
+        memory.rest[absent_at : absent_at + m],
+    )
+    return matrices, state
 
 
 @law
-def flow(memory: FloatArray, w: int, row: FloatArray, begin: float, h: float) -> None:
-    """One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row.
-
-    ``begin`` and ``h`` are fractions of the interval between the two samples, whose length is row[0] - t.
-    """
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    last, room = w + q, w + q + m
-    total, stage, change, first = room, room + q, room + 2 * q, room + 3 * q
-    nonlinear, inputs = room + 4 * q, room + 4 * q + k
-    length = h * (row[0] - memory[w - 1])
-    for i in range(q):
-        value = memory[w + i]
-        memory[first + i] = value
-        memory[stage + i] = value
-        memory[total + i] = 0.0
-    for part in range(4):
-        at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
-        for j in range(m):
-            memory[inputs + j] = memory[last + j] + at * (row[1 + j] - memory[last + j])
-        slope(memory, stage, inputs, nonlinear, change)
-        weight = 1.0 if part == 0 or part == 3 else 2.0
-        ahead = length if part == 2 else 0.5 * length
-        for i in range(q):
-            memory[total + i] += weight * memory[change + i]
-            memory[stage + i] = memory[first + i] + ahead * memory[change + i]
-    for i in range(q):
-        memory[w + i] = memory[first + i] + length / 6.0 * memory[total + i]
+def space_of(m: Matrices, s: State, size: int) -> Space:
+    """The space for a step of ``size`` states."""
+    inputs_at = 4 * size + len(m.codes)
+    return Space(
+        s.space[:size],
+        s.space[size : 2 * size],
+        s.space[2 * size : 3 * size],
+        s.space[3 * size : 4 * size],
+        s.space[4 * size : inputs_at],
+        s.space[inputs_at : inputs_at + len(m.first)],
+    )
 
 
 @law
-def replace(memory: FloatArray, w: int, inputs: int, nonlinear: int, absent: int) -> None:
-    """Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only."""
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    valued = replaced_at(q, k, m, int(memory[OUTPUTS]))
-    j_at, r_at = CODES + k + q * q + q * k, injected_at(q, k, m, int(memory[OUTPUTS]))
-    v0, v1 = valued + m, valued + m + m * q
-    for j in range(m):
-        if memory[absent + j] == 1.0 and memory[valued + j] == 1.0:
-            value = 0.0
-            for i in range(q):
-                value += memory[v0 + j * q + i] * memory[w + i]
-            memory[inputs + j] = value
-    for j in range(k):
-        s = 0.0
-        for i in range(q):
-            s += memory[j_at + j * q + i] * memory[w + i]
-        for i in range(m):
-            s += memory[r_at + j * m + i] * memory[inputs + i]
-        memory[nonlinear + j] = nonlinearity.value(memory[CODES + j], s)
-    for j in range(m):
-        if memory[absent + j] == 1.0 and memory[valued + j] == 1.0:
-            for i in range(k):
-                memory[inputs + j] += memory[v1 + j * k + i] * memory[nonlinear + i]
-
-
-@law
-def onward(memory: FloatArray, j: int, w: int, inputs: int, nonlinear: int) -> float:
-    """V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value."""
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    v0 = replaced_at(q, k, m, int(memory[OUTPUTS])) + m
-    v1, v2 = v0 + m * q, v0 + m * (q + k)
-    total = 0.0
-    for i in range(q):
-        total += memory[v0 + j * q + i] * memory[w + i]
-    for i in range(k):
-        total += memory[v1 + j * k + i] * memory[nonlinear + i]
-    for i in range(m):
-        total += memory[v2 + j * m + i] * memory[inputs + i]
+def along(total: float, row: FloatArray, vector: FloatArray) -> float:
+    """A total and a row of a matrix times a vector."""
+    for i in range(len(vector)):
+        total += row[i] * vector[i]
     return total
 
 
 @law
-def bridge(memory: FloatArray, w: int, row: FloatArray, length: float, h: float, absent: int) -> None:
+def bend(m: Matrices, w: FloatArray, inputs: FloatArray, to: FloatArray) -> None:
+    """f(Jw + R i)."""
+    for j in range(len(m.codes)):
+        to[j] = nonlinearity.value(m.codes[j], along(along(0.0, m.J[j], w), m.R[j], inputs))
+
+
+@law
+def slope(m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray, to: FloatArray) -> None:
+    """N w + L f(Jw + R i) + K i, with f in ``nonlinear``."""
+    bend(m, w, inputs, nonlinear)
+    for i in range(len(m.start)):
+        to[i] = along(along(along(0.0, m.N[i], w), m.L[i], nonlinear), m.K[i], inputs)
+
+
+@law
+def flow(m: Matrices, s: State, row: FloatArray, begin: float, h: float) -> None:
+    """One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row.
+
+    ``begin`` and ``h`` are fractions of the interval between the two samples, whose length is row[0] - t.
+    """
+    q, inputs = len(m.start), len(m.first)
+    w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
+    length = h * (row[0] - s.clock[1])
+    for i in range(q):
+        value = w[i]
+        space.first[i] = value
+        space.stage[i] = value
+        space.total[i] = 0.0
+    for part in range(4):
+        at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
+        for j in range(inputs):
+            space.inputs[j] = last[j] + at * (row[1 + j] - last[j])
+        slope(m, space.stage, space.inputs, space.nonlinear, space.change)
+        weight = 1.0 if part == 0 or part == 3 else 2.0
+        ahead = length if part == 2 else 0.5 * length
+        for i in range(q):
+            space.total[i] += weight * space.change[i]
+            space.stage[i] = space.first[i] + ahead * space.change[i]
+    for i in range(q):
+        w[i] = space.first[i] + length / 6.0 * space.total[i]
+
+
+@law
+def replace(
+    m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray, absent: FloatArray
+) -> None:
+    """Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only."""
+    for j in range(len(inputs)):
+        if absent[j] == 1.0 and m.valued[j] == 1.0:
+            inputs[j] = along(0.0, m.V0[j], w)
+    bend(m, w, inputs, nonlinear)
+    for j in range(len(inputs)):
+        if absent[j] == 1.0 and m.valued[j] == 1.0:
+            inputs[j] = along(inputs[j], m.V1[j], nonlinear)
+
+
+@law
+def onward(m: Matrices, j: int, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray) -> float:
+    """V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value."""
+    return along(along(along(0.0, m.V0[j], w), m.V1[j], nonlinear), m.V2[j], inputs)
+
+
+@law
+def bridge(m: Matrices, s: State, row: FloatArray, length: float, h: float) -> None:
     """A step of ``flow`` for inputs of which some are missing: these follow what replaces them.
 
     ``length`` s are left until the sample ``row``; the step takes ``h`` s. The inputs behind w are states
     here.
     """
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    valued = replaced_at(q, k, m, int(memory[OUTPUTS]))
-    size = q + m
-    total = w + size
-    stage, change, first = total + size, total + 2 * size, total + 3 * size
-    nonlinear = total + 4 * size
+    q, inputs = len(m.start), len(m.first)
+    size = q + inputs
+    space = space_of(m, s, size)
+    w, given = space.stage[:q], space.stage[q:]
     for i in range(size):
-        memory[first + i] = memory[w + i]
-        memory[stage + i] = memory[w + i]
-        memory[total + i] = 0.0
+        space.first[i] = s.both[i]
+        space.stage[i] = s.both[i]
+        space.total[i] = 0.0
     for part in range(4):
-        replace(memory, stage, stage + q, nonlinear, absent)
-        slope(memory, stage, stage + q, nonlinear, change)
-        for j in range(m):
-            if memory[absent + j] == 0.0:
-                memory[change + q + j] = (row[1 + j] - memory[first + q + j]) / length
-            elif memory[valued + j] == 1.0:
-                memory[change + q + j] = 0.0
+        replace(m, w, given, space.nonlinear, s.absent)
+        slope(m, w, given, space.nonlinear, space.change)
+        for j in range(inputs):
+            if s.absent[j] == 0.0:
+                space.change[q + j] = (row[1 + j] - space.first[q + j]) / length
+            elif m.valued[j] == 1.0:
+                space.change[q + j] = 0.0
             else:
-                memory[change + q + j] = onward(memory, j, stage, stage + q, nonlinear)
+                space.change[q + j] = onward(m, j, w, given, space.nonlinear)
         weight = 1.0 if part == 0 or part == 3 else 2.0
         ahead = h if part == 2 else 0.5 * h
         for i in range(size):
-            memory[total + i] += weight * memory[change + i]
-            memory[stage + i] = memory[first + i] + ahead * memory[change + i]
+            space.total[i] += weight * space.change[i]
+            space.stage[i] = space.first[i] + ahead * space.change[i]
     for i in range(size):
-        memory[w + i] = memory[first + i] + h / 6.0 * memory[total + i]
+        s.both[i] = space.first[i] + h / 6.0 * space.total[i]
 
 
 @law
-def move(memory: FloatArray, row: FloatArray, w: int, absent: int, missing: bool) -> None:
+def move(memory: Memory, m: Matrices, s: State, row: FloatArray, missing: bool) -> None:
     """Carry w, and missing inputs, from the last sample to ``row``."""
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    last, space, h = w + q, w + q + m, row[0] - memory[w - 1]
-    if memory[DISCRETE] == 1.0:
-        nonlinear, following = space + 4 * q, space + 4 * q + k
-        slope(memory, w, last, nonlinear, space)
-        for j in range(m):
-            memory[following + j] = onward(memory, j, w, last, nonlinear) if missing else 0.0
+    h = row[0] - s.clock[1]
+    if memory.discrete == 1.0:
+        q, inputs = len(m.start), len(m.first)
+        w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
+        slope(m, w, last, space.nonlinear, space.total)
+        for j in range(inputs):
+            space.inputs[j] = onward(m, j, w, last, space.nonlinear) if missing else 0.0
         for i in range(q):
-            memory[w + i] = memory[space + i]
-        for j in range(m):
-            memory[last + j] = memory[following + j]
+            w[i] = space.total[i]
+        for j in range(inputs):
+            last[j] = space.inputs[j]
         return
-    count = max(1, ceil(min(h / memory[STEP], STEPS_MOST)))
+    count = max(1, ceil(min(h / memory.step_s, STEPS_MOST)))
     for i in range(count):
         if missing:
-            bridge(memory, w, row, h * (count - i) / count, h / count, absent)
+            bridge(m, s, row, h * (count - i) / count, h / count)
         else:
-            flow(memory, w, row, i / count, 1.0 / count)
+            flow(m, s, row, i / count, 1.0 / count)
 
 
 @law
-def advance(memory: FloatArray, row: FloatArray) -> int:
+def measure(s: State, last: FloatArray, row: FloatArray) -> None:
+    """Take over the inputs that a sample has."""
+    for j in range(len(last)):
+        if row[1 + j] == row[1 + j]:
+            last[j], s.absent[j] = row[1 + j], 0.0
+
+
+@law
+def advance(memory: Memory, m: Matrices, s: State, row: FloatArray) -> int:
     """Process the sample (t, inputs), NaN for a missing one; a repeated t replaces the inputs it has.
 
     A sample after more than the longest interval that is bridged is refused, in discrete time one whose index
     is not the next: a sample is one step.
     """
-    q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    outputs = int(memory[OUTPUTS])
-    start, started = start_at(q, k, m, outputs), state_at(q, k, m, outputs)
-    t, w = started + 1, started + 2
-    last, space = w + q, w + q + m
-    absent = space + room(q, k, m)
-    h = row[0] - memory[t]
-    if memory[started] == 1.0 and h < 0.0:
+    q, inputs = len(m.start), len(m.first)
+    w, last = s.both[:q], s.both[q:]
+    started, discrete, h = s.clock[0] == 1.0, memory.discrete == 1.0, row[0] - s.clock[1]
+    if started and h < 0.0:
         return BACKWARDS
-    if memory[started] == 1.0 and h == 0.0:
-        for j in range(m):
-            if row[1 + j] == row[1 + j]:
-                memory[last + j], memory[absent + j] = row[1 + j], 0.0
+    if started and h == 0.0:
+        measure(s, last, row)
         return REPEATED
-    if memory[started] == 1.0 and memory[DISCRETE] == 1.0 and h != 1.0:
+    if started and discrete and h != 1.0:
         return SKIPPED
     missing = False
-    begin = memory[started] == 0.0 or (memory[DISCRETE] == 0.0 and h > memory[GAP])
-    if not begin and memory[DISCRETE] == 0.0 and h > memory[BRIDGED]:
+    begin = not started or (not discrete and h > memory.gap_s)
+    if not begin and not discrete and h > memory.bridged_s:
         return TOO_LONG
-    for j in range(m):
+    for j in range(inputs):
         if row[1 + j] != row[1 + j]:
-            memory[absent + j] = 1.0
-        if memory[absent + j] == 1.0:
+            s.absent[j] = 1.0
+        if s.absent[j] == 1.0:
             missing = True
     if begin:
         for i in range(q):
-            memory[w + i] = memory[start + i]
-        first = replaced_at(q, k, m, outputs) + m * (1 + q + k + m)
-        for j in range(m):
-            memory[last + j] = memory[first + j]
+            w[i] = m.start[i]
+        for j in range(inputs):
+            last[j] = m.first[j]
     else:
         for i in range(q):
-            memory[w + i] += memory[start + i]
-        move(memory, row, w, absent, missing)
+            w[i] += m.start[i]
+        move(memory, m, s, row, missing)
     if missing:
-        for j in range(m):
-            if row[1 + j] == row[1 + j]:
-                memory[last + j], memory[absent + j] = row[1 + j], 0.0
-        replace(memory, w, last, space + 4 * q, absent)
+        measure(s, last, row)
+        space = space_of(m, s, q)
+        replace(m, w, last, space.nonlinear, s.absent)
     else:
-        for j in range(m):
-            memory[last + j] = row[1 + j]
+        for j in range(inputs):
+            last[j] = row[1 + j]
     for i in range(q):
-        memory[w + i] -= memory[start + i]
-    memory[started], memory[t] = 1.0, row[0]
+        w[i] -= m.start[i]
+    s.clock[0], s.clock[1] = 1.0, row[0]
     return ACCEPTED
 
 
 @law
-def read(memory: FloatArray, out: FloatArray) -> None:
-    """R0 w + R1 f(Jw + R i) + R2 i."""
-    q, k, m, p = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS]), int(memory[OUTPUTS])
-    start = start_at(q, k, m, p)
-    j_at = CODES + k + q * q + q * k
-    r0_at = j_at + q * k + q * m
-    r1_at = r0_at + p * q
-    r_at = injected_at(q, k, m, p)
-    r2_at = r_at + k * m
-    w = state_at(q, k, m, p) + 2
-    last, nonlinear = w + q, w + q + m + 4 * q
-    for j in range(k):
-        s = 0.0
-        for i in range(m):
-            s += memory[r_at + j * m + i] * memory[last + i]
-        for i in range(q):
-            s += memory[j_at + j * q + i] * (memory[w + i] + memory[start + i])
-        memory[nonlinear + j] = nonlinearity.value(memory[CODES + j], s)
-    for row in range(p):
-        value = 0.0
-        for i in range(q):
-            value += memory[r0_at + row * q + i] * (memory[w + i] + memory[start + i])
-        for j in range(k):
-            value += memory[r1_at + row * k + j] * memory[nonlinear + j]
-        for j in range(m):
-            value += memory[r2_at + row * m + j] * memory[last + j]
-        out[row] = value
+def along_both(total: float, row: FloatArray, one: FloatArray, other: FloatArray) -> float:
+    """A total and a row of a matrix times the sum of two vectors."""
+    for i in range(len(one)):
+        total += row[i] * (one[i] + other[i])
+    return total
 
 
 @law
-def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
+def read(m: Matrices, s: State, out: FloatArray) -> None:
+    """R0 w + R1 f(Jw + R i) + R2 i."""
+    q = len(m.start)
+    w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
+    for j in range(len(m.codes)):
+        argument = along_both(along(0.0, m.R[j], last), m.J[j], w, m.start)
+        space.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
+    for i in range(len(m.R0)):
+        out[i] = along(along(along_both(0.0, m.R0[i], w, m.start), m.R1[i], space.nonlinear), m.R2[i], last)
+
+
+@law
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
     """Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing."""
-    verdict = advance(memory, row)
+    m, s = parts_of(memory)
+    verdict = advance(memory, m, s, row)
     if verdict < BACKWARDS:
-        read(memory, out)
+        read(m, s, out)
     return verdict
 
 

@@ -126,7 +126,7 @@ class PersidskiiObserver(CompiledStage):
             flat = [np.array(shape, np.float64), *parts.flat(), first, *missing.flat()]
             settings, states = np.concatenate([one.ravel() for one in flat]), law.floats(q, k, inputs)
         self._check_gap()
-        self._time_at = len(settings)
+        self._state_at = len(settings)
         self.lay_out(settings, states)
 
     def declare(self, **values: Any) -> None:
@@ -143,6 +143,11 @@ class PersidskiiObserver(CompiledStage):
                 field="gap_s",
                 value=self.gap_s,
             )
+
+    def _clock(self) -> tuple[bool, float]:
+        """Whether there was a sample, and its time."""
+        started, t = self._memory[self._state_at : self._state_at + 2].tolist()
+        return started == 1.0, t
 
     def _refused(self, t: float, last: float) -> EventError:
         """The refusal of a sample after an interval that is too long, in discrete time not one step."""
@@ -174,26 +179,27 @@ class PersidskiiObserver(CompiledStage):
             if begin[i]:
                 self._memory[:] = 0.0
             if self._plain.step(self._memory, row, out[i]) == law.TOO_LONG:
-                raise self._refused(row[0], float(self._memory[1]))
+                raise self._refused(row[0], self._clock()[1])
         return out
 
     def _check_intervals(self, begin: BoolArray, times: FloatArray) -> None:
         """Raise EventError for an interval that is too long, before anything changes."""
         if self.time == "discrete" or self.gap_s is not None or not len(times):
             return
-        first = self._memory[self._time_at + 1] if self._memory[self._time_at] == 1.0 else times[0]
-        before = np.concatenate([[first], times[:-1]])
+        started, last = self._clock()
+        before = np.concatenate([[last] if started else times[:1], times[:-1]])
         for i in np.flatnonzero((times - before > self._bridged) & ~begin)[:1]:
             raise self._refused(float(times[i]), float(before[i]))
 
     def _check_steps(self, begin: BoolArray, times: FloatArray) -> None:
         """The same in discrete time, where an index is the last one, the next one, or runs backwards."""
-        last = self._memory[self._time_at + 1] if self._memory[self._time_at] == 1.0 else None
+        started, before = self._clock()
+        last = before if started else None
         for first, t in zip(begin.tolist(), times.tolist(), strict=True):
             if first or last is None or t == last + 1.0:
                 last = t
             elif not t <= last:
-                raise self._refused(t, float(last))
+                raise self._refused(t, last)
 
     def update(self, t: float, inputs: ArrayLike | None = ()) -> FloatArray:
         """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.
@@ -203,15 +209,15 @@ class PersidskiiObserver(CompiledStage):
         runs backwards and DivergenceError if the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
-        before = self._memory.copy()
+        before, (_, last) = self._memory.copy(), self._clock()
         out = np.empty(self.width)
-        step = law.step if self._plain is None else self._plain.step
+        step: Any = law.step if self._plain is None else self._plain.step
         verdict = step(self._memory, row, out)
         if verdict in (law.TOO_LONG, law.SKIPPED):
-            raise self._refused(float(row[0]), float(before[self._time_at + 1]))
+            raise self._refused(float(row[0]), last)
         if verdict == law.BACKWARDS:
             raise EventOrderError(
-                f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}",
+                f"t must not run backwards: received {float(row[0])!r} after {last!r}",
                 field="t",
                 value=t,
             )

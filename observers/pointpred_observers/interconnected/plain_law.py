@@ -19,12 +19,11 @@ from pointpred_observers.interconnected.persidskii_law import (
 from pointpred_observers.interconnected.realisation import Realisation
 from pointpred_observers.nonlinearity import Nonlinearity
 
-# The state: whether there was a sample, t, w minus its start (q), the last inputs, whether each was missing.
-STARTED, T, W = 0, 1, 2
-
 
 class PlainLaw:
     """A step of the stage in numpy, on a memory that holds the state only; slow, 0.15 ms and more.
+
+    The state: whether there was a sample, t; w minus its start (q); the last inputs; which were missing.
 
     ``step_s`` is ``None`` for steps that follow the fastest eigenvalue of the matrices as they vary.
     """
@@ -49,7 +48,7 @@ class PlainLaw:
     @property
     def states(self) -> int:
         """Floats of the memory."""
-        return W + self.parts.q + 2 * self.parts.inputs
+        return 2 + self.parts.q + 2 * self.parts.inputs
 
     def step(self, memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
         """Process the sample (t, inputs), NaN for a missing one, into ``out``; an earlier t is refused.
@@ -57,8 +56,8 @@ class PlainLaw:
         So is one after more than 10^5 steps, in discrete time one whose index is not the next.
         """
         q, m = self.parts.q, self.parts.inputs
-        started, t, now = memory[STARTED] == 1.0, float(memory[T]), float(row[0])
-        w, last, absent = memory[W : W + q], memory[W + q : W + q + m], memory[W + q + m :]
+        sample, w, last, absent = np.split(memory, (2, 2 + q, 2 + q + m))
+        started, t, now = sample[0] == 1.0, float(sample[1]), float(row[0])
         if started and now < t:
             return BACKWARDS
         if started and self.discrete and now != t and now - t != 1.0:
@@ -79,7 +78,7 @@ class PlainLaw:
         absent[measured] = 0.0
         if verdict == ACCEPTED:
             inputs = self._replaced(now, x, inputs, absent == 1.0)
-        memory[STARTED], memory[T] = 1.0, now
+        sample[:] = 1.0, now
         w[:], last[:] = x - self.start, inputs
         at = self.parts.at
         out[:] = at("R0", now) @ x + at("R1", now) @ self._f(now, x, inputs) + at("R2", now) @ inputs

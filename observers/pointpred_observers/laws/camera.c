@@ -6,79 +6,13 @@ static const double camera_camera_stage_LARGEST_A = 10000.0;
 static const double camera_camera_stage_LARGEST_PX = 1000000.0;
 static const double camera_camera_stage_LARGEST_W = 1000.0;
 static const double camera_camera_stage_SUBSTEP_S = 0.05;
-static const int64_t camera_depth_AZ = 22;
-static const int64_t camera_depth_BOX = 5;
-static const int64_t camera_depth_CHI = 23;
-static const int64_t camera_depth_FOCAL = 0;
-static const int64_t camera_depth_GAP_S = 4;
-static const int64_t camera_depth_HALF_SIGMA = 1;
-static const int64_t camera_depth_IMAGED = 25;
 static const double camera_depth_LARGEST_RATE = 1000.0;
-static const int64_t camera_depth_LOST = 26;
-static const int64_t camera_depth_R = 24;
-static const int64_t camera_depth_STARTED = 15;
-static const int64_t camera_depth_START_CHI = 2;
-static const int64_t camera_depth_START_ETA = 3;
-static const int64_t camera_depth_T = 16;
-static const int64_t camera_depth_WX = 19;
-static const int64_t camera_depth_WY = 20;
-static const int64_t camera_depth_WZ = 21;
-static const int64_t camera_depth_X = 17;
-static const int64_t camera_depth_Y = 18;
 static const double camera_kinematics_SMALL = 0.0001;
-static const int64_t camera_point_filter_ACCEL = 3;
-static const int64_t camera_point_filter_AX = 11;
-static const int64_t camera_point_filter_AY = 12;
-static const int64_t camera_point_filter_AZ = 13;
-static const int64_t camera_point_filter_COLUMN = 58;
-static const int64_t camera_point_filter_FOCAL = 0;
-static const int64_t camera_point_filter_GAP_S = 5;
-static const int64_t camera_point_filter_GYRO = 2;
-static const int64_t camera_point_filter_MODE = 14;
 static const double camera_point_filter_NEAREST_M = 0.0001;
-static const int64_t camera_point_filter_NOISE = 1;
-static const int64_t camera_point_filter_OUT_RESTARTS = 43;
-static const int64_t camera_point_filter_OUT_RUNNING = 44;
-static const int64_t camera_point_filter_OUT_STATE = 1;
-static const int64_t camera_point_filter_RESTARTS = 15;
 static const double camera_point_filter_RUNNING = 2.0;
-static const int64_t camera_point_filter_SHARE = 4;
-static const int64_t camera_point_filter_SPREAD = 22;
-static const int64_t camera_point_filter_START = 64;
-static const int64_t camera_point_filter_STARTED = 6;
 static const double camera_point_filter_STARTING = 1.0;
-static const int64_t camera_point_filter_STATE = 16;
-static const int64_t camera_point_filter_T = 7;
 static const double camera_point_filter_WAITING = 0.0;
-static const int64_t camera_point_filter_WX = 8;
-static const int64_t camera_point_filter_WY = 9;
-static const int64_t camera_point_filter_WZ = 10;
-static const int64_t camera_starting_CARRY = 0;
-static const int64_t camera_starting_FACTOR = 120;
-static const int64_t camera_starting_FIRST = 156;
-static const int64_t camera_starting_FORCE = 36;
-static const int64_t camera_starting_NOISE = 84;
-static const int64_t camera_starting_NORMAL = 42;
-static const int64_t camera_starting_NOW = 162;
-static const int64_t camera_starting_RIGHT = 78;
-static const int64_t camera_starting_ROW = 168;
-static const int64_t camera_starting_SPREAD = 174;
-static const int64_t camera_starting_STATES = 210;
-static const int64_t camera_unknown_input_filter_DENSITY = 1;
-static const int64_t camera_unknown_input_filter_DX = 7;
-static const int64_t camera_unknown_input_filter_DY = 8;
-static const int64_t camera_unknown_input_filter_IMAGED = 4;
-static const int64_t camera_unknown_input_filter_KX = 9;
-static const int64_t camera_unknown_input_filter_KY = 10;
-static const int64_t camera_unknown_input_filter_NOISE = 0;
-static const int64_t camera_unknown_input_filter_P00 = 11;
-static const int64_t camera_unknown_input_filter_P01 = 12;
-static const int64_t camera_unknown_input_filter_P11 = 13;
 static const double camera_unknown_input_filter_SPREAD_START = 1.0;
-static const int64_t camera_unknown_input_filter_STARTED = 2;
-static const int64_t camera_unknown_input_filter_T = 3;
-static const int64_t camera_unknown_input_filter_X = 5;
-static const int64_t camera_unknown_input_filter_Y = 6;
 
 /* A row of a table of samples as a tuple. */
 T9d camera_camera_stage_sample_at(Table rows, int64_t i) {
@@ -128,23 +62,23 @@ T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx,
 }
 
 /* Move (chi, r) over ``dt`` s by Runge-Kutta, with measurements linear between two samples. */
-void camera_depth_carry(Vector memory, camera_depth_Measured m, double dt) {
+void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, double dt) {
   double x0, y0, az0, wx0, wy0, wz0, dwx, dwy, h, chi, r, sum_chi, sum_r, k_chi, k_r, inner, s, share;
   int64_t steps;
   camera_depth_Measured between;
-  x0 = memory.p[camera_depth_X];
-  y0 = memory.p[camera_depth_Y];
-  az0 = memory.p[camera_depth_AZ];
-  wx0 = memory.p[camera_depth_WX];
-  wy0 = memory.p[camera_depth_WY];
-  wz0 = memory.p[camera_depth_WZ];
+  x0 = state->x;
+  y0 = state->y;
+  az0 = state->az;
+  wx0 = state->wx;
+  wy0 = state->wy;
+  wz0 = state->wz;
   dwx = (m.wx - wx0) / dt;
   dwy = (m.wy - wy0) / dt;
   steps = (int64_t)ceil(dt / camera_camera_stage_SUBSTEP_S);
   h = dt / steps;
   for (int64_t i = 0; i < steps; i++) {
-    chi = memory.p[camera_depth_CHI];
-    r = memory.p[camera_depth_R];
+    chi = state->chi;
+    r = state->r;
     sum_chi = 0.0;
     sum_r = 0.0;
     k_chi = 0.0;
@@ -160,36 +94,44 @@ void camera_depth_carry(Vector memory, camera_depth_Measured m, double dt) {
       sum_chi += share * k_chi;
       sum_r += share * k_r;
     }
-    memory.p[camera_depth_CHI] = chi + h / 6.0 * sum_chi;
-    memory.p[camera_depth_R] = r + h / 6.0 * sum_r;
-    if (!(fabs(memory.p[camera_depth_R]) <= camera_depth_LARGEST_RATE && fabs(memory.p[camera_depth_CHI]) <= camera_camera_stage_LARGEST_PX)) {
-      memory.p[camera_depth_LOST] = 1.0;
-      memory.p[camera_depth_CHI] = chi;
-      memory.p[camera_depth_R] = r;
+    state->chi = chi + h / 6.0 * sum_chi;
+    state->r = r + h / 6.0 * sum_r;
+    if (!(fabs(state->r) <= camera_depth_LARGEST_RATE && fabs(state->chi) <= camera_camera_stage_LARGEST_PX)) {
+      state->lost = 1.0;
+      state->chi = chi;
+      state->r = r;
       return;
     }
   }
 }
 
 /* Whether the scheduling variables lie in the certificate's box; false without a certificate. */
-bool camera_depth_inside(Vector memory, double zero, double eta) {
+bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta) {
+  camera_depth_Settings * settings;
+  camera_depth_State * s;
   T5d values;
-  values = (T5d){zero, eta, memory.p[camera_depth_AZ], memory.p[camera_depth_WX], memory.p[camera_depth_WY]};
+  settings = &memory->settings;
+  s = &memory->state;
+  values = (T5d){zero, eta, s->az, s->wx, s->wy};
   for (int64_t i = 0; i < 5; i++) {
-    if (!(memory.p[camera_depth_BOX + 2 * i] <= ((const double *)&values)[i] && ((const double *)&values)[i] <= memory.p[camera_depth_BOX + 2 * i + 1])) {
+    if (!(settings->box[i][0] <= ((const double *)&values)[i] && ((const double *)&values)[i] <= settings->box[i][1])) {
       return false;
     }
   }
-  return memory.p[camera_depth_BOX] < 0.0;
+  return settings->box[0][0] < 0.0;
 }
 
 /* One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image. */
-T7d camera_depth_step(Vector memory, T9d sample) {
+T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
+  camera_depth_Settings * settings;
+  camera_depth_State * s;
   camera_samples_SampleRow row;
   double t, x, y, wx, wy, wz, az, flat_x, flat_y, eta, zero;
   bool image, decays, proved;
+  settings = &memory->settings;
+  s = &memory->state;
   row = camera_samples_SampleRow_of_T9d(sample);
-  if (!camera_camera_stage_usable(row, memory.p[camera_depth_STARTED], memory.p[camera_depth_T], memory.p[camera_depth_GAP_S])) {
+  if (!camera_camera_stage_usable(row, s->started, s->t, settings->gap_s)) {
     return (T7d){NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
   }
   t = row.t;
@@ -200,31 +142,31 @@ T7d camera_depth_step(Vector memory, T9d sample) {
   wz = row.wz;
   az = row.az;
   image = x == x;
-  flat_x = image ? x / memory.p[camera_depth_FOCAL] : memory.p[camera_depth_X];
-  flat_y = image ? y / memory.p[camera_depth_FOCAL] : memory.p[camera_depth_Y];
-  if (memory.p[camera_depth_IMAGED] == 0.0 && image) {
-    memory.p[camera_depth_CHI] = memory.p[camera_depth_START_CHI];
-    memory.p[camera_depth_R] = memory.p[camera_depth_START_ETA] + wy * flat_x - wx * flat_y;
-    memory.p[camera_depth_IMAGED] = 1.0;
-  } else if (memory.p[camera_depth_IMAGED] == 1.0 && memory.p[camera_depth_LOST] == 0.0) {
-    camera_depth_carry(memory, (camera_depth_Measured){flat_x, flat_y, wx, wy, wz, az}, t - memory.p[camera_depth_T]);
+  flat_x = image ? x / settings->focal_px : s->x;
+  flat_y = image ? y / settings->focal_px : s->y;
+  if (s->imaged == 0.0 && image) {
+    s->chi = settings->start_chi;
+    s->r = settings->start_eta + wy * flat_x - wx * flat_y;
+    s->imaged = 1.0;
+  } else if (s->imaged == 1.0 && s->lost == 0.0) {
+    camera_depth_carry(s, (camera_depth_Measured){flat_x, flat_y, wx, wy, wz, az}, t - s->t);
   }
-  memory.p[camera_depth_STARTED] = 1.0;
-  memory.p[camera_depth_T] = t;
-  memory.p[camera_depth_X] = flat_x;
-  memory.p[camera_depth_Y] = flat_y;
-  memory.p[camera_depth_WX] = wx;
-  memory.p[camera_depth_WY] = wy;
-  memory.p[camera_depth_WZ] = wz;
-  memory.p[camera_depth_AZ] = az;
-  if (memory.p[camera_depth_IMAGED] == 0.0 || memory.p[camera_depth_LOST] == 1.0) {
+  s->started = 1.0;
+  s->t = t;
+  s->x = flat_x;
+  s->y = flat_y;
+  s->wx = wx;
+  s->wy = wy;
+  s->wz = wz;
+  s->az = az;
+  if (s->imaged == 0.0 || s->lost == 1.0) {
     return (T7d){t, NAN, NAN, NAN, 0.0, 0.0, image ? 1.0 : 0.0};
   }
-  eta = memory.p[camera_depth_R] - wy * flat_x + wx * flat_y;
+  eta = s->r - wy * flat_x + wx * flat_y;
   zero = flat_y * wx - flat_x * wy + eta;
-  decays = zero < -memory.p[camera_depth_HALF_SIGMA] && eta < -memory.p[camera_depth_HALF_SIGMA];
+  decays = zero < -settings->half_sigma && eta < -settings->half_sigma;
   proved = camera_depth_inside(memory, zero, eta);
-  return (T7d){t, memory.p[camera_depth_CHI], eta, zero, decays ? 1.0 : 0.0, proved ? 1.0 : 0.0, image ? 1.0 : 0.0};
+  return (T7d){t, s->chi, eta, zero, decays ? 1.0 : 0.0, proved ? 1.0 : 0.0, image ? 1.0 : 0.0};
 }
 
 /* A vector in the frame after a rotation in rad: exp(-[turn]) applied to it (Rodrigues). */
@@ -255,32 +197,49 @@ T3d camera_kinematics_back(T3d turn, T3d vector) {
 }
 
 /* (p, v) after ``h`` s without acceleration: p - h v and v, in the rotated frame. */
-void camera_kinematics_carry(Vector memory, int64_t at, int64_t stride, double h, T3d turn) {
+T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn) {
   double px, py, pz, vx, vy, vz;
-  px = memory.p[at] - h * memory.p[at + 3 * stride];
-  py = memory.p[at + stride] - h * memory.p[at + 4 * stride];
-  pz = memory.p[at + 2 * stride] - h * memory.p[at + 5 * stride];
-  T3d values_1 = camera_kinematics_back(turn, (T3d){px, py, pz});
-  px = values_1.f0;
-  py = values_1.f1;
-  pz = values_1.f2;
-  vx = memory.p[at + 3 * stride];
-  vy = memory.p[at + 4 * stride];
-  vz = memory.p[at + 5 * stride];
-  T3d values_2 = camera_kinematics_back(turn, (T3d){vx, vy, vz});
-  vx = values_2.f0;
-  vy = values_2.f1;
-  vz = values_2.f2;
-  memory.p[at] = px;
-  memory.p[at + stride] = py;
-  memory.p[at + 2 * stride] = pz;
-  memory.p[at + 3 * stride] = vx;
-  memory.p[at + 4 * stride] = vy;
-  memory.p[at + 5 * stride] = vz;
+  px = p.f0;
+  py = p.f1;
+  pz = p.f2;
+  vx = v.f0;
+  vy = v.f1;
+  vz = v.f2;
+  return (T2_T3d_){camera_kinematics_back(turn, (T3d){px - h * vx, py - h * vy, pz - h * vz}), camera_kinematics_back(turn, v)};
+}
+
+/* ``carried`` of s = (p, v). */
+void camera_kinematics_carry(Vector s, double h, T3d turn) {
+  T3d p, v;
+  T2_T3d_ values_1 = camera_kinematics_carried((T3d){s.p[0], s.p[1], s.p[2]}, (T3d){s.p[3], s.p[4], s.p[5]}, h, turn);
+  p = values_1.f0;
+  v = values_1.f1;
+  s.p[0] = p.f0;
+  s.p[1] = p.f1;
+  s.p[2] = p.f2;
+  s.p[3] = v.f0;
+  s.p[4] = v.f1;
+  s.p[5] = v.f2;
+}
+
+/* ``carried`` of a column of a matrix. */
+void camera_kinematics_carry_column(camera_kinematics_Matrix * phi, int64_t i, double h, T3d turn) {
+  T3d p, v;
+  p = (T3d){phi->m[0][i], phi->m[1][i], phi->m[2][i]};
+  v = (T3d){phi->m[3][i], phi->m[4][i], phi->m[5][i]};
+  T2_T3d_ values_1 = camera_kinematics_carried(p, v, h, turn);
+  p = values_1.f0;
+  v = values_1.f1;
+  phi->m[0][i] = p.f0;
+  phi->m[1][i] = p.f1;
+  phi->m[2][i] = p.f2;
+  phi->m[3][i] = v.f0;
+  phi->m[4][i] = v.f1;
+  phi->m[5][i] = v.f2;
 }
 
 /* The effect on (p, v) in ``h`` s of an acceleration, linear from ``before`` to ``after`` the rotation. */
-void camera_kinematics_push(Vector memory, int64_t at, double h, T3d turn, T3d before, T3d after) {
+void camera_kinematics_push(Vector s, double h, T3d turn, T3d before, T3d after) {
   double bx, by, bz, ax, ay, az, square_;
   T3d values_1 = camera_kinematics_back(turn, before);
   bx = values_1.f0;
@@ -290,250 +249,258 @@ void camera_kinematics_push(Vector memory, int64_t at, double h, T3d turn, T3d b
   ay = after.f1;
   az = after.f2;
   square_ = h * h;
-  memory.p[at] -= square_ * (bx / 3.0 + ax / 6.0);
-  memory.p[at + 1] -= square_ * (by / 3.0 + ay / 6.0);
-  memory.p[at + 2] -= square_ * (bz / 3.0 + az / 6.0);
-  memory.p[at + 3] += 0.5 * h * (bx + ax);
-  memory.p[at + 4] += 0.5 * h * (by + ay);
-  memory.p[at + 5] += 0.5 * h * (bz + az);
+  s.p[0] -= square_ * (bx / 3.0 + ax / 6.0);
+  s.p[1] -= square_ * (by / 3.0 + ay / 6.0);
+  s.p[2] -= square_ * (bz / 3.0 + az / 6.0);
+  s.p[3] += 0.5 * h * (bx + ax);
+  s.p[4] += 0.5 * h * (by + ay);
+  s.p[5] += 0.5 * h * (bz + az);
 }
 
-/* A 6 x 6 covariance, row by row at ``at``, after ``h`` s: Phi P Phi'. */
-void camera_kinematics_turn_covariance(Vector memory, int64_t at, double h, T3d turn) {
+/* A covariance after ``h`` s: Phi P Phi'. */
+void camera_kinematics_turn_covariance(camera_kinematics_Matrix * p, double h, T3d turn) {
   for (int64_t i = 0; i < 6; i++) {
-    camera_kinematics_carry(memory, at + i, 6, h, turn);
+    camera_kinematics_carry_column(p, i, h, turn);
   }
   for (int64_t i = 0; i < 6; i++) {
-    camera_kinematics_carry(memory, at + 6 * i, 1, h, turn);
+    camera_kinematics_carry((Vector){p->m[i], 6}, h, turn);
   }
 }
 
-/* Add the effect of sensor noise with variances (rad^2, m^2/s^2) on (p, v) at ``state`` to a covariance. */
-void camera_kinematics_add_noise(Vector memory, int64_t at, int64_t state, double gyro, double accel) {
+/* Add the effect of sensor noise with variances (rad^2, m^2/s^2) on s = (p, v) to a covariance. */
+void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel) {
   int64_t i, j;
   double dot, value;
   for (int64_t block = 0; block < 2; block++) {
     for (int64_t other = 0; other < 2; other++) {
-      i = state + 3 * block;
-      j = state + 3 * other;
-      dot = memory.p[i] * memory.p[j] + memory.p[i + 1] * memory.p[j + 1] + memory.p[i + 2] * memory.p[j + 2];
+      i = 3 * block;
+      j = 3 * other;
+      dot = s.p[i] * s.p[j] + s.p[i + 1] * s.p[j + 1] + s.p[i + 2] * s.p[j + 2];
       for (int64_t row = 0; row < 3; row++) {
         for (int64_t column = 0; column < 3; column++) {
-          value = (row == column ? dot : 0.0) - memory.p[j + row] * memory.p[i + column];
-          memory.p[at + 6 * (3 * block + row) + 3 * other + column] += gyro * value;
+          value = (row == column ? dot : 0.0) - s.p[j + row] * s.p[i + column];
+          p->m[i + row][j + column] += gyro * value;
         }
       }
     }
   }
   for (int64_t row = 3; row < 6; row++) {
-    memory.p[at + 7 * row] += accel;
+    p->m[row][row] += accel;
   }
 }
 
+/* A state (p, v) and its covariance after ``h`` s, with the ``acceleration`` before and after. */
+void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel) {
+  T3d before, after;
+  before = acceleration.f0;
+  after = acceleration.f1;
+  camera_kinematics_carry(s, h, turn);
+  camera_kinematics_push(s, h, turn, before, after);
+  camera_kinematics_turn_covariance(p, h, turn);
+  camera_kinematics_add_noise(p, s, gyro, accel);
+}
+
 /* One coordinate of the image, linearised at the prediction (x, y, z). */
-void camera_point_filter_correct(Vector memory, double measured, int64_t axis, double x, double y, double z) {
-  double side, near, far, total, expected, share;
+void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted) {
+  double x, y, z, side, near, far, total, expected, share;
+  x = predicted.f0;
+  y = predicted.f1;
+  z = predicted.f2;
   side = axis ? y : x;
   near = 1.0 / z;
   far = -side / (z * z);
   for (int64_t i = 0; i < 6; i++) {
-    memory.p[camera_point_filter_COLUMN + i] = memory.p[camera_point_filter_SPREAD + 6 * i + axis] * near + memory.p[camera_point_filter_SPREAD + 6 * i + 2] * far;
+    s->column[i] = s->spread.m[i][axis] * near + s->spread.m[i][2] * far;
   }
-  total = memory.p[camera_point_filter_COLUMN + axis] * near + memory.p[camera_point_filter_COLUMN + 2] * far + memory.p[camera_point_filter_NOISE];
-  expected = side * near + (memory.p[camera_point_filter_STATE + axis] - side) * near + (memory.p[camera_point_filter_STATE + 2] - z) * far;
+  total = s->column[axis] * near + s->column[2] * far + noise;
+  expected = side * near + (s->state[axis] - side) * near + (s->state[2] - z) * far;
   share = (measured - expected) / total;
   for (int64_t i = 0; i < 6; i++) {
-    memory.p[camera_point_filter_STATE + i] += memory.p[camera_point_filter_COLUMN + i] * share;
+    s->state[i] += s->column[i] * share;
   }
   for (int64_t i = 0; i < 6; i++) {
     for (int64_t j = 0; j < 6; j++) {
-      memory.p[camera_point_filter_SPREAD + 6 * i + j] -= memory.p[camera_point_filter_COLUMN + i] * memory.p[camera_point_filter_COLUMN + j] / total;
+      s->spread.m[i][j] -= s->column[i] * s->column[j] / total;
     }
   }
 }
 
 /* Propagate over ``dt`` s: the state and its covariance, or the sums of the initialisation. */
-void camera_point_filter_predict(Vector memory, double dt, T3d w, T3d a) {
-  T3d turn;
-  bool running;
-  double gyro, accel;
-  int64_t state, spread;
-  turn = (T3d){0.5 * dt * (memory.p[camera_point_filter_WX] + w.f0), 0.5 * dt * (memory.p[camera_point_filter_WY] + w.f1), 0.5 * dt * (memory.p[camera_point_filter_WZ] + w.f2)};
-  running = memory.p[camera_point_filter_MODE] == camera_point_filter_RUNNING;
-  gyro = running ? memory.p[camera_point_filter_GYRO] * dt : 0.0;
-  accel = memory.p[camera_point_filter_ACCEL] * dt;
-  state = running ? camera_point_filter_STATE : camera_point_filter_START + camera_starting_FORCE;
-  spread = running ? camera_point_filter_SPREAD : camera_point_filter_START + camera_starting_NOISE;
-  if (!running) {
-    for (int64_t i = 0; i < 6; i++) {
-      camera_kinematics_carry(memory, camera_point_filter_START + camera_starting_CARRY + i, 6, dt, turn);
-    }
+void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a) {
+  camera_point_filter_Settings * settings;
+  camera_point_filter_State * s;
+  T3d turn, before;
+  double accel;
+  settings = &memory->settings;
+  s = &memory->state;
+  turn = (T3d){0.5 * dt * (s->wx + w.f0), 0.5 * dt * (s->wy + w.f1), 0.5 * dt * (s->wz + w.f2)};
+  before = (T3d){s->ax, s->ay, s->az};
+  accel = settings->accel * dt;
+  if (s->mode == camera_point_filter_RUNNING) {
+    camera_kinematics_propagate((Vector){s->state, 6}, &s->spread, dt, turn, (T2_T3d_){before, a}, settings->gyro * dt, accel);
+    return;
   }
-  camera_kinematics_carry(memory, state, 1, dt, turn);
-  camera_kinematics_push(memory, state, dt, turn, (T3d){memory.p[camera_point_filter_AX], memory.p[camera_point_filter_AY], memory.p[camera_point_filter_AZ]}, a);
-  camera_kinematics_turn_covariance(memory, spread, dt, turn);
-  camera_kinematics_add_noise(memory, spread, state, gyro, accel);
+  for (int64_t i = 0; i < 6; i++) {
+    camera_kinematics_carry_column(&s->start.phi, i, dt, turn);
+  }
+  camera_kinematics_propagate((Vector){s->start.g, 6}, &s->start.noise, dt, turn, (T2_T3d_){before, a}, 0.0, accel);
 }
 
 /* Forget all images: Phi is the identity. */
-void camera_starting_begin(Vector memory, int64_t at) {
-  fill((Vector){memory.p + at, at + camera_starting_STATES - at}, 0.0);
+void camera_starting_begin(camera_starting_State * s) {
+  memset(s, 0, sizeof(camera_starting_State));
   for (int64_t i = 0; i < 6; i++) {
-    memory.p[at + camera_starting_CARRY + 7 * i] = 1.0;
+    s->phi.m[i][i] = 1.0;
   }
 }
 
 /* Add an image: N += Phi' Q Phi, b -= Phi' Q g, Q = H'H - 2 r e3 e3', H = (1 0 -x; 0 1 -y). */
-void camera_starting_take(Vector memory, int64_t at, double x, double y, double variance) {
+void camera_starting_take(camera_starting_State * s, double x, double y, double variance) {
   double corner, g0, g1, g2, a0, a1, a2, q0, q1, q2;
-  int64_t carry, force;
   corner = x * x + y * y - 2.0 * variance;
-  carry = at + camera_starting_CARRY;
-  force = at + camera_starting_FORCE;
-  g0 = memory.p[force];
-  g1 = memory.p[force + 1];
-  g2 = memory.p[force + 2];
+  g0 = s->g[0];
+  g1 = s->g[1];
+  g2 = s->g[2];
   for (int64_t i = 0; i < 6; i++) {
-    a0 = memory.p[carry + i];
-    a1 = memory.p[carry + 6 + i];
-    a2 = memory.p[carry + 12 + i];
+    a0 = s->phi.m[0][i];
+    a1 = s->phi.m[1][i];
+    a2 = s->phi.m[2][i];
     q0 = a0 - x * a2;
     q1 = a1 - y * a2;
     q2 = -x * a0 - y * a1 + corner * a2;
-    memory.p[at + camera_starting_RIGHT + i] -= q0 * g0 + q1 * g1 + q2 * g2;
+    s->right[i] -= q0 * g0 + q1 * g1 + q2 * g2;
     for (int64_t j = 0; j < 6; j++) {
-      memory.p[at + camera_starting_NORMAL + 6 * i + j] += q0 * memory.p[carry + j] + q1 * memory.p[carry + 6 + j] + q2 * memory.p[carry + 12 + j];
+      s->normal.m[i][j] += q0 * s->phi.m[0][j] + q1 * s->phi.m[1][j] + q2 * s->phi.m[2][j];
     }
   }
 }
 
 /* Cholesky's lower factor in place; false if the matrix is not safely positive definite. */
-bool camera_starting_factor(Vector memory, int64_t m) {
+bool camera_starting_factor(camera_kinematics_Matrix * lower) {
   double own, total;
   for (int64_t i = 0; i < 6; i++) {
-    own = memory.p[m + 7 * i];
+    own = lower->m[i][i];
     for (int64_t j = 0, end_1 = i + 1; j < end_1; j++) {
-      total = memory.p[m + 6 * i + j];
+      total = lower->m[i][j];
       for (int64_t k = 0; k < j; k++) {
-        total -= memory.p[m + 6 * i + k] * memory.p[m + 6 * j + k];
+        total -= lower->m[i][k] * lower->m[j][k];
       }
       if (i == j) {
         if (!(total > 1e-12 * own)) {
           return false;
         }
-        memory.p[m + 7 * i] = sqrt(total);
+        lower->m[i][i] = sqrt(total);
       } else {
-        memory.p[m + 6 * i + j] = total / memory.p[m + 7 * j];
+        lower->m[i][j] = total / lower->m[j][j];
       }
     }
   }
   return true;
 }
 
-/* Solve with Cholesky's factor at ``m``, the vector at ``v`` in place. */
-void camera_starting_solve(Vector memory, int64_t m, int64_t v) {
+/* Solve with Cholesky's factor, the vector in place. */
+void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v) {
   double total;
   for (int64_t i = 0; i < 6; i++) {
-    total = memory.p[v + i];
+    total = v.p[i];
     for (int64_t k = 0; k < i; k++) {
-      total -= memory.p[m + 6 * i + k] * memory.p[v + k];
+      total -= lower->m[i][k] * v.p[k];
     }
-    memory.p[v + i] = total / memory.p[m + 7 * i];
+    v.p[i] = total / lower->m[i][i];
   }
   for (int64_t i = 5; i > (-1); i--) {
-    total = memory.p[v + i];
+    total = v.p[i];
     for (int64_t k = i + 1; k < 6; k++) {
-      total -= memory.p[m + 6 * k + i] * memory.p[v + k];
+      total -= lower->m[k][i] * v.p[k];
     }
-    memory.p[v + i] = total / memory.p[m + 7 * i];
+    v.p[i] = total / lower->m[i][i];
   }
 }
 
 /* Write the current (p, v) and covariance if the relative error of the depth is at most ``share``. */
-bool camera_starting_start(Vector memory, int64_t at, int64_t state, int64_t p, double variance, double share) {
-  int64_t lower, first, now, row, spread;
+bool camera_starting_start(camera_starting_State * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share) {
   double z0, z, square_, total;
-  lower = at + camera_starting_FACTOR;
-  first = at + camera_starting_FIRST;
-  now = at + camera_starting_NOW;
-  row = at + camera_starting_ROW;
-  spread = at + camera_starting_SPREAD;
-  for (int64_t i = 0; i < 36; i++) {
-    memory.p[lower + i] = memory.p[at + camera_starting_NORMAL + i];
+  for (int64_t i = 0; i < 6; i++) {
+    for (int64_t j = 0; j < 6; j++) {
+      s->lower.m[i][j] = s->normal.m[i][j];
+    }
   }
-  if (!camera_starting_factor(memory, lower)) {
+  if (!camera_starting_factor(&s->lower)) {
     return false;
   }
   for (int64_t i = 0; i < 6; i++) {
-    double value_1 = memory.p[at + camera_starting_RIGHT + i];
-    double value_2 = memory.p[at + camera_starting_FORCE + i];
-    memory.p[first + i] = value_1;
-    memory.p[now + i] = value_2;
+    double value_1 = s->right[i];
+    double value_2 = s->g[i];
+    s->first[i] = value_1;
+    s->now[i] = value_2;
   }
-  camera_starting_solve(memory, lower, first);
+  camera_starting_solve(&s->lower, (Vector){s->first, 6});
   for (int64_t i = 0; i < 6; i++) {
     for (int64_t j = 0; j < 6; j++) {
-      memory.p[now + i] += memory.p[at + camera_starting_CARRY + 6 * i + j] * memory.p[first + j];
+      s->now[i] += s->phi.m[i][j] * s->first[j];
     }
   }
-  z0 = memory.p[first + 2];
-  z = memory.p[now + 2];
+  z0 = s->first[2];
+  z = s->now[2];
   square_ = (z0 * z0 + z0 * z + z * z) / 3.0;
   if (!(z0 > 0.0 && z > 0.0)) {
     return false;
   }
   for (int64_t i = 0; i < 6; i++) {
     for (int64_t j = 0; j < 6; j++) {
-      memory.p[row + j] = memory.p[at + camera_starting_CARRY + 6 * i + j];
+      s->row[j] = s->phi.m[i][j];
     }
-    camera_starting_solve(memory, lower, row);
+    camera_starting_solve(&s->lower, (Vector){s->row, 6});
     for (int64_t j = 0; j < 6; j++) {
       total = 0.0;
       for (int64_t k = 0; k < 6; k++) {
-        total += memory.p[row + k] * memory.p[at + camera_starting_CARRY + 6 * j + k];
+        total += s->row[k] * s->phi.m[j][k];
       }
-      memory.p[spread + 6 * i + j] = total * variance * square_ + memory.p[at + camera_starting_NOISE + 6 * i + j];
+      s->spread.m[i][j] = total * variance * square_ + s->noise.m[i][j];
     }
   }
-  if (!(memory.p[spread + 14] < square(share * z))) {
+  if (!(s->spread.m[2][2] < square(share * z))) {
     return false;
   }
   for (int64_t i = 0; i < 6; i++) {
-    memory.p[state + i] = memory.p[now + i];
+    state.p[i] = s->now[i];
     for (int64_t j = 0; j < 6; j++) {
-      memory.p[p + 6 * i + j] = 0.5 * (memory.p[spread + 6 * i + j] + memory.p[spread + 6 * j + i]);
+      spread->m[i][j] = 0.5 * (s->spread.m[i][j] + s->spread.m[j][i]);
     }
   }
   return true;
 }
 
 /* Process an image: correct the state, or initialise it. */
-void camera_point_filter_look(Vector memory, double x, double y) {
-  double px, py, pz;
-  if (memory.p[camera_point_filter_MODE] == camera_point_filter_WAITING) {
-    camera_starting_begin(memory, camera_point_filter_START);
-    memory.p[camera_point_filter_MODE] = camera_point_filter_STARTING;
+void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y) {
+  camera_point_filter_Settings * settings;
+  camera_point_filter_State * s;
+  T3d predicted;
+  settings = &memory->settings;
+  s = &memory->state;
+  if (s->mode == camera_point_filter_WAITING) {
+    camera_starting_begin(&s->start);
+    s->mode = camera_point_filter_STARTING;
   }
-  if (memory.p[camera_point_filter_MODE] == camera_point_filter_STARTING) {
-    camera_starting_take(memory, camera_point_filter_START, x, y, memory.p[camera_point_filter_NOISE]);
-    if (camera_starting_start(memory, camera_point_filter_START, camera_point_filter_STATE, camera_point_filter_SPREAD, memory.p[camera_point_filter_NOISE], memory.p[camera_point_filter_SHARE])) {
-      memory.p[camera_point_filter_MODE] = camera_point_filter_RUNNING;
+  if (s->mode == camera_point_filter_STARTING) {
+    camera_starting_take(&s->start, x, y, settings->noise);
+    if (camera_starting_start(&s->start, (Vector){s->state, 6}, &s->spread, settings->noise, settings->share)) {
+      s->mode = camera_point_filter_RUNNING;
     }
     return;
   }
-  px = memory.p[camera_point_filter_STATE];
-  py = memory.p[camera_point_filter_STATE + 1];
-  pz = memory.p[camera_point_filter_STATE + 2];
-  if (pz > camera_point_filter_NEAREST_M) {
-    camera_point_filter_correct(memory, x, 0, px, py, pz);
-    camera_point_filter_correct(memory, y, 1, px, py, pz);
+  predicted = (T3d){s->state[0], s->state[1], s->state[2]};
+  if (predicted.f2 > camera_point_filter_NEAREST_M) {
+    camera_point_filter_correct(s, settings->noise, x, 0, predicted);
+    camera_point_filter_correct(s, settings->noise, y, 1, predicted);
   }
 }
 
 /* One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before. */
-void camera_point_filter_step(Vector memory, Vector row, Vector out) {
+void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out) {
   double t, x, y, wx, wy, wz, ax, ay, az;
-  camera_samples_SampleRow sample;
+  camera_point_filter_Settings * settings;
+  camera_point_filter_State * s;
   t = row.p[0];
   x = row.p[1];
   y = row.p[2];
@@ -543,36 +510,40 @@ void camera_point_filter_step(Vector memory, Vector row, Vector out) {
   ax = row.p[6];
   ay = row.p[7];
   az = row.p[8];
-  sample = (camera_samples_SampleRow){t, x, y, wx, wy, wz, ax, ay, az};
-  if (!camera_camera_stage_usable(sample, memory.p[camera_point_filter_STARTED], memory.p[camera_point_filter_T], memory.p[camera_point_filter_GAP_S])) {
+  settings = &memory->settings;
+  s = &memory->state;
+  if (!camera_camera_stage_usable((camera_samples_SampleRow){t, x, y, wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
     return;
   }
-  if (memory.p[camera_point_filter_MODE] != camera_point_filter_WAITING) {
-    camera_point_filter_predict(memory, t - memory.p[camera_point_filter_T], (T3d){wx, wy, wz}, (T3d){ax, ay, az});
+  if (s->mode != camera_point_filter_WAITING) {
+    camera_point_filter_predict(memory, t - s->t, (T3d){wx, wy, wz}, (T3d){ax, ay, az});
   }
   if (x == x) {
-    camera_point_filter_look(memory, x / memory.p[camera_point_filter_FOCAL], y / memory.p[camera_point_filter_FOCAL]);
+    camera_point_filter_look(memory, x / settings->focal_px, y / settings->focal_px);
   }
-  if (memory.p[camera_point_filter_MODE] == camera_point_filter_RUNNING && !(memory.p[camera_point_filter_STATE + 2] > camera_point_filter_NEAREST_M)) {
-    memory.p[camera_point_filter_MODE] = camera_point_filter_WAITING;
-    memory.p[camera_point_filter_RESTARTS] += 1.0;
+  if (s->mode == camera_point_filter_RUNNING && !(s->state[2] > camera_point_filter_NEAREST_M)) {
+    s->mode = camera_point_filter_WAITING;
+    s->restarts += 1.0;
   }
-  memory.p[camera_point_filter_STARTED] = 1.0;
-  memory.p[camera_point_filter_T] = t;
-  memory.p[camera_point_filter_WX] = wx;
-  memory.p[camera_point_filter_WY] = wy;
-  memory.p[camera_point_filter_WZ] = wz;
-  memory.p[camera_point_filter_AX] = ax;
-  memory.p[camera_point_filter_AY] = ay;
-  memory.p[camera_point_filter_AZ] = az;
-  out.p[0] = t;
-  out.p[camera_point_filter_OUT_RESTARTS] = memory.p[camera_point_filter_RESTARTS];
-  out.p[camera_point_filter_OUT_RUNNING] = 0.0;
-  if (memory.p[camera_point_filter_MODE] == camera_point_filter_RUNNING) {
-    for (int64_t i = 0; i < 42; i++) {
-      out.p[camera_point_filter_OUT_STATE + i] = memory.p[camera_point_filter_STATE + i];
+  s->started = 1.0;
+  s->t = t;
+  s->wx = wx;
+  s->wy = wy;
+  s->wz = wz;
+  s->ax = ax;
+  s->ay = ay;
+  s->az = az;
+  out->t = t;
+  out->restarts = s->restarts;
+  out->running = 0.0;
+  if (s->mode == camera_point_filter_RUNNING) {
+    for (int64_t i = 0; i < 6; i++) {
+      out->state[i] = s->state[i];
+      for (int64_t j = 0; j < 6; j++) {
+        out->spread.m[i][j] = s->spread.m[i][j];
+      }
     }
-    out.p[camera_point_filter_OUT_RUNNING] = 1.0;
+    out->running = 1.0;
   }
 }
 
@@ -585,31 +556,34 @@ T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, 
 }
 
 /* Y' = known - d over ``h`` s, the known part fed forward by Heun's rule; d' is white. */
-void camera_unknown_input_filter_predict(Vector memory, double eta, double wx, double wy, double wz, double h) {
-  double x, y, kx, ky, dx, dy, lx, ly, q, p01, p11;
-  x = memory.p[camera_unknown_input_filter_X];
-  y = memory.p[camera_unknown_input_filter_Y];
-  kx = memory.p[camera_unknown_input_filter_KX];
-  ky = memory.p[camera_unknown_input_filter_KY];
-  dx = memory.p[camera_unknown_input_filter_DX];
-  dy = memory.p[camera_unknown_input_filter_DY];
+void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, double density, double eta, double wx, double wy, double wz, double h) {
+  double x, y, kx, ky, dx, dy, lx, ly, p01, p11;
+  x = s->x;
+  y = s->y;
+  kx = s->kx;
+  ky = s->ky;
+  dx = s->dx;
+  dy = s->dy;
   T2d values_1 = camera_unknown_input_filter_flow(x + h * (kx - dx), y + h * (ky - dy), eta, wx, wy, wz);
   lx = values_1.f0;
   ly = values_1.f1;
-  memory.p[camera_unknown_input_filter_X] = x + h * (0.5 * (kx + lx) - dx);
-  memory.p[camera_unknown_input_filter_Y] = y + h * (0.5 * (ky + ly) - dy);
-  q = memory.p[camera_unknown_input_filter_DENSITY];
-  p01 = memory.p[camera_unknown_input_filter_P01];
-  p11 = memory.p[camera_unknown_input_filter_P11];
-  memory.p[camera_unknown_input_filter_P00] += -2.0 * h * p01 + h * h * p11 + q * whole_power(h, 3) / 3.0;
-  memory.p[camera_unknown_input_filter_P01] += -h * p11 - q * h * h / 2.0;
-  memory.p[camera_unknown_input_filter_P11] += q * h;
+  s->x = x + h * (0.5 * (kx + lx) - dx);
+  s->y = y + h * (0.5 * (ky + ly) - dy);
+  p01 = s->p01;
+  p11 = s->p11;
+  s->p00 += -2.0 * h * p01 + h * h * p11 + density * whole_power(h, 3) / 3.0;
+  s->p01 += -h * p11 - density * h * h / 2.0;
+  s->p11 += density * h;
 }
 
 /* One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s. */
-T4d camera_unknown_input_filter_step(Vector memory, T7d row) {
+T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory, T7d row) {
+  camera_unknown_input_filter_Settings * settings;
+  camera_unknown_input_filter_State * s;
   double t, x, y, eta, wx, wy, wz, total, near, far, ex, ey;
   bool image;
+  settings = &memory->settings;
+  s = &memory->state;
   camera_unknown_input_filter_FlowRow values_1 = camera_unknown_input_filter_FlowRow_of_T7d(row);
   t = values_1.t;
   x = values_1.x;
@@ -618,42 +592,42 @@ T4d camera_unknown_input_filter_step(Vector memory, T7d row) {
   wx = values_1.wx;
   wy = values_1.wy;
   wz = values_1.wz;
-  if (!(fabs(t) <= records_LATEST_S) || eta != eta || (memory.p[camera_unknown_input_filter_STARTED] == 1.0 && !(t > memory.p[camera_unknown_input_filter_T]))) {
+  if (!(fabs(t) <= records_LATEST_S) || eta != eta || (s->started == 1.0 && !(t > s->t))) {
     return (T4d){NAN, NAN, NAN, NAN};
   }
   image = x == x;
-  if (memory.p[camera_unknown_input_filter_IMAGED] == 1.0) {
-    camera_unknown_input_filter_predict(memory, eta, wx, wy, wz, t - memory.p[camera_unknown_input_filter_T]);
+  if (s->imaged == 1.0) {
+    camera_unknown_input_filter_predict(s, settings->density, eta, wx, wy, wz, t - s->t);
     if (image) {
-      total = memory.p[camera_unknown_input_filter_P00] + memory.p[camera_unknown_input_filter_NOISE];
-      near = memory.p[camera_unknown_input_filter_P00] / total;
-      far = memory.p[camera_unknown_input_filter_P01] / total;
-      ex = x - memory.p[camera_unknown_input_filter_X];
-      ey = y - memory.p[camera_unknown_input_filter_Y];
-      memory.p[camera_unknown_input_filter_X] += near * ex;
-      memory.p[camera_unknown_input_filter_Y] += near * ey;
-      memory.p[camera_unknown_input_filter_DX] += far * ex;
-      memory.p[camera_unknown_input_filter_DY] += far * ey;
-      memory.p[camera_unknown_input_filter_P11] -= far * memory.p[camera_unknown_input_filter_P01];
-      memory.p[camera_unknown_input_filter_P01] *= 1.0 - near;
-      memory.p[camera_unknown_input_filter_P00] *= 1.0 - near;
+      total = s->p00 + settings->noise;
+      near = s->p00 / total;
+      far = s->p01 / total;
+      ex = x - s->x;
+      ey = y - s->y;
+      s->x += near * ex;
+      s->y += near * ey;
+      s->dx += far * ex;
+      s->dy += far * ey;
+      s->p11 -= far * s->p01;
+      s->p01 *= 1.0 - near;
+      s->p00 *= 1.0 - near;
     }
   } else if (image) {
-    memory.p[camera_unknown_input_filter_IMAGED] = 1.0;
-    memory.p[camera_unknown_input_filter_X] = x;
-    memory.p[camera_unknown_input_filter_Y] = y;
-    memory.p[camera_unknown_input_filter_P00] = memory.p[camera_unknown_input_filter_NOISE];
-    memory.p[camera_unknown_input_filter_P11] = square(camera_unknown_input_filter_SPREAD_START);
+    s->imaged = 1.0;
+    s->x = x;
+    s->y = y;
+    s->p00 = settings->noise;
+    s->p11 = square(camera_unknown_input_filter_SPREAD_START);
   }
-  memory.p[camera_unknown_input_filter_STARTED] = 1.0;
-  memory.p[camera_unknown_input_filter_T] = t;
-  T2d values_2 = camera_unknown_input_filter_flow(memory.p[camera_unknown_input_filter_X], memory.p[camera_unknown_input_filter_Y], eta, wx, wy, wz);
-  memory.p[camera_unknown_input_filter_KX] = values_2.f0;
-  memory.p[camera_unknown_input_filter_KY] = values_2.f1;
-  if (memory.p[camera_unknown_input_filter_IMAGED] == 0.0) {
+  s->started = 1.0;
+  s->t = t;
+  T2d values_2 = camera_unknown_input_filter_flow(s->x, s->y, eta, wx, wy, wz);
+  s->kx = values_2.f0;
+  s->ky = values_2.f1;
+  if (s->imaged == 0.0) {
     return (T4d){t, NAN, NAN, NAN};
   }
-  return (T4d){t, memory.p[camera_unknown_input_filter_DX], memory.p[camera_unknown_input_filter_DY], sqrt(memory.p[camera_unknown_input_filter_P11])};
+  return (T4d){t, s->dx, s->dy, sqrt(s->p11)};
 }
 
 /* A row of a table as a tuple. */
@@ -670,7 +644,7 @@ void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_depth_step(memory, camera_camera_stage_sample_at(rows, i));
+    answer = camera_depth_step((camera_depth_Memory *)memory.p, camera_camera_stage_sample_at(rows, i));
     for (int64_t j = 0; j < 7; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }
@@ -682,6 +656,20 @@ void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector beg
     if (begin.p[i]) {
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    camera_point_filter_step(memory, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
+    camera_point_filter_step((camera_point_filter_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (camera_point_filter_Answer *)(Vector){out.p + i * out.m, out.m}.p);
+  }
+}
+
+void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
+  T4d answer;
+  for (int64_t i = 0; i < rows.n; i++) {
+    if (begin.p[i]) {
+      stage_learn_nothing(memory);
+      fill((Vector){memory.p + first, memory.n - first}, 0.0);
+    }
+    answer = camera_unknown_input_filter_step((camera_unknown_input_filter_Memory *)memory.p, camera_unknown_input_filter_row_at(rows, i));
+    for (int64_t j = 0; j < 4; j++) {
+      out.p[i * out.m + j] = ((const double *)&answer)[j];
+    }
   }
 }

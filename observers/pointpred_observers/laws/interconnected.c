@@ -3,396 +3,325 @@
 
 static const int64_t interconnected_persidskii_law_ACCEPTED = 0;
 static const int64_t interconnected_persidskii_law_BACKWARDS = 2;
-static const int64_t interconnected_persidskii_law_BRIDGED = 7;
-static const int64_t interconnected_persidskii_law_CODES = 8;
-static const int64_t interconnected_persidskii_law_COMPONENTS = 1;
-static const int64_t interconnected_persidskii_law_DISCRETE = 4;
-static const int64_t interconnected_persidskii_law_GAP = 6;
-static const int64_t interconnected_persidskii_law_INPUTS = 2;
-static const int64_t interconnected_persidskii_law_OUTPUTS = 3;
 static const int64_t interconnected_persidskii_law_REPEATED = 1;
 static const int64_t interconnected_persidskii_law_SKIPPED = 4;
-static const int64_t interconnected_persidskii_law_STATES = 0;
-static const int64_t interconnected_persidskii_law_STEP = 5;
 static const int64_t interconnected_persidskii_law_STEPS_MOST = 100000;
 static const int64_t interconnected_persidskii_law_TOO_LONG = 3;
 
-/* Offset of R, through which inputs enter the nonlinearity; R2 follows it. */
-int64_t interconnected_persidskii_law_injected_at(int64_t q, int64_t k, int64_t inputs, int64_t outputs) {
-  return interconnected_persidskii_law_CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k);
-}
-
-/* Offset of the start. */
-int64_t interconnected_persidskii_law_start_at(int64_t q, int64_t k, int64_t inputs, int64_t outputs) {
-  return interconnected_persidskii_law_injected_at(q, k, inputs, outputs) + (k + outputs) * inputs;
-}
-
-/* Offset of what replaces missing inputs. */
-int64_t interconnected_persidskii_law_replaced_at(int64_t q, int64_t k, int64_t inputs, int64_t outputs) {
-  return interconnected_persidskii_law_start_at(q, k, inputs, outputs) + q;
-}
-
-/* Offset of the state. */
-int64_t interconnected_persidskii_law_state_at(int64_t q, int64_t k, int64_t inputs, int64_t outputs) {
-  return interconnected_persidskii_law_replaced_at(q, k, inputs, outputs) + inputs * (2 + q + k + inputs);
-}
-
-/* Number of floats of scratch space. */
-int64_t interconnected_persidskii_law_room(int64_t q, int64_t k, int64_t inputs) {
-  return 4 * (q + inputs) + k;
-}
-
 /* Number of floats of the state. */
 int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs) {
-  return 2 + q + inputs + interconnected_persidskii_law_room(q, k, inputs) + inputs;
+  return 2 + 5 * (q + inputs) + k + inputs;
 }
 
-/* N w + L f(Jw + R i) + K i, read at three offsets of the memory and written at a fourth. */
-void interconnected_persidskii_law_slope(Vector memory, int64_t w, int64_t inputs, int64_t nonlinear, int64_t to) {
-  int64_t q, k, m, n_at, l_at, j_at, k_at, r_at;
-  double s, change;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  n_at = interconnected_persidskii_law_CODES + k;
+/* The matrices and the state in their places. */
+T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ interconnected_persidskii_law_parts_of(interconnected_persidskii_law_Memory * memory) {
+  int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, space_at, absent_at;
+  interconnected_persidskii_law_Matrices matrices;
+  interconnected_persidskii_law_State state;
+  q = (int64_t)memory->states;
+  k = (int64_t)memory->components;
+  m = (int64_t)memory->inputs;
+  p = (int64_t)memory->outputs;
+  n_at = k;
   l_at = n_at + q * q;
   j_at = l_at + q * k;
-  k_at = j_at + q * k;
-  r_at = interconnected_persidskii_law_injected_at(q, k, m, (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS]);
-  for (int64_t j = 0; j < k; j++) {
-    s = 0.0;
-    for (int64_t i = 0; i < q; i++) {
-      s += memory.p[j_at + j * q + i] * memory.p[w + i];
-    }
-    for (int64_t i = 0; i < m; i++) {
-      s += memory.p[r_at + j * m + i] * memory.p[inputs + i];
-    }
-    memory.p[nonlinear + j] = nonlinearity_value(memory.p[interconnected_persidskii_law_CODES + j], s);
+  k_at = j_at + k * q;
+  r0_at = k_at + q * m;
+  r1_at = r0_at + p * q;
+  r_at = r1_at + p * k;
+  r2_at = r_at + k * m;
+  start_at = r2_at + p * m;
+  valued_at = start_at + q;
+  v0_at = valued_at + m;
+  v1_at = v0_at + m * q;
+  v2_at = v1_at + m * k;
+  first_at = v2_at + m * m;
+  clock_at = first_at + m;
+  both_at = clock_at + 2;
+  space_at = both_at + q + m;
+  absent_at = space_at + 4 * (q + m) + k;
+  matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, n_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + n_at, l_at - n_at}.p, q, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + l_at, j_at - l_at}.p, q, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + j_at, k_at - j_at}.p, k, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + k_at, r0_at - k_at}.p, q, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r0_at, r1_at - r0_at}.p, p, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + r1_at, r_at - r1_at}.p, p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + r_at, r2_at - r_at}.p, k, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r2_at, start_at - r2_at}.p, p, m}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, v0_at - valued_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + v0_at, v1_at - v0_at}.p, m, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + v1_at, v2_at - v1_at}.p, m, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + v2_at, first_at - v2_at}.p, m, m}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
+  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, space_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + space_at, absent_at - space_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
+  return (T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_){matrices, state};
+}
+
+/* The space for a step of ``size`` states. */
+interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size) {
+  int64_t inputs_at;
+  inputs_at = 4 * size + m.codes.n;
+  return (interconnected_persidskii_law_Space){(Vector){s.space.p, size}, (Vector){s.space.p + size, 2 * size - size}, (Vector){s.space.p + 2 * size, 3 * size - 2 * size}, (Vector){s.space.p + 3 * size, 4 * size - 3 * size}, (Vector){s.space.p + 4 * size, inputs_at - 4 * size}, (Vector){s.space.p + inputs_at, inputs_at + m.first.n - inputs_at}};
+}
+
+/* A total and a row of a matrix times a vector. */
+double interconnected_persidskii_law_along(double total, Vector row, Vector vector) {
+  for (int64_t i = 0; i < vector.n; i++) {
+    total += row.p[i] * vector.p[i];
   }
-  for (int64_t i = 0; i < q; i++) {
-    change = 0.0;
-    for (int64_t j = 0; j < q; j++) {
-      change += memory.p[n_at + i * q + j] * memory.p[w + j];
-    }
-    for (int64_t j = 0; j < k; j++) {
-      change += memory.p[l_at + i * k + j] * memory.p[nonlinear + j];
-    }
-    for (int64_t j = 0; j < m; j++) {
-      change += memory.p[k_at + i * m + j] * memory.p[inputs + j];
-    }
-    memory.p[to + i] = change;
+  return total;
+}
+
+/* f(Jw + R i). */
+void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to) {
+  for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
+    to.p[j] = nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
+  }
+}
+
+/* N w + L f(Jw + R i) + K i, with f in ``nonlinear``. */
+void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to) {
+  interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
+  for (int64_t i = 0, end_1 = m.start.n; i < end_1; i++) {
+    to.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.N.p + i * m.N.m, m.N.m}, w), (Vector){m.L.p + i * m.L.m, m.L.m}, nonlinear), (Vector){m.K.p + i * m.K.m, m.K.m}, inputs);
   }
 }
 
 /* One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row. */
-void interconnected_persidskii_law_flow(Vector memory, int64_t w, Vector row, double begin, double h) {
-  int64_t q, k, m, last, room, total, stage, change, first, nonlinear, inputs;
+void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double begin, double h) {
+  int64_t q, inputs;
+  Vector w, last;
+  interconnected_persidskii_law_Space space;
   double length, value, at, weight, ahead;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  last = w + q;
-  room = w + q + m;
-  total = room;
-  stage = room + q;
-  change = room + 2 * q;
-  first = room + 3 * q;
-  nonlinear = room + 4 * q;
-  inputs = room + 4 * q + k;
-  length = h * (row.p[0] - memory.p[w - 1]);
+  q = m.start.n;
+  inputs = m.first.n;
+  w = (Vector){s.both.p, q};
+  last = (Vector){s.both.p + q, s.both.n - q};
+  space = interconnected_persidskii_law_space_of(m, s, q);
+  length = h * (row.p[0] - s.clock.p[1]);
   for (int64_t i = 0; i < q; i++) {
-    value = memory.p[w + i];
-    memory.p[first + i] = value;
-    memory.p[stage + i] = value;
-    memory.p[total + i] = 0.0;
+    value = w.p[i];
+    space.first.p[i] = value;
+    space.stage.p[i] = value;
+    space.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
     at = begin + (part == 0 ? 0.0 : part == 3 ? h : 0.5 * h);
-    for (int64_t j = 0; j < m; j++) {
-      memory.p[inputs + j] = memory.p[last + j] + at * (row.p[1 + j] - memory.p[last + j]);
+    for (int64_t j = 0; j < inputs; j++) {
+      space.inputs.p[j] = last.p[j] + at * (row.p[1 + j] - last.p[j]);
     }
-    interconnected_persidskii_law_slope(memory, stage, inputs, nonlinear, change);
+    interconnected_persidskii_law_slope(m, space.stage, space.inputs, space.nonlinear, space.change);
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
     ahead = part == 2 ? length : 0.5 * length;
     for (int64_t i = 0; i < q; i++) {
-      memory.p[total + i] += weight * memory.p[change + i];
-      memory.p[stage + i] = memory.p[first + i] + ahead * memory.p[change + i];
+      space.total.p[i] += weight * space.change.p[i];
+      space.stage.p[i] = space.first.p[i] + ahead * space.change.p[i];
     }
   }
   for (int64_t i = 0; i < q; i++) {
-    memory.p[w + i] = memory.p[first + i] + length / 6.0 * memory.p[total + i];
+    w.p[i] = space.first.p[i] + length / 6.0 * space.total.p[i];
   }
 }
 
 /* Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only. */
-void interconnected_persidskii_law_replace(Vector memory, int64_t w, int64_t inputs, int64_t nonlinear, int64_t absent) {
-  int64_t q, k, m, valued, j_at, r_at, v0, v1;
-  double value, s;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  valued = interconnected_persidskii_law_replaced_at(q, k, m, (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS]);
-  j_at = interconnected_persidskii_law_CODES + k + q * q + q * k;
-  r_at = interconnected_persidskii_law_injected_at(q, k, m, (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS]);
-  v0 = valued + m;
-  v1 = valued + m + m * q;
-  for (int64_t j = 0; j < m; j++) {
-    if (memory.p[absent + j] == 1.0 && memory.p[valued + j] == 1.0) {
-      value = 0.0;
-      for (int64_t i = 0; i < q; i++) {
-        value += memory.p[v0 + j * q + i] * memory.p[w + i];
-      }
-      memory.p[inputs + j] = value;
+void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector absent) {
+  for (int64_t j = 0; j < inputs.n; j++) {
+    if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
+      inputs.p[j] = interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w);
     }
   }
-  for (int64_t j = 0; j < k; j++) {
-    s = 0.0;
-    for (int64_t i = 0; i < q; i++) {
-      s += memory.p[j_at + j * q + i] * memory.p[w + i];
-    }
-    for (int64_t i = 0; i < m; i++) {
-      s += memory.p[r_at + j * m + i] * memory.p[inputs + i];
-    }
-    memory.p[nonlinear + j] = nonlinearity_value(memory.p[interconnected_persidskii_law_CODES + j], s);
-  }
-  for (int64_t j = 0; j < m; j++) {
-    if (memory.p[absent + j] == 1.0 && memory.p[valued + j] == 1.0) {
-      for (int64_t i = 0; i < k; i++) {
-        memory.p[inputs + j] += memory.p[v1 + j * k + i] * memory.p[nonlinear + i];
-      }
+  interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
+  for (int64_t j = 0; j < inputs.n; j++) {
+    if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
+      inputs.p[j] = interconnected_persidskii_law_along(inputs.p[j], (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear);
     }
   }
 }
 
 /* V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value. */
-double interconnected_persidskii_law_onward(Vector memory, int64_t j, int64_t w, int64_t inputs, int64_t nonlinear) {
-  int64_t q, k, m, v0, v1, v2;
-  double total;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  v0 = interconnected_persidskii_law_replaced_at(q, k, m, (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS]) + m;
-  v1 = v0 + m * q;
-  v2 = v0 + m * (q + k);
-  total = 0.0;
-  for (int64_t i = 0; i < q; i++) {
-    total += memory.p[v0 + j * q + i] * memory.p[w + i];
-  }
-  for (int64_t i = 0; i < k; i++) {
-    total += memory.p[v1 + j * k + i] * memory.p[nonlinear + i];
-  }
-  for (int64_t i = 0; i < m; i++) {
-    total += memory.p[v2 + j * m + i] * memory.p[inputs + i];
-  }
-  return total;
+double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear) {
+  return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w), (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear), (Vector){m.V2.p + j * m.V2.m, m.V2.m}, inputs);
 }
 
 /* A step of ``flow`` for inputs of which some are missing: these follow what replaces them. */
-void interconnected_persidskii_law_bridge(Vector memory, int64_t w, Vector row, double length, double h, int64_t absent) {
-  int64_t q, k, m, valued, size, total, stage, change, first, nonlinear;
+void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h) {
+  int64_t q, inputs, size;
+  interconnected_persidskii_law_Space space;
+  Vector w, given;
   double weight, ahead;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  valued = interconnected_persidskii_law_replaced_at(q, k, m, (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS]);
-  size = q + m;
-  total = w + size;
-  stage = total + size;
-  change = total + 2 * size;
-  first = total + 3 * size;
-  nonlinear = total + 4 * size;
+  q = m.start.n;
+  inputs = m.first.n;
+  size = q + inputs;
+  space = interconnected_persidskii_law_space_of(m, s, size);
+  w = (Vector){space.stage.p, q};
+  given = (Vector){space.stage.p + q, space.stage.n - q};
   for (int64_t i = 0; i < size; i++) {
-    memory.p[first + i] = memory.p[w + i];
-    memory.p[stage + i] = memory.p[w + i];
-    memory.p[total + i] = 0.0;
+    space.first.p[i] = s.both.p[i];
+    space.stage.p[i] = s.both.p[i];
+    space.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
-    interconnected_persidskii_law_replace(memory, stage, stage + q, nonlinear, absent);
-    interconnected_persidskii_law_slope(memory, stage, stage + q, nonlinear, change);
-    for (int64_t j = 0; j < m; j++) {
-      if (memory.p[absent + j] == 0.0) {
-        memory.p[change + q + j] = (row.p[1 + j] - memory.p[first + q + j]) / length;
-      } else if (memory.p[valued + j] == 1.0) {
-        memory.p[change + q + j] = 0.0;
+    interconnected_persidskii_law_replace(m, w, given, space.nonlinear, s.absent);
+    interconnected_persidskii_law_slope(m, w, given, space.nonlinear, space.change);
+    for (int64_t j = 0; j < inputs; j++) {
+      if (s.absent.p[j] == 0.0) {
+        space.change.p[q + j] = (row.p[1 + j] - space.first.p[q + j]) / length;
+      } else if (m.valued.p[j] == 1.0) {
+        space.change.p[q + j] = 0.0;
       } else {
-        memory.p[change + q + j] = interconnected_persidskii_law_onward(memory, j, stage, stage + q, nonlinear);
+        space.change.p[q + j] = interconnected_persidskii_law_onward(m, j, w, given, space.nonlinear);
       }
     }
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
     ahead = part == 2 ? h : 0.5 * h;
     for (int64_t i = 0; i < size; i++) {
-      memory.p[total + i] += weight * memory.p[change + i];
-      memory.p[stage + i] = memory.p[first + i] + ahead * memory.p[change + i];
+      space.total.p[i] += weight * space.change.p[i];
+      space.stage.p[i] = space.first.p[i] + ahead * space.change.p[i];
     }
   }
   for (int64_t i = 0; i < size; i++) {
-    memory.p[w + i] = memory.p[first + i] + h / 6.0 * memory.p[total + i];
+    s.both.p[i] = space.first.p[i] + h / 6.0 * space.total.p[i];
   }
 }
 
 /* Carry w, and missing inputs, from the last sample to ``row``. */
-void interconnected_persidskii_law_move(Vector memory, Vector row, int64_t w, int64_t absent, bool missing) {
-  int64_t q, k, m, last, space, nonlinear, following, count;
+void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing) {
   double h;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  last = w + q;
-  space = w + q + m;
-  h = row.p[0] - memory.p[w - 1];
-  if (memory.p[interconnected_persidskii_law_DISCRETE] == 1.0) {
-    nonlinear = space + 4 * q;
-    following = space + 4 * q + k;
-    interconnected_persidskii_law_slope(memory, w, last, nonlinear, space);
-    for (int64_t j = 0; j < m; j++) {
-      memory.p[following + j] = missing ? interconnected_persidskii_law_onward(memory, j, w, last, nonlinear) : 0.0;
+  int64_t q, inputs, count;
+  Vector w, last;
+  interconnected_persidskii_law_Space space;
+  h = row.p[0] - s.clock.p[1];
+  if (memory->discrete == 1.0) {
+    q = m.start.n;
+    inputs = m.first.n;
+    w = (Vector){s.both.p, q};
+    last = (Vector){s.both.p + q, s.both.n - q};
+    space = interconnected_persidskii_law_space_of(m, s, q);
+    interconnected_persidskii_law_slope(m, w, last, space.nonlinear, space.total);
+    for (int64_t j = 0; j < inputs; j++) {
+      space.inputs.p[j] = missing ? interconnected_persidskii_law_onward(m, j, w, last, space.nonlinear) : 0.0;
     }
     for (int64_t i = 0; i < q; i++) {
-      memory.p[w + i] = memory.p[space + i];
+      w.p[i] = space.total.p[i];
     }
-    for (int64_t j = 0; j < m; j++) {
-      memory.p[last + j] = memory.p[following + j];
+    for (int64_t j = 0; j < inputs; j++) {
+      last.p[j] = space.inputs.p[j];
     }
     return;
   }
-  count = max_whole(1, (int64_t)ceil(min_float(h / memory.p[interconnected_persidskii_law_STEP], interconnected_persidskii_law_STEPS_MOST)));
+  count = max_whole(1, (int64_t)ceil(min_float(h / memory->step_s, interconnected_persidskii_law_STEPS_MOST)));
   for (int64_t i = 0; i < count; i++) {
     if (missing) {
-      interconnected_persidskii_law_bridge(memory, w, row, h * (count - i) / count, h / count, absent);
+      interconnected_persidskii_law_bridge(m, s, row, h * (count - i) / count, h / count);
     } else {
-      interconnected_persidskii_law_flow(memory, w, row, (double)i / count, 1.0 / count);
+      interconnected_persidskii_law_flow(m, s, row, (double)i / count, 1.0 / count);
+    }
+  }
+}
+
+/* Take over the inputs that a sample has. */
+void interconnected_persidskii_law_measure(interconnected_persidskii_law_State s, Vector last, Vector row) {
+  for (int64_t j = 0; j < last.n; j++) {
+    if (row.p[1 + j] == row.p[1 + j]) {
+      last.p[j] = row.p[1 + j];
+      s.absent.p[j] = 0.0;
     }
   }
 }
 
 /* Process the sample (t, inputs), NaN for a missing one; a repeated t replaces the inputs it has. */
-int64_t interconnected_persidskii_law_advance(Vector memory, Vector row) {
-  int64_t q, k, m, outputs, start, started, t, w, last, space, absent, first;
+int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row) {
+  int64_t q, inputs;
+  Vector w, last;
+  bool started, discrete, missing, begin;
   double h;
-  bool missing, begin;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  outputs = (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS];
-  start = interconnected_persidskii_law_start_at(q, k, m, outputs);
-  started = interconnected_persidskii_law_state_at(q, k, m, outputs);
-  t = started + 1;
-  w = started + 2;
-  last = w + q;
-  space = w + q + m;
-  absent = space + interconnected_persidskii_law_room(q, k, m);
-  h = row.p[0] - memory.p[t];
-  if (memory.p[started] == 1.0 && h < 0.0) {
+  interconnected_persidskii_law_Space space;
+  q = m.start.n;
+  inputs = m.first.n;
+  w = (Vector){s.both.p, q};
+  last = (Vector){s.both.p + q, s.both.n - q};
+  started = s.clock.p[0] == 1.0;
+  discrete = memory->discrete == 1.0;
+  h = row.p[0] - s.clock.p[1];
+  if (started && h < 0.0) {
     return interconnected_persidskii_law_BACKWARDS;
   }
-  if (memory.p[started] == 1.0 && h == 0.0) {
-    for (int64_t j = 0; j < m; j++) {
-      if (row.p[1 + j] == row.p[1 + j]) {
-        memory.p[last + j] = row.p[1 + j];
-        memory.p[absent + j] = 0.0;
-      }
-    }
+  if (started && h == 0.0) {
+    interconnected_persidskii_law_measure(s, last, row);
     return interconnected_persidskii_law_REPEATED;
   }
-  if (memory.p[started] == 1.0 && memory.p[interconnected_persidskii_law_DISCRETE] == 1.0 && h != 1.0) {
+  if (started && discrete && h != 1.0) {
     return interconnected_persidskii_law_SKIPPED;
   }
   missing = false;
-  begin = memory.p[started] == 0.0 || (memory.p[interconnected_persidskii_law_DISCRETE] == 0.0 && h > memory.p[interconnected_persidskii_law_GAP]);
-  if (!begin && memory.p[interconnected_persidskii_law_DISCRETE] == 0.0 && h > memory.p[interconnected_persidskii_law_BRIDGED]) {
+  begin = !started || (!discrete && h > memory->gap_s);
+  if (!begin && !discrete && h > memory->bridged_s) {
     return interconnected_persidskii_law_TOO_LONG;
   }
-  for (int64_t j = 0; j < m; j++) {
+  for (int64_t j = 0; j < inputs; j++) {
     if (row.p[1 + j] != row.p[1 + j]) {
-      memory.p[absent + j] = 1.0;
+      s.absent.p[j] = 1.0;
     }
-    if (memory.p[absent + j] == 1.0) {
+    if (s.absent.p[j] == 1.0) {
       missing = true;
     }
   }
   if (begin) {
     for (int64_t i = 0; i < q; i++) {
-      memory.p[w + i] = memory.p[start + i];
+      w.p[i] = m.start.p[i];
     }
-    first = interconnected_persidskii_law_replaced_at(q, k, m, outputs) + m * (1 + q + k + m);
-    for (int64_t j = 0; j < m; j++) {
-      memory.p[last + j] = memory.p[first + j];
+    for (int64_t j = 0; j < inputs; j++) {
+      last.p[j] = m.first.p[j];
     }
   } else {
     for (int64_t i = 0; i < q; i++) {
-      memory.p[w + i] += memory.p[start + i];
+      w.p[i] += m.start.p[i];
     }
-    interconnected_persidskii_law_move(memory, row, w, absent, missing);
+    interconnected_persidskii_law_move(memory, m, s, row, missing);
   }
   if (missing) {
-    for (int64_t j = 0; j < m; j++) {
-      if (row.p[1 + j] == row.p[1 + j]) {
-        memory.p[last + j] = row.p[1 + j];
-        memory.p[absent + j] = 0.0;
-      }
-    }
-    interconnected_persidskii_law_replace(memory, w, last, space + 4 * q, absent);
+    interconnected_persidskii_law_measure(s, last, row);
+    space = interconnected_persidskii_law_space_of(m, s, q);
+    interconnected_persidskii_law_replace(m, w, last, space.nonlinear, s.absent);
   } else {
-    for (int64_t j = 0; j < m; j++) {
-      memory.p[last + j] = row.p[1 + j];
+    for (int64_t j = 0; j < inputs; j++) {
+      last.p[j] = row.p[1 + j];
     }
   }
   for (int64_t i = 0; i < q; i++) {
-    memory.p[w + i] -= memory.p[start + i];
+    w.p[i] -= m.start.p[i];
   }
-  memory.p[started] = 1.0;
-  memory.p[t] = row.p[0];
+  s.clock.p[0] = 1.0;
+  s.clock.p[1] = row.p[0];
   return interconnected_persidskii_law_ACCEPTED;
 }
 
-/* R0 w + R1 f(Jw + R i) + R2 i. */
-void interconnected_persidskii_law_read(Vector memory, Vector out) {
-  int64_t q, k, m, p, start, j_at, r0_at, r1_at, r_at, r2_at, w, last, nonlinear;
-  double s, value;
-  q = (int64_t)memory.p[interconnected_persidskii_law_STATES];
-  k = (int64_t)memory.p[interconnected_persidskii_law_COMPONENTS];
-  m = (int64_t)memory.p[interconnected_persidskii_law_INPUTS];
-  p = (int64_t)memory.p[interconnected_persidskii_law_OUTPUTS];
-  start = interconnected_persidskii_law_start_at(q, k, m, p);
-  j_at = interconnected_persidskii_law_CODES + k + q * q + q * k;
-  r0_at = j_at + q * k + q * m;
-  r1_at = r0_at + p * q;
-  r_at = interconnected_persidskii_law_injected_at(q, k, m, p);
-  r2_at = r_at + k * m;
-  w = interconnected_persidskii_law_state_at(q, k, m, p) + 2;
-  last = w + q;
-  nonlinear = w + q + m + 4 * q;
-  for (int64_t j = 0; j < k; j++) {
-    s = 0.0;
-    for (int64_t i = 0; i < m; i++) {
-      s += memory.p[r_at + j * m + i] * memory.p[last + i];
-    }
-    for (int64_t i = 0; i < q; i++) {
-      s += memory.p[j_at + j * q + i] * (memory.p[w + i] + memory.p[start + i]);
-    }
-    memory.p[nonlinear + j] = nonlinearity_value(memory.p[interconnected_persidskii_law_CODES + j], s);
+/* A total and a row of a matrix times the sum of two vectors. */
+double interconnected_persidskii_law_along_both(double total, Vector row, Vector one, Vector other) {
+  for (int64_t i = 0; i < one.n; i++) {
+    total += row.p[i] * (one.p[i] + other.p[i]);
   }
-  for (int64_t row = 0; row < p; row++) {
-    value = 0.0;
-    for (int64_t i = 0; i < q; i++) {
-      value += memory.p[r0_at + row * q + i] * (memory.p[w + i] + memory.p[start + i]);
-    }
-    for (int64_t j = 0; j < k; j++) {
-      value += memory.p[r1_at + row * k + j] * memory.p[nonlinear + j];
-    }
-    for (int64_t j = 0; j < m; j++) {
-      value += memory.p[r2_at + row * m + j] * memory.p[last + j];
-    }
-    out.p[row] = value;
+  return total;
+}
+
+/* R0 w + R1 f(Jw + R i) + R2 i. */
+void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector out) {
+  int64_t q;
+  Vector w, last;
+  interconnected_persidskii_law_Space space;
+  double argument;
+  q = m.start.n;
+  w = (Vector){s.both.p, q};
+  last = (Vector){s.both.p + q, s.both.n - q};
+  space = interconnected_persidskii_law_space_of(m, s, q);
+  for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
+    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
+    space.nonlinear.p[j] = nonlinearity_value(m.codes.p[j], argument);
+  }
+  for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
+    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, space.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
   }
 }
 
 /* Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing. */
-int64_t interconnected_persidskii_law_step(Vector memory, Vector row, Vector out) {
+int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out) {
+  interconnected_persidskii_law_Matrices m;
+  interconnected_persidskii_law_State s;
   int64_t verdict;
-  verdict = interconnected_persidskii_law_advance(memory, row);
+  T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ values_1 = interconnected_persidskii_law_parts_of(memory);
+  m = values_1.f0;
+  s = values_1.f1;
+  verdict = interconnected_persidskii_law_advance(memory, m, s, row);
   if (verdict < interconnected_persidskii_law_BACKWARDS) {
-    interconnected_persidskii_law_read(memory, out);
+    interconnected_persidskii_law_read(m, s, out);
   }
   return verdict;
 }

@@ -125,6 +125,13 @@ static PyObject *give_T3d(T3d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   return tuple;
 }
+static PyObject *give_T2_T3d_(T2_T3d_ value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, give_T3d(value.f0));
+  PyTuple_SetItem(tuple, 1, give_T3d(value.f1));
+  return tuple;
+}
 static PyObject *give_T4d(T4d value) {
   PyObject *tuple = PyTuple_New(4);
   if (tuple == NULL) return NULL;
@@ -186,14 +193,14 @@ static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py
   static const char law[] = "pointpred_observers.camera.depth:carry";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_depth_State * a0;
   camera_depth_Measured a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "state", true, 12, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "m", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
@@ -211,15 +218,15 @@ static PyObject *py_camera_depth_inside(PyObject *self, PyObject *const *args, P
   static const char law[] = "pointpred_observers.camera.depth:inside";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_depth_Memory * a0;
   double a1;
   double a2;
   bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", false, 27, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -260,14 +267,14 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
   static const char law[] = "pointpred_observers.camera.depth:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_depth_Memory * a0;
   T9d a1;
   T7d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 27, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "sample", 9)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -287,22 +294,21 @@ static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const 
   static const char law[] = "pointpred_observers.camera.kinematics:add_noise";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  camera_kinematics_Matrix * a0;
+  Vector a1;
+  double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "p", true, 36, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "s", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  camera_kinematics_add_noise(a0, a1, a2, a3, a4);
+  camera_kinematics_add_noise(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -329,29 +335,118 @@ static PyObject *py_camera_kinematics_back(PyObject *self, PyObject *const *args
   let_go(&held);
   return give_T3d(result);
 }
+static PyObject *py_camera_kinematics_carried(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:carried";
+  Held held;
+  const Py_buffer *view;
+  T3d a0;
+  T3d a1;
+  double a2;
+  T3d a3;
+  T2_T3d_ result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_tuple(args[0], law, "p", 3)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.f2)
+        && take_tuple(args[1], law, "v", 3)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  result = camera_kinematics_carried(a0, a1, a2, a3);
+  let_go(&held);
+  return give_T2_T3d_(result);
+}
 static PyObject *py_camera_kinematics_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:carry";
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  T3d a4;
+  double a1;
+  T3d a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "turn", 3)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  camera_kinematics_carry(a0, a1, a2, a3, a4);
+  camera_kinematics_carry(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_carry_column(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:carry_column";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Matrix * a0;
+  int64_t a1;
+  double a2;
+  T3d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "phi", true, 36, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+    return let_go(&held);
+  camera_kinematics_carry_column(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_propagate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:propagate";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  camera_kinematics_Matrix * a1;
+  double a2;
+  T3d a3;
+  T2_T3d_ a4;
+  double a5;
+  double a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[1], law, "p", true, 36, &view)
+        && (a1 = view->buf, true)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_tuple(args[4], law, "acceleration", 2)
+        && take_tuple(PyTuple_GetItem(args[4], 0), law, "acceleration", 3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 0), &a4.f0.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 1), &a4.f0.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 2), &a4.f0.f2)
+        && take_tuple(PyTuple_GetItem(args[4], 1), law, "acceleration", 3)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 0), &a4.f1.f0)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 1), &a4.f1.f1)
+        && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 2), &a4.f1.f2)
+        && take_double(args[5], &a5)
+        && take_double(args[6], &a6)))
+    return let_go(&held);
+  camera_kinematics_propagate(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -360,32 +455,30 @@ static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  double a2;
+  double a1;
+  T3d a2;
   T3d a3;
   T3d a4;
-  T3d a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "s", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "turn", 3)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_tuple(args[3], law, "before", 3)
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
         && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_tuple(args[4], law, "before", 3)
+        && take_tuple(args[4], law, "after", 3)
         && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
         && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)
-        && take_tuple(args[5], law, "after", 3)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.f0)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.f1)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.f2)))
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
     return let_go(&held);
-  camera_kinematics_push(a0, a1, a2, a3, a4, a5);
+  camera_kinematics_push(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -393,23 +486,21 @@ static PyObject *py_camera_kinematics_turn_covariance(PyObject *self, PyObject *
   static const char law[] = "pointpred_observers.camera.kinematics:turn_covariance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  T3d a3;
+  camera_kinematics_Matrix * a0;
+  double a1;
+  T3d a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "turn", 3)
-        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
-        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
-        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)))
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "p", true, 36, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "turn", 3)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)))
     return let_go(&held);
-  camera_kinematics_turn_covariance(a0, a1, a2, a3);
+  camera_kinematics_turn_covariance(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -417,24 +508,25 @@ static PyObject *py_camera_point_filter_correct(PyObject *self, PyObject *const 
   static const char law[] = "pointpred_observers.camera.point_filter:correct";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_point_filter_State * a0;
   double a1;
-  int64_t a2;
-  double a3;
-  double a4;
-  double a5;
+  double a2;
+  int64_t a3;
+  T3d a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 268, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[2], &a2)
+        && take_int64_t(args[3], &a3)
+        && take_tuple(args[4], law, "predicted", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.f0)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.f1)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
     return let_go(&held);
-  camera_point_filter_correct(a0, a1, a2, a3, a4, a5);
+  camera_point_filter_correct(a0, a1, a2, a3, a4);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -442,14 +534,14 @@ static PyObject *py_camera_point_filter_look(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred_observers.camera.point_filter:look";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_point_filter_Memory * a0;
   double a1;
   double a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 274, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -461,15 +553,15 @@ static PyObject *py_camera_point_filter_predict(PyObject *self, PyObject *const 
   static const char law[] = "pointpred_observers.camera.point_filter:predict";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_point_filter_Memory * a0;
   double a1;
   T3d a2;
   T3d a3;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 274, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_tuple(args[2], law, "w", 3)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
@@ -488,18 +580,18 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred_observers.camera.point_filter:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_point_filter_Memory * a0;
   Vector a1;
-  Vector a2;
+  camera_point_filter_Answer * a2;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 274, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_memory(&held, args[2], law, "out", true, 45, &view)
+        && (a2 = view->buf, true)))
     return let_go(&held);
   camera_point_filter_step(a0, a1, a2);
   let_go(&held);
@@ -509,16 +601,14 @@ static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred_observers.camera.starting:begin";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  camera_starting_State * a0;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  camera_starting_begin(a0, a1);
+  camera_starting_begin(a0);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -526,17 +616,15 @@ static PyObject *py_camera_starting_factor(PyObject *self, PyObject *const *args
   static const char law[] = "pointpred_observers.camera.starting:factor";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  camera_kinematics_Matrix * a0;
   bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)))
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "lower", true, 36, &view)
+        && (a0 = view->buf, true)))
     return let_go(&held);
-  result = camera_starting_factor(a0, a1);
+  result = camera_starting_factor(a0);
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -544,18 +632,17 @@ static PyObject *py_camera_starting_solve(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred_observers.camera.starting:solve";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
+  camera_kinematics_Matrix * a0;
+  Vector a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "lower", false, 36, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "v", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  camera_starting_solve(a0, a1, a2);
+  camera_starting_solve(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -563,25 +650,25 @@ static PyObject *py_camera_starting_start(PyObject *self, PyObject *const *args,
   static const char law[] = "pointpred_observers.camera.starting:start";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
+  camera_starting_State * a0;
+  Vector a1;
+  camera_kinematics_Matrix * a2;
+  double a3;
   double a4;
-  double a5;
   bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "state", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[2], law, "spread", true, 36, &view)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  result = camera_starting_start(a0, a1, a2, a3, a4, a5);
+  result = camera_starting_start(a0, a1, a2, a3, a4);
   let_go(&held);
   return PyBool_FromLong(result);
 }
@@ -589,22 +676,20 @@ static PyObject *py_camera_starting_take(PyObject *self, PyObject *const *args, 
   static const char law[] = "pointpred_observers.camera.starting:take";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  camera_starting_State * a0;
+  double a1;
   double a2;
   double a3;
-  double a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
         && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[3], &a3)))
     return let_go(&held);
-  camera_starting_take(a0, a1, a2, a3, a4);
+  camera_starting_take(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -637,24 +722,26 @@ static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject
   static const char law[] = "pointpred_observers.camera.unknown_input_filter:predict";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_unknown_input_filter_State * a0;
   double a1;
   double a2;
   double a3;
   double a4;
   double a5;
+  double a6;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+  if (!(counted(law, count, 7)
+        && take_memory(&held, args[0], law, "s", true, 12, &view)
+        && (a0 = view->buf, true)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
+        && take_double(args[5], &a5)
+        && take_double(args[6], &a6)))
     return let_go(&held);
-  camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5);
+  camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -680,14 +767,14 @@ static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *c
   static const char law[] = "pointpred_observers.camera.unknown_input_filter:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  camera_unknown_input_filter_Memory * a0;
   T7d a1;
   T4d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 14, &view)
+        && (a0 = view->buf, true)
         && take_tuple(args[1], law, "row", 7)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
         && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
@@ -705,44 +792,219 @@ static PyObject *py_interconnected_persidskii_law_advance(PyObject *self, PyObje
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:advance";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  Vector a1;
+  interconnected_persidskii_law_Memory * a0;
+  interconnected_persidskii_law_Matrices a1;
+  interconnected_persidskii_law_State a2;
+  Vector a3;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "memory", false, 8, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, true, &view)
+        && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, true, &view)
+        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, true, &view)
+        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, true, &view)
+        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, true, &view)
+        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, true, &view)
+        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, true, &view)
+        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, true, &view)
+        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, true, &view)
+        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, true, &view)
+        && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, true, &view)
+        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, true, &view)
+        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, true, &view)
+        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, true, &view)
+        && (a1.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
+        && (a2.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "s", 'd', 1, true, &view)
+        && (a2.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "s", 'd', 1, true, &view)
+        && (a2.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "s", 'd', 1, true, &view)
+        && (a2.absent = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = interconnected_persidskii_law_advance(a0, a1);
+  Py_BEGIN_ALLOW_THREADS result = interconnected_persidskii_law_advance(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyLong_FromLongLong(result);
+}
+static PyObject *py_interconnected_persidskii_law_along(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:along";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  Vector a1;
+  Vector a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "vector", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_along(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_interconnected_persidskii_law_along_both(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:along_both";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "one", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "other", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_along_both(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_interconnected_persidskii_law_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:bend";
+  Held held;
+  const Py_buffer *view;
+  interconnected_persidskii_law_Matrices a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "inputs", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "to", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_bend(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_bridge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:bridge";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  interconnected_persidskii_law_Matrices a0;
+  interconnected_persidskii_law_State a1;
   Vector a2;
   double a3;
   double a4;
-  int64_t a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+  if (!(counted(law, count, 5)
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
+        && (a1.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_int64_t(args[5], &a5)))
+        && take_double(args[4], &a4)))
     return let_go(&held);
-  interconnected_persidskii_law_bridge(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_bridge(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -769,68 +1031,150 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:flow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
+  interconnected_persidskii_law_Matrices a0;
+  interconnected_persidskii_law_State a1;
   Vector a2;
   double a3;
   double a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
+        && (a1.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[3], &a3)
         && take_double(args[4], &a4)))
     return let_go(&held);
-  interconnected_persidskii_law_flow(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_flow(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_interconnected_persidskii_law_injected_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:injected_at";
+static PyObject *py_interconnected_persidskii_law_measure(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:measure";
   Held held;
   const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t result;
+  interconnected_persidskii_law_State a0;
+  Vector a1;
+  Vector a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
+        && (a0.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 1, true, &view)
+        && (a0.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "s", 'd', 1, true, &view)
+        && (a0.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "s", 'd', 1, true, &view)
+        && (a0.absent = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "last", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = interconnected_persidskii_law_injected_at(a0, a1, a2, a3);
+  interconnected_persidskii_law_measure(a0, a1, a2);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:move";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  Vector a1;
-  int64_t a2;
-  int64_t a3;
+  interconnected_persidskii_law_Memory * a0;
+  interconnected_persidskii_law_Matrices a1;
+  interconnected_persidskii_law_State a2;
+  Vector a3;
   bool a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
+        && take_memory(&held, args[0], law, "memory", false, 8, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, true, &view)
+        && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, true, &view)
+        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, true, &view)
+        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, true, &view)
+        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, true, &view)
+        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, true, &view)
+        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, true, &view)
+        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, true, &view)
+        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, true, &view)
+        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, true, &view)
+        && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, true, &view)
+        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, true, &view)
+        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, true, &view)
+        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, true, &view)
+        && (a1.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
+        && (a2.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "s", 'd', 1, true, &view)
+        && (a2.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "s", 'd', 1, true, &view)
+        && (a2.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "s", 'd', 1, true, &view)
+        && (a2.absent = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
         && take_bool(args[4], &a4)))
     return let_go(&held);
-  interconnected_persidskii_law_move(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_move(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -838,23 +1182,55 @@ static PyObject *py_interconnected_persidskii_law_onward(PyObject *self, PyObjec
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:onward";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  interconnected_persidskii_law_Matrices a0;
   int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t a4;
+  Vector a2;
+  Vector a3;
+  Vector a4;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
+        && take_array(&held, args[2], law, "w", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "inputs", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "nonlinear", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = interconnected_persidskii_law_onward(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS result = interconnected_persidskii_law_onward(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -862,17 +1238,56 @@ static PyObject *py_interconnected_persidskii_law_read(PyObject *self, PyObject 
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:read";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  Vector a1;
+  interconnected_persidskii_law_Matrices a0;
+  interconnected_persidskii_law_State a1;
+  Vector a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "out", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "s", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
+        && (a1.both = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  interconnected_persidskii_law_read(a0, a1);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_read(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -880,143 +1295,127 @@ static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObje
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:replace";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t a4;
+  interconnected_persidskii_law_Matrices a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  Vector a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "inputs", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "nonlinear", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "absent", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  interconnected_persidskii_law_replace(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_replace(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_interconnected_persidskii_law_replaced_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:replaced_at";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
-    return let_go(&held);
-  result = interconnected_persidskii_law_replaced_at(a0, a1, a2, a3);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_interconnected_persidskii_law_room(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:room";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
-    return let_go(&held);
-  result = interconnected_persidskii_law_room(a0, a1, a2);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_interconnected_persidskii_law_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:slope";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t a4;
+  interconnected_persidskii_law_Matrices a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  Vector a4;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_int64_t(args[4], &a4)))
+        && take_tuple(args[0], law, "m", 15)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
+        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
+        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
+        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
+        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
+        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
+        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
+        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
+        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
+        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
+        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
+        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "inputs", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "nonlinear", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "to", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  interconnected_persidskii_law_slope(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_slope(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_interconnected_persidskii_law_start_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:start_at";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
-    return let_go(&held);
-  result = interconnected_persidskii_law_start_at(a0, a1, a2, a3);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_interconnected_persidskii_law_state_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:state_at";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
-    return let_go(&held);
-  result = interconnected_persidskii_law_state_at(a0, a1, a2, a3);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_interconnected_persidskii_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  interconnected_persidskii_law_Memory * a0;
   Vector a1;
   Vector a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 8, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -1078,6 +1477,32 @@ static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__ca
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.nonlinearity:value";
   Held held;
@@ -1115,22 +1540,33 @@ static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred_observers.regressors.gradient:flow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  double a4;
+  regressors_gradient_Parts a0;
+  regressors_gradient_Sample a1;
+  double a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "s", 6)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
+        && (a0.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "s", 'd', 1, true, &view)
+        && (a0.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "s", 'd', 1, true, &view)
+        && (a0.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
+        && (a0.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
+        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "sample", 2)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, false, &view)
+        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, false, &view)
+        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  regressors_gradient_flow(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_flow(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1138,39 +1574,35 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred_observers.regressors.gradient:jump";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
-  double a4;
+  regressors_gradient_Parts a0;
+  regressors_gradient_Sample a1;
+  double a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_double(args[4], &a4)))
+  if (!(counted(law, count, 3)
+        && take_tuple(args[0], law, "s", 6)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
+        && (a0.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "s", 'd', 1, true, &view)
+        && (a0.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "s", 'd', 1, true, &view)
+        && (a0.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
+        && (a0.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
+        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "sample", 2)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, true, &view)
+        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, true, &view)
+        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  regressors_gradient_jump(a0, a1, a2, a3, a4);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_regressors_gradient_state_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:state_at";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_int64_t(args[0], &a0)))
-    return let_go(&held);
-  result = regressors_gradient_state_at(a0);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_regressors_gradient_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:states";
@@ -1193,22 +1625,18 @@ static PyObject *py_regressors_gradient_steepness(PyObject *self, PyObject *cons
   static const char law[] = "pointpred_observers.regressors.gradient:steepness";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  Vector a1;
-  int64_t a2;
-  int64_t a3;
+  Table a0;
+  Table a1;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "d", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "gain", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  result = regressors_gradient_steepness(a0, a1, a2, a3);
+  Py_BEGIN_ALLOW_THREADS result = regressors_gradient_steepness(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -1216,15 +1644,15 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   static const char law[] = "pointpred_observers.regressors.gradient:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  regressors_gradient_Memory * a0;
   Vector a1;
   Vector a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 3, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -1255,23 +1683,41 @@ static PyObject *py_regressors_nonlinear_regression_flow(PyObject *self, PyObjec
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:flow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  Vector a1;
-  double a2;
+  regressors_nonlinear_regression_Memory * a0;
+  regressors_nonlinear_regression_Parts a1;
+  Vector a2;
   double a3;
   double a4;
+  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[2], &a2)
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "memory", false, 5, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "s", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "new", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4);
+  regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1279,21 +1725,15 @@ static PyObject *py_regressors_nonlinear_regression_pace(PyObject *self, PyObjec
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:pace";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
+  Table a0;
   double result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "sample", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "regressor", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  result = regressors_nonlinear_regression_pace(a0, a1, a2, a3);
+  Py_BEGIN_ALLOW_THREADS result = regressors_nonlinear_regression_pace(a0); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -1301,20 +1741,32 @@ static PyObject *py_regressors_nonlinear_regression_slope(PyObject *self, PyObje
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:slope";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t a3;
+  regressors_nonlinear_regression_Memory * a0;
+  regressors_nonlinear_regression_Parts a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_int64_t(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", false, 5, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "s", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  regressors_nonlinear_regression_slope(a0, a1, a2, a3);
+  regressors_nonlinear_regression_slope(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1339,15 +1791,15 @@ static PyObject *py_regressors_nonlinear_regression_step(PyObject *self, PyObjec
   static const char law[] = "pointpred_observers.regressors.nonlinear_regression:step";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  regressors_nonlinear_regression_Memory * a0;
   Vector a1;
   Vector a2;
   int64_t result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[0], law, "memory", true, 5, &view)
+        && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -1378,7 +1830,7 @@ static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObjec
   static const char law[] = "pointpred_observers.triangular.interlaced_observer:drive";
   Held held;
   const Py_buffer *view;
-  Vector a0;
+  triangular_interlaced_observer_Parts a0;
   int64_t a1;
   int64_t a2;
   double a3;
@@ -1388,8 +1840,27 @@ static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObjec
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[0], law, "parts", 10)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, false, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, false, &view)
+        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, false, &view)
+        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, false, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, false, &view)
+        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, false, &view)
+        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, false, &view)
+        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, false, &view)
+        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, false, &view)
+        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, false, &view)
+        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)
         && take_double(args[3], &a3)
@@ -1397,7 +1868,7 @@ static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObjec
         && take_array(&held, args[5], law, "row", 'd', 1, false, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = triangular_interlaced_observer_drive(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS result = triangular_interlaced_observer_drive(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -1405,25 +1876,42 @@ static PyObject *py_triangular_interlaced_observer_follow(PyObject *self, PyObje
   static const char law[] = "pointpred_observers.triangular.interlaced_observer:follow";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  double a2;
-  int64_t a3;
-  Vector a4;
-  bool a5;
+  triangular_interlaced_observer_Parts a0;
+  double a1;
+  int64_t a2;
+  Vector a3;
+  bool a4;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_int64_t(args[3], &a3)
-        && take_array(&held, args[4], law, "row", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)
-        && take_bool(args[5], &a5)))
+  if (!(counted(law, count, 5)
+        && take_tuple(args[0], law, "parts", 10)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, true, &view)
+        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, true, &view)
+        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, true, &view)
+        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, true, &view)
+        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, true, &view)
+        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, true, &view)
+        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, true, &view)
+        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, true, &view)
+        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, true, &view)
+        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, true, &view)
+        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)
+        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_bool(args[4], &a4)))
     return let_go(&held);
-  triangular_interlaced_observer_follow(a0, a1, a2, a3, a4, a5);
+  Py_BEGIN_ALLOW_THREADS triangular_interlaced_observer_follow(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1507,17 +1995,16 @@ static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *
   Held held;
   const Py_buffer *view;
   Vector a0;
-  int64_t a1;
-  int64_t a2;
+  Table a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
+  if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
+        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  triangular_program_execute(a0, a1, a2);
+  Py_BEGIN_ALLOW_THREADS triangular_program_execute(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1530,7 +2017,10 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:carried", (PyCFunction)(void (*)(void))py_camera_kinematics_carried, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carry", (PyCFunction)(void (*)(void))py_camera_kinematics_carry, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:carry_column", (PyCFunction)(void (*)(void))py_camera_kinematics_carry_column, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:propagate", (PyCFunction)(void (*)(void))py_camera_kinematics_propagate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:push", (PyCFunction)(void (*)(void))py_camera_kinematics_push, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:turn_covariance", (PyCFunction)(void (*)(void))py_camera_kinematics_turn_covariance, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:correct", (PyCFunction)(void (*)(void))py_camera_point_filter_correct, METH_FASTCALL, NULL},
@@ -1547,27 +2037,26 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.unknown_input_filter:row_at", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_row_at, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.unknown_input_filter:step", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:along_both", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_both, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:bend", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:bridge", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bridge, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:floats", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_floats, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:flow", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_flow, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:injected_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_injected_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:measure", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_measure, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:move", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_move, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:onward", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_onward, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:read", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_read, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:replaced_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replaced_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:room", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_room, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:start_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_start_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:state_at", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_state_at, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step, METH_FASTCALL, NULL},
   {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:finite", (PyCFunction)(void (*)(void))py_regressors_gradient_finite, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:state_at", (PyCFunction)(void (*)(void))py_regressors_gradient_state_at, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:states", (PyCFunction)(void (*)(void))py_regressors_gradient_states, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},

@@ -2,19 +2,17 @@
 #include "laws.h"
 
 
-/* Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant; theta, w, G lie ``at``. */
-void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double output, double h) {
-  int64_t theta, w, gain;
+/* Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant. */
+void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h) {
+  int64_t n;
   double error, square_, exponent, share;
-  theta = at.f0;
-  w = at.f1;
-  gain = at.f2;
+  n = theta.n;
   error = output;
   square_ = 0.0;
   for (int64_t i = 0; i < n; i++) {
-    error -= memory.p[w + i] * memory.p[theta + i];
+    error -= w.p[i] * theta.p[i];
     for (int64_t j = 0; j < n; j++) {
-      square_ += memory.p[w + i] * memory.p[gain + i * n + j] * memory.p[w + j];
+      square_ += w.p[i] * gain.p[i * gain.m + j] * w.p[j];
     }
   }
   exponent = square_ * h;
@@ -24,7 +22,7 @@ void regression_gradient_descend_along(Vector memory, T3q at, int64_t n, double 
   share = -expm1(-exponent) / square_ * error;
   for (int64_t i = 0; i < n; i++) {
     for (int64_t j = 0; j < n; j++) {
-      memory.p[theta + i] += share * memory.p[gain + i * n + j] * memory.p[w + j];
+      theta.p[i] += share * gain.p[i * gain.m + j] * w.p[j];
     }
   }
 }

@@ -3,43 +3,45 @@
 
 static const int64_t regressors_gradient_BACKWARDS = 1;
 static const double regressors_gradient_CONTINUOUS = 0.0;
-static const int64_t regressors_gradient_COUNT = 0;
 static const double regressors_gradient_DISCRETE = 1.0;
-static const int64_t regressors_gradient_KIND = 2;
 static const double regressors_gradient_NORMALISED = 2.0;
-static const int64_t regressors_gradient_OUTPUTS = 1;
-static const int64_t regressors_gradient_SAMPLE = 1;
-static const int64_t regressors_gradient_START = 3;
 static const int64_t regressors_gradient_TAKEN = 0;
 static const int64_t regressors_gradient_TOO_STEEP = 2;
 static const int64_t regressors_gradient_UNUSABLE = 3;
 static const int64_t regressors_nonlinear_regression_BACKWARDS = 1;
-static const int64_t regressors_nonlinear_regression_CODE = 3;
-static const int64_t regressors_nonlinear_regression_COUNT = 0;
-static const int64_t regressors_nonlinear_regression_GAIN = 2;
-static const int64_t regressors_nonlinear_regression_OUTPUTS = 1;
-static const int64_t regressors_nonlinear_regression_SAMPLE = 1;
-static const int64_t regressors_nonlinear_regression_START = 5;
-static const int64_t regressors_nonlinear_regression_STEEPEST = 4;
 static const int64_t regressors_nonlinear_regression_STEPS_MOST = 10000;
 static const double regressors_nonlinear_regression_STEP_MOST = 0.5;
 static const int64_t regressors_nonlinear_regression_TAKEN = 0;
 static const int64_t regressors_nonlinear_regression_TOO_FAST = 2;
 static const int64_t regressors_nonlinear_regression_UNUSABLE = 3;
 
-/* Floats of a sample: p rows of the regressor, then p outputs. */
+/* Floats of a sample. */
 int64_t regressors_gradient_width(int64_t n, int64_t p) {
   return p * n + p;
-}
-
-/* Offset of the state. */
-int64_t regressors_gradient_state_at(int64_t n) {
-  return regressors_gradient_START + n + n * n;
 }
 
 /* Floats of the state. */
 int64_t regressors_gradient_states(int64_t n, int64_t p) {
   return 2 + n + 2 * regressors_gradient_width(n, p);
+}
+
+/* The parts in their places. */
+regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory) {
+  int64_t n, gain_at, clock_at, theta_at, last_at, middle_at;
+  n = (int64_t)memory->count;
+  gain_at = n;
+  clock_at = n + n * n;
+  theta_at = clock_at + 2;
+  last_at = clock_at + 2 + n;
+  middle_at = last_at + regressors_gradient_width(n, (int64_t)memory->outputs);
+  return (regressors_gradient_Parts){(Vector){(Vector){memory->rest, -1}.p, gain_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + gain_at, clock_at - gain_at}.p, n, n}, (Vector){(Vector){memory->rest, -1}.p + clock_at, theta_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + theta_at, last_at - theta_at}, (Vector){(Vector){memory->rest, -1}.p + last_at, middle_at - last_at}, (Vector){(Vector){memory->rest, -1}.p + middle_at, middle_at + middle_at - last_at - middle_at}};
+}
+
+/* The parts of a sample. */
+regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t n) {
+  int64_t p;
+  p = floor_divided_whole(numbers.n, n + 1);
+  return (regressors_gradient_Sample){(Table){(Vector){numbers.p, p * n}.p, p, n}, (Vector){numbers.p + p * n, p * n + p - p * n}};
 }
 
 /* Whether every number of a row is finite. */
@@ -53,16 +55,15 @@ bool regressors_gradient_finite(Vector row) {
 }
 
 /* The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample. */
-double regressors_gradient_steepness(Vector memory, Vector row, int64_t n, int64_t p) {
-  int64_t gain, w;
+double regressors_gradient_steepness(Table d, Table gain) {
+  int64_t n;
   double total;
-  gain = regressors_gradient_START + n;
+  n = gain.n;
   total = 0.0;
-  for (int64_t output = 0; output < p; output++) {
-    w = regressors_gradient_SAMPLE + output * n;
+  for (int64_t row = 0; row < d.n; row++) {
     for (int64_t i = 0; i < n; i++) {
       for (int64_t j = 0; j < n; j++) {
-        total += row.p[w + i] * memory.p[gain + i * n + j] * row.p[w + j];
+        total += d.p[row * d.m + i] * gain.p[i * gain.m + j] * d.p[row * d.m + j];
       }
     }
   }
@@ -70,85 +71,85 @@ double regressors_gradient_steepness(Vector memory, Vector row, int64_t n, int64
 }
 
 /* Follow (3.46) over ``h`` s: exact for one output, a symmetric splitting of second order for several. */
-void regressors_gradient_flow(Vector memory, int64_t n, int64_t p, int64_t sample, double h) {
-  int64_t theta, row;
+void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_Sample sample, double h) {
+  int64_t p, row;
   double output;
-  theta = regressors_gradient_state_at(n) + 2;
+  p = sample.y.n;
   for (int64_t i = 0, end_1 = 2 * p; i < end_1; i++) {
     row = i < p ? i : 2 * p - 1 - i;
-    output = memory.p[sample + p * n + row];
-    for (int64_t j = 0; j < n; j++) {
-      output -= memory.p[sample + row * n + j] * memory.p[regressors_gradient_START + j];
+    output = sample.y.p[row];
+    for (int64_t j = 0, end_2 = s.start.n; j < end_2; j++) {
+      output -= sample.D.p[row * sample.D.m + j] * s.start.p[j];
     }
-    regression_gradient_descend_along(memory, (T3q){theta, sample + row * n, regressors_gradient_START + n}, n, output, 0.5 * h);
+    regression_gradient_descend_along(s.theta, (Vector){sample.D.p + row * sample.D.m, sample.D.m}, s.gain, output, 0.5 * h);
   }
 }
 
-/* One step of (3.58) with ``share`` of the gain; the outputs at ``sample`` become their errors. */
-void regressors_gradient_jump(Vector memory, int64_t n, int64_t p, int64_t sample, double share) {
-  int64_t theta, gain, errors;
+/* One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors. */
+void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share) {
+  int64_t n;
   double way;
-  theta = regressors_gradient_state_at(n) + 2;
-  gain = regressors_gradient_START + n;
-  errors = sample + p * n;
-  for (int64_t row = 0; row < p; row++) {
+  n = s.start.n;
+  for (int64_t row = 0, end_1 = sample.y.n; row < end_1; row++) {
     for (int64_t j = 0; j < n; j++) {
-      memory.p[errors + row] -= memory.p[sample + row * n + j] * (memory.p[regressors_gradient_START + j] + memory.p[theta + j]);
+      sample.y.p[row] -= sample.D.p[row * sample.D.m + j] * (s.start.p[j] + s.theta.p[j]);
     }
   }
-  for (int64_t row = 0; row < p; row++) {
+  for (int64_t row = 0, end_2 = sample.y.n; row < end_2; row++) {
     for (int64_t i = 0; i < n; i++) {
       for (int64_t j = 0; j < n; j++) {
-        way = memory.p[gain + i * n + j] * memory.p[sample + row * n + j];
-        memory.p[theta + i] += share * way * memory.p[errors + row];
+        way = s.gain.p[i * s.gain.m + j] * sample.D.p[row * sample.D.m + j];
+        s.theta.p[i] += share * way * sample.y.p[row];
       }
     }
   }
 }
 
-/* Process a row and write the estimate to ``out``; a refused row changes nothing. */
-int64_t regressors_gradient_step(Vector memory, Vector row, Vector out) {
-  int64_t n, p, state, wide, last, middle;
+/* Process t and a sample and write the estimate to ``out``; a refused row changes nothing. */
+int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out) {
+  regressors_gradient_Parts s;
+  int64_t n;
+  Vector new;
   bool started;
   double h, steep;
-  n = (int64_t)memory.p[regressors_gradient_COUNT];
-  p = (int64_t)memory.p[regressors_gradient_OUTPUTS];
-  state = regressors_gradient_state_at(n);
-  wide = regressors_gradient_width(n, p);
-  last = state + 2 + n;
-  middle = last + wide;
+  regressors_gradient_Sample middle, now;
+  s = regressors_gradient_parts_of(memory);
+  n = s.start.n;
+  new = (Vector){row.p + 1, row.n - 1};
   if (!regressors_gradient_finite(row)) {
     return regressors_gradient_UNUSABLE;
   }
-  started = memory.p[state] == 1.0;
-  h = row.p[0] - memory.p[state + 1];
+  started = s.clock.p[0] == 1.0;
+  h = row.p[0] - s.clock.p[1];
   if (started && h < 0.0) {
     return regressors_gradient_BACKWARDS;
   }
-  if (memory.p[regressors_gradient_KIND] == regressors_gradient_CONTINUOUS) {
-    for (int64_t i = 0; i < wide; i++) {
-      memory.p[middle + i] = 0.5 * (memory.p[last + i] + row.p[regressors_gradient_SAMPLE + i]);
+  middle = regressors_gradient_sample_of(s.middle, n);
+  if (memory->kind == regressors_gradient_CONTINUOUS) {
+    for (int64_t i = 0, end_1 = s.last.n; i < end_1; i++) {
+      s.middle.p[i] = 0.5 * (s.last.p[i] + new.p[i]);
     }
     if (started) {
-      regressors_gradient_flow(memory, n, p, middle, h);
+      regressors_gradient_flow(s, middle, h);
     }
   } else {
-    steep = regressors_gradient_steepness(memory, row, n, p);
-    if (memory.p[regressors_gradient_KIND] == regressors_gradient_DISCRETE && !(steep < 2.0)) {
+    now = regressors_gradient_sample_of(new, n);
+    steep = regressors_gradient_steepness(now.D, s.gain);
+    if (memory->kind == regressors_gradient_DISCRETE && !(steep < 2.0)) {
       return regressors_gradient_TOO_STEEP;
     }
-    for (int64_t i = 0; i < wide; i++) {
-      memory.p[middle + i] = row.p[regressors_gradient_SAMPLE + i];
+    for (int64_t i = 0, end_2 = s.last.n; i < end_2; i++) {
+      s.middle.p[i] = new.p[i];
     }
-    regressors_gradient_jump(memory, n, p, middle, memory.p[regressors_gradient_KIND] == regressors_gradient_NORMALISED ? 1.0 / (1.0 + steep) : 1.0);
+    regressors_gradient_jump(s, middle, memory->kind == regressors_gradient_NORMALISED ? 1.0 / (1.0 + steep) : 1.0);
   }
-  for (int64_t i = 0; i < wide; i++) {
-    memory.p[last + i] = row.p[regressors_gradient_SAMPLE + i];
+  for (int64_t i = 0, end_3 = s.last.n; i < end_3; i++) {
+    s.last.p[i] = new.p[i];
   }
-  memory.p[state] = 1.0;
-  memory.p[state + 1] = row.p[0];
+  s.clock.p[0] = 1.0;
+  s.clock.p[1] = row.p[0];
   for (int64_t i = 0; i < n; i++) {
-    out.p[i] = memory.p[regressors_gradient_START + i] + memory.p[state + 2 + i];
+    out.p[i] = s.start.p[i] + s.theta.p[i];
   }
   return regressors_gradient_TAKEN;
 }
@@ -163,108 +164,126 @@ int64_t regressors_nonlinear_regression_states(int64_t n, int64_t r) {
   return 2 + n + 2 * regressors_nonlinear_regression_width(n, r) + 3 * n;
 }
 
+/* The parts in their places. */
+regressors_nonlinear_regression_Parts regressors_nonlinear_regression_parts_of(regressors_nonlinear_regression_Memory * memory) {
+  int64_t n, wide, theta_at, last_at, between_at, stage_at;
+  n = (int64_t)memory->count;
+  wide = regressors_nonlinear_regression_width(n, (int64_t)memory->outputs);
+  theta_at = n + 2;
+  last_at = n + 2 + n;
+  between_at = last_at + wide;
+  stage_at = last_at + 2 * wide;
+  return (regressors_nonlinear_regression_Parts){(Vector){(Vector){memory->rest, -1}.p, n}, (Vector){(Vector){memory->rest, -1}.p + n, theta_at - n}, (Vector){(Vector){memory->rest, -1}.p + theta_at, last_at - theta_at}, (Vector){(Vector){memory->rest, -1}.p + last_at, between_at - last_at}, (Vector){(Vector){memory->rest, -1}.p + between_at, stage_at - between_at}, (Vector){(Vector){memory->rest, -1}.p + stage_at, stage_at + n - stage_at}, (Vector){(Vector){memory->rest, -1}.p + (stage_at + n), stage_at + 2 * n - (stage_at + n)}, (Vector){(Vector){memory->rest, -1}.p + (stage_at + 2 * n), stage_at + 3 * n - (stage_at + 2 * n)}};
+}
+
+/* The parts of a sample. */
+regressors_nonlinear_regression_Sample regressors_nonlinear_regression_sample_of(Vector numbers, int64_t n) {
+  int64_t r;
+  r = floor_divided_whole(numbers.n - 1, n + 1);
+  return (regressors_nonlinear_regression_Sample){(Table){(Vector){numbers.p, r * n}.p, r, n}, (Vector){numbers.p + r * n, r * n + r - r * n}, numbers.p[r * n + r]};
+}
+
 /* The sum of the squares of J, which bounds the eigenvalues of J'J. */
-double regressors_nonlinear_regression_pace(Vector sample, int64_t at, int64_t n, int64_t r) {
+double regressors_nonlinear_regression_pace(Table regressor) {
   double total;
   total = 0.0;
-  for (int64_t i = 0, end_1 = r * n; i < end_1; i++) {
-    total += sample.p[at + i] * sample.p[at + i];
+  for (int64_t row = 0; row < regressor.n; row++) {
+    for (int64_t i = 0, end_1 = regressor.m; i < end_1; i++) {
+      total += regressor.p[row * regressor.m + i] * regressor.p[row * regressor.m + i];
+    }
   }
   return total;
 }
 
-/* Write g J'(y - (1 - D1) J theta - D1 f(J theta)) at ``to``; theta minus its start. */
-void regressors_nonlinear_regression_slope(Vector memory, int64_t theta, int64_t sample, int64_t to) {
-  int64_t n, r;
-  double weight, s, error;
-  n = (int64_t)memory.p[regressors_nonlinear_regression_COUNT];
-  r = (int64_t)memory.p[regressors_nonlinear_regression_OUTPUTS];
-  weight = memory.p[sample + r * n + r];
+/* Write g J'(y - (1 - D1) J theta - D1 f(J theta)) of the stage at the interpolated sample. */
+void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s) {
+  int64_t n;
+  regressors_nonlinear_regression_Sample sample;
+  double argument, error;
+  n = s.start.n;
+  sample = regressors_nonlinear_regression_sample_of(s.between, n);
   for (int64_t i = 0; i < n; i++) {
-    memory.p[to + i] = 0.0;
+    s.change.p[i] = 0.0;
   }
-  for (int64_t row = 0; row < r; row++) {
-    s = 0.0;
+  for (int64_t row = 0, end_1 = sample.y.n; row < end_1; row++) {
+    argument = 0.0;
     for (int64_t i = 0; i < n; i++) {
-      s += memory.p[sample + row * n + i] * (memory.p[theta + i] + memory.p[regressors_nonlinear_regression_START + i]);
+      argument += sample.J.p[row * sample.J.m + i] * (s.stage.p[i] + s.start.p[i]);
     }
-    error = memory.p[sample + r * n + row] - (1.0 - weight) * s;
-    error -= weight * nonlinearity_value(memory.p[regressors_nonlinear_regression_CODE], s);
+    error = sample.y.p[row] - (1.0 - sample.weight) * argument;
+    error -= sample.weight * nonlinearity_value(memory->code, argument);
     for (int64_t i = 0; i < n; i++) {
-      memory.p[to + i] += memory.p[regressors_nonlinear_regression_GAIN] * memory.p[sample + row * n + i] * error;
+      s.change.p[i] += memory->gain * sample.J.p[row * sample.J.m + i] * error;
     }
   }
 }
 
 /* A step of the classical Runge-Kutta method over the share ``h`` of the interval ``dt``. */
-void regressors_nonlinear_regression_flow(Vector memory, Vector row, double begin, double h, double dt) {
-  int64_t n, r, theta, last, wide, between, room;
+void regressors_nonlinear_regression_flow(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s, Vector new, double begin, double h, double dt) {
+  int64_t n;
   double at, weight, ahead;
-  n = (int64_t)memory.p[regressors_nonlinear_regression_COUNT];
-  r = (int64_t)memory.p[regressors_nonlinear_regression_OUTPUTS];
-  theta = regressors_nonlinear_regression_START + n + 2;
-  last = regressors_nonlinear_regression_START + n + 2 + n;
-  wide = regressors_nonlinear_regression_width(n, r);
-  between = last + wide;
-  room = last + 2 * wide;
+  n = s.start.n;
   for (int64_t i = 0; i < n; i++) {
-    memory.p[room + i] = memory.p[theta + i];
-    memory.p[room + 2 * n + i] = 0.0;
+    s.stage.p[i] = s.theta.p[i];
+    s.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
     at = begin + (part == 0 ? 0.0 : part == 3 ? h : 0.5 * h);
-    for (int64_t i = 0; i < wide; i++) {
-      memory.p[between + i] = memory.p[last + i] + at * (row.p[regressors_nonlinear_regression_SAMPLE + i] - memory.p[last + i]);
+    for (int64_t i = 0, end_1 = s.last.n; i < end_1; i++) {
+      s.between.p[i] = s.last.p[i] + at * (new.p[i] - s.last.p[i]);
     }
-    regressors_nonlinear_regression_slope(memory, room, between, room + n);
+    regressors_nonlinear_regression_slope(memory, s);
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
     ahead = part == 2 ? h * dt : 0.5 * h * dt;
     for (int64_t i = 0; i < n; i++) {
-      memory.p[room + 2 * n + i] += weight * memory.p[room + n + i];
-      memory.p[room + i] = memory.p[theta + i] + ahead * memory.p[room + n + i];
+      s.total.p[i] += weight * s.change.p[i];
+      s.stage.p[i] = s.theta.p[i] + ahead * s.change.p[i];
     }
   }
   for (int64_t i = 0; i < n; i++) {
-    memory.p[theta + i] += h * dt / 6.0 * memory.p[room + 2 * n + i];
+    s.theta.p[i] += h * dt / 6.0 * s.total.p[i];
   }
 }
 
-/* Process a row and write the estimate to ``out``; a refused row changes nothing. */
-int64_t regressors_nonlinear_regression_step(Vector memory, Vector row, Vector out) {
-  int64_t n, r, state, theta, last, steps;
+/* Process t and a sample and write the estimate to ``out``; a refused row changes nothing. */
+int64_t regressors_nonlinear_regression_step(regressors_nonlinear_regression_Memory * memory, Vector row, Vector out) {
+  regressors_nonlinear_regression_Parts s;
+  int64_t n, steps;
+  Vector new;
+  regressors_nonlinear_regression_Sample sample, last;
   double dt, steep, needed;
-  n = (int64_t)memory.p[regressors_nonlinear_regression_COUNT];
-  r = (int64_t)memory.p[regressors_nonlinear_regression_OUTPUTS];
-  state = regressors_nonlinear_regression_START + n;
-  theta = state + 2;
-  last = state + 2 + n;
-  if (!regressors_gradient_finite(row) || !(0.0 <= row.p[regressors_nonlinear_regression_SAMPLE + r * n + r] && row.p[regressors_nonlinear_regression_SAMPLE + r * n + r] <= 1.0)) {
+  s = regressors_nonlinear_regression_parts_of(memory);
+  n = s.start.n;
+  new = (Vector){row.p + 1, row.n - 1};
+  sample = regressors_nonlinear_regression_sample_of(new, n);
+  if (!regressors_gradient_finite(row) || !(0.0 <= sample.weight && sample.weight <= 1.0)) {
     return regressors_nonlinear_regression_UNUSABLE;
   }
-  if (memory.p[state] == 1.0) {
-    dt = row.p[0] - memory.p[state + 1];
+  if (s.clock.p[0] == 1.0) {
+    dt = row.p[0] - s.clock.p[1];
     if (dt < 0.0) {
       return regressors_nonlinear_regression_BACKWARDS;
     }
-    steep = max_float(regressors_nonlinear_regression_pace(memory, last, n, r), regressors_nonlinear_regression_pace(row, regressors_nonlinear_regression_SAMPLE, n, r));
-    needed = memory.p[regressors_nonlinear_regression_GAIN] * steep * memory.p[regressors_nonlinear_regression_STEEPEST] * dt / regressors_nonlinear_regression_STEP_MOST;
+    last = regressors_nonlinear_regression_sample_of(s.last, n);
+    steep = max_float(regressors_nonlinear_regression_pace(last.J), regressors_nonlinear_regression_pace(sample.J));
+    needed = memory->gain * steep * memory->steepest * dt / regressors_nonlinear_regression_STEP_MOST;
     if (!(needed <= regressors_nonlinear_regression_STEPS_MOST)) {
       return regressors_nonlinear_regression_TOO_FAST;
     }
     steps = max_whole(1, (int64_t)ceil(needed));
     if (dt > 0.0) {
       for (int64_t i = 0; i < steps; i++) {
-        regressors_nonlinear_regression_flow(memory, row, (double)i / steps, 1.0 / steps, dt);
+        regressors_nonlinear_regression_flow(memory, s, new, (double)i / steps, 1.0 / steps, dt);
       }
     }
   }
-  memory.p[state] = 1.0;
-  memory.p[state + 1] = row.p[0];
-  for (int64_t i = 0, end_1 = regressors_nonlinear_regression_width(n, r); i < end_1; i++) {
-    memory.p[last + i] = row.p[regressors_nonlinear_regression_SAMPLE + i];
+  s.clock.p[0] = 1.0;
+  s.clock.p[1] = row.p[0];
+  for (int64_t i = 0; i < new.n; i++) {
+    s.last.p[i] = new.p[i];
   }
   for (int64_t i = 0; i < n; i++) {
-    out.p[i] = memory.p[theta + i] + memory.p[regressors_nonlinear_regression_START + i];
+    out.p[i] = s.theta.p[i] + s.start.p[i];
   }
   return regressors_nonlinear_regression_TAKEN;
 }

@@ -6,15 +6,16 @@ The parameters are the constant state of a plant; its reversed connection (secti
 from __future__ import annotations
 
 from math import inf
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
+from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.regression import gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
@@ -25,29 +26,71 @@ CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
 TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
 """Results of a step."""
 
-# Parameters: unknowns n, outputs p, kind of law, then the start (n) and the gain (n x n). The state: whether
-# there was a sample, its time, the estimate minus its start (n), the last sample, an interpolated sample.
-COUNT, OUTPUTS, KIND, START = range(4)
-# A row holds the time, then a sample: p rows of the regressor, then p outputs.
-SAMPLE = 1
+
+class Memory(Layout):
+    """Unknowns n, outputs p, kind of law; then ``Parts``, whose sizes follow."""
+
+    count: float
+    outputs: float
+    kind: float
+    rest: Annotated[FloatArray, None]
+
+
+class Parts(NamedTuple):
+    """Start (n) and gain (n, n); whether there was a sample, and t; theta minus its start; two samples.
+
+    A sample is p rows of the regressor, then p outputs; the second one lies in the middle of an interval.
+    """
+
+    start: FloatArray
+    gain: FloatTable
+    clock: FloatArray
+    theta: FloatArray
+    last: FloatArray
+    middle: FloatArray
+
+
+class Sample(NamedTuple):
+    """Outputs and their regressor: y (p) = D (p, n) theta."""
+
+    D: FloatTable
+    y: FloatArray
 
 
 @law
 def width(n: int, p: int) -> int:
-    """Floats of a sample: p rows of the regressor, then p outputs."""
+    """Floats of a sample."""
     return p * n + p
-
-
-@law
-def state_at(n: int) -> int:
-    """Offset of the state."""
-    return START + n + n * n
 
 
 @law
 def states(n: int, p: int) -> int:
     """Floats of the state."""
     return 2 + n + 2 * width(n, p)
+
+
+@law
+def parts_of(memory: Memory) -> Parts:
+    """The parts in their places."""
+    n = int(memory.count)
+    gain_at, clock_at = n, n + n * n
+    theta_at, last_at = clock_at + 2, clock_at + 2 + n
+    middle_at = last_at + width(n, int(memory.outputs))
+    return Parts(
+        memory.rest[:gain_at],
+        memory.rest[gain_at:clock_at].reshape(n, n),
+        memory.rest[clock_at:theta_at],
+        memory.rest[theta_at:last_at],
+        memory.rest[last_at:middle_at],
+        memory.rest[middle_at : middle_at + middle_at - last_at],
+    )
+
+
+@law
+def sample_of(numbers: FloatArray, n: int) -> Sample:
+    """The parts of a sample."""
+    p = len(numbers) // (n + 1)
+    return Sample(numbers[: p * n].reshape(p, n), numbers[p * n : p * n + p])
 
 
 @law
@@ -60,73 +103,72 @@ def finite(row: FloatArray) -> bool:
 
 
 @law
-def steepness(memory: FloatArray, row: FloatArray, n: int, p: int) -> float:
+def steepness(d: FloatTable, gain: FloatTable) -> float:
     """The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample."""
-    gain = START + n
+    n = len(gain)
     total = 0.0
-    for output in range(p):
-        w = SAMPLE + output * n
+    for row in range(len(d)):
         for i in range(n):
             for j in range(n):
-                total += row[w + i] * memory[gain + i * n + j] * row[w + j]
+                total += d[row, i] * gain[i, j] * d[row, j]
     return total
 
 
 @law
-def flow(memory: FloatArray, n: int, p: int, sample: int, h: float) -> None:
+def flow(s: Parts, sample: Sample, h: float) -> None:
     """Follow (3.46) over ``h`` s: exact for one output, a symmetric splitting of second order for several."""
-    theta = state_at(n) + 2
+    p = len(sample.y)
     for i in range(2 * p):
         row = i if i < p else 2 * p - 1 - i
-        output = memory[sample + p * n + row]
-        for j in range(n):
-            output -= memory[sample + row * n + j] * memory[START + j]
-        gradient.descend_along(memory, (theta, sample + row * n, START + n), n, output, 0.5 * h)
+        output = sample.y[row]
+        for j in range(len(s.start)):
+            output -= sample.D[row, j] * s.start[j]
+        gradient.descend_along(s.theta, sample.D[row], s.gain, output, 0.5 * h)
 
 
 @law
-def jump(memory: FloatArray, n: int, p: int, sample: int, share: float) -> None:
-    """One step of (3.58) with ``share`` of the gain; the outputs at ``sample`` become their errors."""
-    theta, gain, errors = state_at(n) + 2, START + n, sample + p * n
-    for row in range(p):
+def jump(s: Parts, sample: Sample, share: float) -> None:
+    """One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors."""
+    n = len(s.start)
+    for row in range(len(sample.y)):
         for j in range(n):
-            memory[errors + row] -= memory[sample + row * n + j] * (memory[START + j] + memory[theta + j])
-    for row in range(p):
+            sample.y[row] -= sample.D[row, j] * (s.start[j] + s.theta[j])
+    for row in range(len(sample.y)):
         for i in range(n):
             for j in range(n):
-                way = memory[gain + i * n + j] * memory[sample + row * n + j]
-                memory[theta + i] += share * way * memory[errors + row]
+                way = s.gain[i, j] * sample.D[row, j]
+                s.theta[i] += share * way * sample.y[row]
 
 
 @law
-def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Process a row and write the estimate to ``out``; a refused row changes nothing."""
-    n, p = int(memory[COUNT]), int(memory[OUTPUTS])
-    state, wide = state_at(n), width(n, p)
-    last = state + 2 + n
-    middle = last + wide
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
+    """Process t and a sample and write the estimate to ``out``; a refused row changes nothing."""
+    s = parts_of(memory)
+    n, new = len(s.start), row[1:]
     if not finite(row):
         return UNUSABLE
-    started, h = memory[state] == 1.0, row[0] - memory[state + 1]
+    started, h = s.clock[0] == 1.0, row[0] - s.clock[1]
     if started and h < 0.0:
         return BACKWARDS
-    if memory[KIND] == CONTINUOUS:
-        for i in range(wide):
-            memory[middle + i] = 0.5 * (memory[last + i] + row[SAMPLE + i])
+    middle = sample_of(s.middle, n)
+    if memory.kind == CONTINUOUS:
+        for i in range(len(s.last)):
+            s.middle[i] = 0.5 * (s.last[i] + new[i])
         if started:
-            flow(memory, n, p, middle, h)
+            flow(s, middle, h)
     else:
-        steep = steepness(memory, row, n, p)
-        if memory[KIND] == DISCRETE and not steep < 2.0:
+        now = sample_of(new, n)
+        steep = steepness(now.D, s.gain)
+        if memory.kind == DISCRETE and not steep < 2.0:
             return TOO_STEEP
-        for i in range(wide):
-            memory[middle + i] = row[SAMPLE + i]
-        jump(memory, n, p, middle, 1.0 / (1.0 + steep) if memory[KIND] == NORMALISED else 1.0)
-    for i in range(wide):
-        memory[last + i] = row[SAMPLE + i]
-    memory[state], memory[state + 1] = 1.0, row[0]
+        for i in range(len(s.last)):
+            s.middle[i] = new[i]
+        jump(s, middle, 1.0 / (1.0 + steep) if memory.kind == NORMALISED else 1.0)
+    for i in range(len(s.last)):
+        s.last[i] = new[i]
+    s.clock[0], s.clock[1] = 1.0, row[0]
     for i in range(n):
-        out[i] = memory[START + i] + memory[state + 2 + i]
+        out[i] = s.start[i] + s.theta[i]
     return TAKEN
 
 
@@ -194,14 +236,14 @@ class GradientRegressor(CompiledStage):
         The discrete law needs no time. Raises EventError for values that are not finite, of another shape or
         too large, and EventOrderError when time runs backwards; the stage is then unchanged.
         """
-        state = state_at(self.count)
-        last_t = float(self._memory[state + 1])
+        memory = Memory(self._memory)
+        started, last_t = parts_of(memory).clock.tolist()
         sample = joined(self.count, self.outputs, regressor, output)
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
-        now = last_t if t is None else moment(t, last_t if self._memory[state] == 1.0 else None)
+        now = last_t if t is None else moment(t, last_t if started == 1.0 else None)
         out = np.empty(self.count)
-        if step(self._memory, np.concatenate([[now], sample]), out) == TOO_STEEP:
+        if step(memory, np.concatenate([[now], sample]), out) == TOO_STEEP:
             raise EventError(
                 "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
                 f"regressor {regressor!r}: choose a smaller gain or normalised=True",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import ceil
-from typing import Any
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError, UndecidedError
+from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 from pointpred_observers import nonlinearity
@@ -31,12 +32,40 @@ STEPS_MOST = 10_000
 STEP_MOST = 0.5
 """Longest step of the integration, in units of the fastest time constant."""
 
-# Parameters: unknowns n, outputs r, gain, code of f, its steepest slope, then the start (n). The state:
-# whether there was a sample, its time, the estimate minus its start (n), the last sample, then scratch space
-# for an interpolated one (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
-COUNT, OUTPUTS, GAIN, CODE, STEEPEST, START = range(6)
-# A row holds the time, then a sample.
-SAMPLE = 1
+
+class Memory(Layout):
+    """Unknowns n, outputs r, gain, code of f, its steepest slope; then ``Parts``, whose sizes follow."""
+
+    count: float
+    outputs: float
+    gain: float
+    code: float
+    steepest: float
+    rest: Annotated[FloatArray, None]
+
+
+class Parts(NamedTuple):
+    """Start (n); whether there was a sample, and t; theta minus its start; the last sample.
+
+    Then space for an interpolated sample and for a step of the integration (n each).
+    """
+
+    start: FloatArray
+    clock: FloatArray
+    theta: FloatArray
+    last: FloatArray
+    between: FloatArray
+    stage: FloatArray
+    change: FloatArray
+    total: FloatArray
+
+
+class Sample(NamedTuple):
+    """The regressor J (r, n), the outputs y (r) and the weight D1, one behind the other."""
+
+    J: FloatTable
+    y: FloatArray
+    weight: float
 
 
 @law
@@ -52,80 +81,105 @@ def states(n: int, r: int) -> int:
 
 
 @law
-def pace(sample: FloatArray, at: int, n: int, r: int) -> float:
+def parts_of(memory: Memory) -> Parts:
+    """The parts in their places."""
+    n = int(memory.count)
+    wide = width(n, int(memory.outputs))
+    theta_at, last_at = n + 2, n + 2 + n
+    between_at, stage_at = last_at + wide, last_at + 2 * wide
+    return Parts(
+        memory.rest[:n],
+        memory.rest[n:theta_at],
+        memory.rest[theta_at:last_at],
+        memory.rest[last_at:between_at],
+        memory.rest[between_at:stage_at],
+        memory.rest[stage_at : stage_at + n],
+        memory.rest[stage_at + n : stage_at + 2 * n],
+        memory.rest[stage_at + 2 * n : stage_at + 3 * n],
+    )
+
+
+@law
+def sample_of(numbers: FloatArray, n: int) -> Sample:
+    """The parts of a sample."""
+    r = (len(numbers) - 1) // (n + 1)
+    return Sample(numbers[: r * n].reshape(r, n), numbers[r * n : r * n + r], numbers[r * n + r])
+
+
+@law
+def pace(regressor: FloatTable) -> float:
     """The sum of the squares of J, which bounds the eigenvalues of J'J."""
     total = 0.0
-    for i in range(r * n):
-        total += sample[at + i] * sample[at + i]
+    for row in range(len(regressor)):
+        for i in range(regressor.shape[1]):
+            total += regressor[row, i] * regressor[row, i]
     return total
 
 
 @law
-def slope(memory: FloatArray, theta: int, sample: int, to: int) -> None:
-    """Write g J'(y - (1 - D1) J theta - D1 f(J theta)) at ``to``; theta minus its start."""
-    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
-    weight = memory[sample + r * n + r]
+def slope(memory: Memory, s: Parts) -> None:
+    """Write g J'(y - (1 - D1) J theta - D1 f(J theta)) of the stage at the interpolated sample."""
+    n = len(s.start)
+    sample = sample_of(s.between, n)
     for i in range(n):
-        memory[to + i] = 0.0
-    for row in range(r):
-        s = 0.0
+        s.change[i] = 0.0
+    for row in range(len(sample.y)):
+        argument = 0.0
         for i in range(n):
-            s += memory[sample + row * n + i] * (memory[theta + i] + memory[START + i])
-        error = memory[sample + r * n + row] - (1.0 - weight) * s
-        error -= weight * nonlinearity.value(memory[CODE], s)
+            argument += sample.J[row, i] * (s.stage[i] + s.start[i])
+        error = sample.y[row] - (1.0 - sample.weight) * argument
+        error -= sample.weight * nonlinearity.value(memory.code, argument)
         for i in range(n):
-            memory[to + i] += memory[GAIN] * memory[sample + row * n + i] * error
+            s.change[i] += memory.gain * sample.J[row, i] * error
 
 
 @law
-def flow(memory: FloatArray, row: FloatArray, begin: float, h: float, dt: float) -> None:
+def flow(memory: Memory, s: Parts, new: FloatArray, begin: float, h: float, dt: float) -> None:
     """A step of the classical Runge-Kutta method over the share ``h`` of the interval ``dt``."""
-    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
-    theta, last = START + n + 2, START + n + 2 + n
-    wide = width(n, r)
-    between, room = last + wide, last + 2 * wide
+    n = len(s.start)
     for i in range(n):
-        memory[room + i] = memory[theta + i]
-        memory[room + 2 * n + i] = 0.0
+        s.stage[i] = s.theta[i]
+        s.total[i] = 0.0
     for part in range(4):
         at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
-        for i in range(wide):
-            memory[between + i] = memory[last + i] + at * (row[SAMPLE + i] - memory[last + i])
-        slope(memory, room, between, room + n)
+        for i in range(len(s.last)):
+            s.between[i] = s.last[i] + at * (new[i] - s.last[i])
+        slope(memory, s)
         weight = 1.0 if part == 0 or part == 3 else 2.0
         ahead = h * dt if part == 2 else 0.5 * h * dt
         for i in range(n):
-            memory[room + 2 * n + i] += weight * memory[room + n + i]
-            memory[room + i] = memory[theta + i] + ahead * memory[room + n + i]
+            s.total[i] += weight * s.change[i]
+            s.stage[i] = s.theta[i] + ahead * s.change[i]
     for i in range(n):
-        memory[theta + i] += h * dt / 6.0 * memory[room + 2 * n + i]
+        s.theta[i] += h * dt / 6.0 * s.total[i]
 
 
 @law
-def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Process a row and write the estimate to ``out``; a refused row changes nothing."""
-    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
-    state = START + n
-    theta, last = state + 2, state + 2 + n
-    if not finite(row) or not 0.0 <= row[SAMPLE + r * n + r] <= 1.0:
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
+    """Process t and a sample and write the estimate to ``out``; a refused row changes nothing."""
+    s = parts_of(memory)
+    n, new = len(s.start), row[1:]
+    sample = sample_of(new, n)
+    if not finite(row) or not 0.0 <= sample.weight <= 1.0:
         return UNUSABLE
-    if memory[state] == 1.0:
-        dt = row[0] - memory[state + 1]
+    if s.clock[0] == 1.0:
+        dt = row[0] - s.clock[1]
         if dt < 0.0:
             return BACKWARDS
-        steep = max(pace(memory, last, n, r), pace(row, SAMPLE, n, r))
-        needed = memory[GAIN] * steep * memory[STEEPEST] * dt / STEP_MOST
+        last = sample_of(s.last, n)
+        steep = max(pace(last.J), pace(sample.J))
+        needed = memory.gain * steep * memory.steepest * dt / STEP_MOST
         if not needed <= STEPS_MOST:
             return TOO_FAST
         steps = max(1, ceil(needed))
         if dt > 0.0:
             for i in range(steps):
-                flow(memory, row, i / steps, 1.0 / steps, dt)
-    memory[state], memory[state + 1] = 1.0, row[0]
-    for i in range(width(n, r)):
-        memory[last + i] = row[SAMPLE + i]
+                flow(memory, s, new, i / steps, 1.0 / steps, dt)
+    s.clock[0], s.clock[1] = 1.0, row[0]
+    for i in range(len(new)):
+        s.last[i] = new[i]
     for i in range(n):
-        out[i] = memory[theta + i] + memory[START + i]
+        out[i] = s.theta[i] + s.start[i]
     return TAKEN
 
 
@@ -195,10 +249,11 @@ class NonlinearRegressor(CompiledStage):
             ) from unusable
         if not 0.0 <= share <= 1.0:
             raise EventError(f"weight must lie in [0, 1], received {weight!r}", field="weight", value=weight)
-        state = START + self.count
-        now = moment(t, float(self._memory[state + 1]) if self._memory[state] == 1.0 else None)
+        memory = Memory(self._memory)
+        started, last_t = parts_of(memory).clock.tolist()
+        now = moment(t, last_t if started == 1.0 else None)
         out = np.empty(self.count)
-        if step(self._memory, np.concatenate([[now], sample, [share]]), out) == TOO_FAST:
+        if step(memory, np.concatenate([[now], sample, [share]]), out) == TOO_FAST:
             raise EventError(
                 f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
                 f"regressor {regressor!r}",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import ceil, isfinite
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
+from pointpred.layout import Layout
 from pointpred.parameter import parameter
-from pointpred.records import BoolArray, FloatArray
+from pointpred.records import BoolArray, FloatArray, FloatTable
 from pointpred.regression.least_squares import moment
 from pointpred.stage import CompiledStage, loop_into
 from pointpred_observers.matrices import instance, matrix
@@ -28,13 +29,6 @@ from pointpred_observers.triangular.system import SymbolicSteadyState
 TAKEN, BACKWARDS = 0, 1
 """Results of a step."""
 
-# Parameters: states of the generator q, outputs p, rows of the program, their offset, the offset and number
-# of the answers, the offset of the state, the longest interval over which outputs are interpolated (s), the
-# largest row sums of A - L C and of A (1/s); start, A and A - L C (q x q), L (q x p).
-Q, P, ROWS, PROGRAM, ANSWERS, ANSWERED, STATE, GAP_S, FAST, SLOW, START = range(11)
-# The state: whether there was a sample, its time, whether it had outputs, the outputs (p), the estimate (q).
-STARTED, T, MEASURED, Y = range(4)
-
 ORDER = 14
 """Terms of the exponential series; with a norm of at most 1/2 the remainder is below 1e-16."""
 NEGLIGIBLE = 1e-18
@@ -45,50 +39,119 @@ NEVER = 1e300
 """A time that no interval reaches, s."""
 
 
+class Head(Layout):
+    """What the memory begins with: sizes, places in the memory, times and rates."""
+
+    states: float
+    """Of the generator, q."""
+    outputs: float
+    rows: float
+    """Of the program of the maps; where it begins."""
+    program: float
+    answers: float
+    """Where the values of the maps stand, and how many they are."""
+    answered: float
+    state: float
+    """Where ``State`` begins."""
+    gap_s: float
+    """The longest interval over which outputs are interpolated."""
+    fast: float
+    """The largest row sums of A - L C and of A, 1/s."""
+    slow: float
+
+
+class State(Layout):
+    """Whether there was a sample, its time, whether it had outputs; y, w and the series' vectors follow."""
+
+    started: float
+    t: float
+    measured: float
+
+
+class Parts(NamedTuple):
+    """What has sizes that are known at run time: the start of w and the matrices, the last outputs and w.
+
+    ``closed`` is A - L C; ``term`` and ``after`` (q) are for the series; ``answers`` are the maps' values.
+    """
+
+    start: FloatArray
+    A: FloatTable
+    closed: FloatTable
+    L: FloatTable
+    y: FloatArray
+    w: FloatArray
+    term: FloatArray
+    after: FloatArray
+    program: FloatTable
+    answers: FloatArray
+
+
 @law
 def settings(q: int, p: int) -> int:
     """Floats before the program."""
-    return START + q + 2 * q * q + q * p
+    return Head.length + q + 2 * q * q + q * p
 
 
 @law
 def states(q: int, p: int) -> int:
     """Floats of the state, with two scratch vectors, before the program's registers."""
-    return Y + p + 3 * q
+    return State.length + p + 3 * q
 
 
 @law
-def drive(memory: FloatArray, i: int, k: int, passed: float, share: float, row: FloatArray) -> float:
+def parts_of(memory: FloatArray) -> Parts:
+    """The parts in their places."""
+    head = Head(memory)
+    q, p, rows = int(head.states), int(head.outputs), int(head.rows)
+    a_at = Head.length + q
+    closed_at = a_at + q * q
+    l_at = closed_at + q * q
+    y_at = int(head.state) + State.length
+    w_at = y_at + p
+    program_at, answers_at = int(head.program), int(head.answers)
+    return Parts(
+        memory[Head.length : a_at],
+        memory[a_at:closed_at].reshape(q, q),
+        memory[closed_at:l_at].reshape(q, q),
+        memory[l_at : l_at + q * p].reshape(q, p),
+        memory[y_at:w_at],
+        memory[w_at : w_at + q],
+        memory[w_at + q : w_at + 2 * q],
+        memory[w_at + 2 * q : w_at + 3 * q],
+        memory[program_at : program_at + ROW * rows].reshape(rows, ROW),
+        memory[answers_at : answers_at + int(head.answered)],
+    )
+
+
+@law
+def drive(parts: Parts, i: int, k: int, passed: float, share: float, row: FloatArray) -> float:
     """The part of L y in row i of the first two derivatives, y linear between the two samples."""
-    q, p = int(memory[Q]), int(memory[P])
-    gain, last = START + q + 2 * q * q + i * p, int(memory[STATE]) + Y
     total = 0.0
-    for j in range(p):
-        rise = row[1 + j] - memory[last + j]
-        total += memory[gain + j] * (memory[last + j] + passed * rise if k == 1 else share * rise)
+    for j in range(len(parts.y)):
+        rise = row[1 + j] - parts.y[j]
+        total += parts.L[i, j] * (parts.y[j] + passed * rise if k == 1 else share * rise)
     return total
 
 
 @law
-def follow(memory: FloatArray, matrix: int, h: float, steps: int, row: FloatArray, driven: bool) -> None:
-    """Follow w' = M w + L y over ``h`` s by the exponential series; without L y unless ``driven``."""
-    q = int(memory[Q])
-    w = int(memory[STATE]) + Y + int(memory[P])
-    term, after = w + q, w + 2 * q
+def follow(parts: Parts, h: float, steps: int, row: FloatArray, driven: bool) -> None:
+    """Follow w' = (A - L C) w + L y over ``h`` s by the exponential series, w' = A w unless ``driven``."""
+    q = len(parts.w)
+    matrix = parts.closed if driven else parts.A
     for n in range(steps):
         for k in range(1, ORDER + 1):
-            source = w if k == 1 else term
+            source = parts.w if k == 1 else parts.term
             for i in range(q):
-                total = drive(memory, i, k, n / steps, 1.0 / steps, row) if driven and k <= 2 else 0.0
+                total = drive(parts, i, k, n / steps, 1.0 / steps, row) if driven and k <= 2 else 0.0
                 for j in range(q):
-                    total += memory[matrix + i * q + j] * memory[source + j]
-                memory[after + i] = total * h / (steps * k)
+                    total += matrix[i, j] * source[j]
+                parts.after[i] = total * h / (steps * k)
             moved, most = 0.0, 0.0
             for i in range(q):
-                memory[term + i] = memory[after + i]
-                memory[w + i] += memory[after + i]
-                moved = max(moved, abs(memory[after + i]))
-                most = max(most, abs(memory[w + i]))
+                parts.term[i] = parts.after[i]
+                parts.w[i] += parts.after[i]
+                moved = max(moved, abs(parts.after[i]))
+                most = max(most, abs(parts.w[i]))
             if k > 2 and moved <= NEGLIGIBLE * most:
                 break
 
@@ -99,31 +162,31 @@ def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
 
     Over an interval longer than ``gap_s``, or without a measurement at one end, the generator runs alone.
     """
-    q, p, state = int(memory[Q]), int(memory[P]), int(memory[STATE])
-    w, a, h = state + Y + p, START + q, row[0] - memory[state + T]
-    started = memory[state + STARTED] == 1.0
+    head, parts = Head(memory), parts_of(memory)
+    s = State(memory, int(head.state))
+    h, started = row[0] - s.t, s.started == 1.0
     if started and h < 0.0:
         return BACKWARDS
     measured = True
-    for j in range(p):
+    for j in range(len(parts.y)):
         if row[1 + j] != row[1 + j]:
             measured = False
-    driven = measured and memory[state + MEASURED] == 1.0 and h <= memory[GAP_S]
-    steps = max(1.0, ceil(2.0 * h * memory[FAST if driven else SLOW]))
+    driven = measured and s.measured == 1.0 and h <= head.gap_s
+    steps = max(1.0, ceil(2.0 * h * (head.fast if driven else head.slow)))
     if started and steps <= STEPS_MOST:
-        follow(memory, a + q * q if driven else a, h, int(steps), row, driven)
+        follow(parts, h, int(steps), row, driven)
     else:
-        for i in range(q):
-            memory[w + i] = memory[START + i]
-    memory[state + STARTED], memory[state + T] = 1.0, row[0]
-    memory[state + MEASURED] = 1.0 if measured else 0.0
-    for j in range(p):
-        memory[state + Y + j] = row[1 + j] if measured else 0.0
-    execute(memory, int(memory[PROGRAM]), int(memory[ROWS]))
+        for i in range(len(parts.w)):
+            parts.w[i] = parts.start[i]
+    s.started, s.t, s.measured = 1.0, row[0], 1.0 if measured else 0.0
+    for j in range(len(parts.y)):
+        parts.y[j] = row[1 + j] if measured else 0.0
+    execute(memory, parts.program)
+    q = len(parts.w)
     for i in range(q):
-        out[i] = memory[w + i]
-    for i in range(int(memory[ANSWERED])):
-        out[q + i] = memory[int(memory[ANSWERS]) + i]
+        out[i] = parts.w[i]
+    for i in range(len(parts.answers)):
+        out[q + i] = parts.answers[i]
     return TAKEN
 
 
@@ -194,7 +257,7 @@ class InterlacedObserver(CompiledStage):
         maps = program(steady.generator.states, wanted)
         state = settings(q, p) + ROW * len(maps.rows) + len(maps.constants)
         computed = state + states(q, p)
-        rows = maps.placed(state + Y + p, state - len(maps.constants), computed)
+        rows = maps.placed(state + State.length + p, state - len(maps.constants), computed)
         closed = a - gain @ c
         speeds = [float(np.abs(one).sum(axis=1).max()) for one in (closed, a)]
         answers = computed + maps.computed - maps.outputs
@@ -228,22 +291,19 @@ class InterlacedObserver(CompiledStage):
         Raises EventError for values that are not finite or of another length and for too long an interval,
         EventOrderError when time runs backwards; the stage is then unchanged.
         """
-        memory = self._memory
-        state = int(memory[STATE])
-        now = moment(t, float(memory[state + T]) if memory[state] == 1.0 else None)
-        if memory[state] == 1.0:
-            self._check_interval(now, float(memory[state + T]))
+        last = self._last()
+        now = moment(t, last)
+        if last is not None:
+            self._check_interval(now, last)
         out = np.empty(self.width)
-        step(memory, np.concatenate([[now], self._outputs_of(y)]), out)
+        step(self._memory, np.concatenate([[now], self._outputs_of(y)]), out)
         self._map(out)
         values, q, n = out.tolist(), self._states, self._states + len(self.steady.maps)
         return InterlacedEstimate(now, tuple(values[:q]), tuple(values[q:n]), tuple(values[n:-1]), values[-1])
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        state, before = int(self._memory[STATE]), None
-        if self._memory[state] == 1.0:
-            before = float(self._memory[state + T])
+        before = self._last()
         for t, first in zip(rows[:, 0].tolist(), begin, strict=True):
             if before is not None and not first:
                 self._check_interval(t, before)
@@ -252,6 +312,11 @@ class InterlacedObserver(CompiledStage):
         for row in out:
             self._map(row)
         return out
+
+    def _last(self) -> float | None:
+        """The time of the last sample."""
+        state = State(self._memory, int(Head(self._memory).state))
+        return float(state.t) if state.started == 1.0 else None
 
     def _check_interval(self, t: float, last: float) -> None:
         """Raise EventError for an interval that is too long, unless ``gap_s`` is given."""

@@ -14,7 +14,7 @@ import msgspec
 
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.triangular.polynomials import symbolic
 
 ROW = 4
@@ -97,12 +97,11 @@ def apply(code: int, a: float, b: float) -> float:
 
 
 @law
-def execute(memory: FloatArray, first: int, count: int) -> None:
-    """Execute ``count`` rows from ``first`` on."""
-    for i in range(count):
-        at = first + ROW * i
-        target = int(memory[at + 1])
-        memory[target] = apply(int(memory[at]), memory[int(memory[at + 2])], memory[int(memory[at + 3])])
+def execute(memory: FloatArray, rows: FloatTable) -> None:
+    """Execute the rows of a program, whose registers are places in the memory."""
+    for i in range(len(rows)):
+        target, left, right = int(rows[i, 1]), int(rows[i, 2]), int(rows[i, 3])
+        memory[target] = apply(int(rows[i, 0]), memory[left], memory[right])
 
 
 def computable(expressions: Sequence[Any]) -> bool:

@@ -35,8 +35,8 @@ def test_prediction_is_exact_to_the_line_between_two_samples() -> None:
     for k in range(330):
         h = truth.t[k + 1] - truth.t[k]
         turn = 0.5 * h * (truth.w[k] + truth.w[k + 1])
-        kinematics.carry(state, 0, 1, h, tuple(turn))
-        kinematics.push(state, 0, h, tuple(turn), tuple(truth.a[k]), tuple(truth.a[k + 1]))
+        kinematics.carry(state, h, tuple(turn))
+        kinematics.push(state, h, tuple(turn), tuple(truth.a[k]), tuple(truth.a[k + 1]))
     np.testing.assert_allclose(state, np.concatenate([truth.p[-1], truth.v[-1]]), atol=2e-5)
 
 
@@ -52,19 +52,18 @@ def test_a_covariance_is_carried_and_shaken_as_its_samples_are() -> None:
     random = np.random.default_rng(1)
     root = random.normal(size=(6, 6))
     state = np.array([0.3, -0.2, 2.0, 0.1, 0.2, -0.4])
-    memory = np.concatenate([(root @ root.T).ravel(), state])
+    covariance, phi = (root @ root.T).ravel(), np.eye(6).ravel()
     turn, h = np.array([0.1, -0.2, 0.05]), 0.3
-    columns = np.eye(6).ravel()
     for i in range(6):
-        kinematics.carry(columns, i, 6, h, tuple(turn))
-    phi = columns.reshape(6, 6)
-    kinematics.turn_covariance(memory, 0, h, tuple(turn))
-    np.testing.assert_allclose(memory[:36].reshape(6, 6), phi @ root @ root.T @ phi.T, atol=1e-12)
-    before = memory[:36].copy()
-    kinematics.add_noise(memory, 0, 36, 0.01, 0.2)
+        kinematics.carry_column(phi, i, h, tuple(turn))
+    phi = phi.reshape(6, 6)
+    kinematics.turn_covariance(covariance, h, tuple(turn))
+    np.testing.assert_allclose(covariance.reshape(6, 6), phi @ root @ root.T @ phi.T, atol=1e-12)
+    before = covariance.copy()
+    kinematics.add_noise(covariance, state, 0.01, 0.2)
     moved = np.vstack([-np.cross(np.eye(3), state[:3]).T, -np.cross(np.eye(3), state[3:]).T])
     expected = 0.01 * moved @ moved.T + np.diag([0.0] * 3 + [0.2] * 3)
-    np.testing.assert_allclose((memory[:36] - before).reshape(6, 6), expected, atol=1e-14)
+    np.testing.assert_allclose((covariance - before).reshape(6, 6), expected, atol=1e-14)
 
 
 def test_clean_images_find_the_depth_within_a_second() -> None:
@@ -138,12 +137,10 @@ def test_without_the_noise_taken_out_the_start_would_be_far_too_near() -> None:
         if k:
             h = truth.t[k] - truth.t[k - 1]
             turn = 0.5 * h * (truth.w[k] + truth.w[k - 1])
-            flat = phi.ravel().copy()
             for i in range(6):
-                kinematics.carry(flat, i, 6, h, tuple(turn))
-            phi = flat.reshape(6, 6)
-            kinematics.carry(push, 0, 1, h, tuple(turn))
-            kinematics.push(push, 0, h, tuple(turn), tuple(truth.a[k - 1]), tuple(truth.a[k]))
+                kinematics.carry_column(phi.ravel(), i, h, tuple(turn))
+            kinematics.carry(push, h, tuple(turn))
+            kinematics.push(push, h, tuple(turn), tuple(truth.a[k - 1]), tuple(truth.a[k]))
         x, y = samples.table[k, 1:3] / FOCAL
         rows = np.array([[1.0, 0.0, -x], [0.0, 1.0, -y]])
         normal += (rows @ phi[:3]).T @ rows @ phi[:3]
