@@ -126,7 +126,9 @@ def test_a_wheel_of_laws_fits_every_python_from_3_11_and_holds_no_c(wheels: dict
         assert not [name for name in names if name.endswith((".c", ".h"))]
         if list((PACKAGES[package] / package / "laws").glob("*.c")):
             assert "-cp311-abi3-" in path.name
-            compiled = [name for name in names if name.startswith(f"{package}/_laws.")]
+            compiled = [
+                name for name in names if name.startswith(f"{package}/_laws.") and not name.endswith("i")
+            ]
             assert len(compiled) == int(shutil.which("cc") is not None or find_spec("ziglang") is not None)
 
 

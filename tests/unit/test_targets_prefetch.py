@@ -162,7 +162,7 @@ def test_plain_python_agrees_with_the_compiled_law(monkeypatch: pytest.MonkeyPat
         shares = generator.dirichlet(np.full(4, 0.3))
         for page, step in ((one, prefetch.step), (other, plain)):
             cursor.follow(page.state.memory, t, x, y, 0.0)
-            step(page.state.memory, page.targets, shares, SETTINGS)
+            step(page.state, page.targets, shares, SETTINGS)
         assert one.fired.tolist() == other.fired.tolist()
         assert one.visits == pytest.approx(other.visits, rel=1e-12)
 
