@@ -12,6 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+from pointpred.compiled import with_names
 from pointpred.errors import (
     EventError,
     EventOrderError,
@@ -104,7 +105,7 @@ def test_columns_samples_and_chunks_agree(observer: InterlacedObserver) -> None:
 
 
 def test_plain_python_agrees(observer: InterlacedObserver, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.compiled.law", lambda law: law)
+    monkeypatch.setattr("pointpred.compiled.law", with_names)
     step = run_path(interlaced_observer.__file__)["step"]
     memory, compiled = observer.fresh()._memory, observer.fresh()._memory
     out, other = np.empty(7), np.empty(7)

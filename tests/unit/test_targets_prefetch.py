@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import PointerEvent, Prediction
+from pointpred.compiled import with_names
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.targets import Prefetcher, Target, around, cursor, prefetch
 from pointpred.targets.prefetch import ARMED, ENTERED, FIRED, PREDICTED, RESTING
@@ -153,7 +154,7 @@ def test_more_targets_than_paths_and_none_at_all() -> None:
 
 
 def test_plain_python_agrees_with_the_compiled_law(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.compiled.law", lambda law: law)
+    monkeypatch.setattr("pointpred.compiled.law", with_names)
     plain = run_path(prefetch.__file__)["step"]
     generator = np.random.default_rng(3)
     one, other = Page([NEAR, BEHIND, ASIDE]), Page([NEAR, BEHIND, ASIDE])
