@@ -8,12 +8,24 @@ from __future__ import annotations
 
 import ast
 import math
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any
 
 from pointpred.layout import Layout
 from translation.c_names import Law, c_name, local
+from translation.c_values import (
+    AND,
+    BITS,
+    CALL,
+    CHOICE,
+    EQUAL,
+    OR,
+    ORDER,
+    PRODUCT,
+    SUM,
+    UNARY,
+    Value,
+    literal,
+)
 from translation.kinds import (
     FLAG,
     FLOAT,
@@ -32,51 +44,16 @@ from translation.kinds import (
 )
 from translation.source import Module, Name, UntranslatableError, is_law, member, module, origin, row_of
 
-SAME = frozenset(
-    [
-        "acos",
-        "asin",
-        "atan",
-        "cos",
-        "cosh",
-        "exp",
-        "expm1",
-        "log",
-        "log1p",
-        "sin",
-        "sinh",
-        "sqrt",
-        "tan",
-        "tanh",
-        "erf",
-        "lgamma",
-        "atan2",
-        "hypot",
-        "copysign",
-        "pow",
-    ]
-)
+SAME = {
+    *("acos", "asin", "atan", "atan2", "copysign", "cos", "cosh", "erf", "exp", "expm1", "hypot", "lgamma"),
+    *("log", "log1p", "pow", "sin", "sinh", "sqrt", "tan", "tanh"),
+}
 """Functions of Python's ``math`` that are also functions of ``math.h``."""
 BINARY = {ast.Add: ("+", 12), ast.Sub: ("-", 12), ast.Mult: ("*", 13)}
 COMPARE = {ast.Eq: "==", ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
-ATOM, CALL, UNARY, PRODUCT, SUM, ORDER, EQUAL, BITS, AND, OR, CHOICE = 20, 18, 15, 13, 12, 10, 9, 8, 5, 4, 3
 CLEAR = Name("pointpred.layout", "clear")
 LONGEST_LOCAL = 4096
 """Floats of an array of a fixed size that stands on the stack."""
-
-
-class Value(NamedTuple):
-    """An expression in C, its kind, and how tightly its outermost operator binds."""
-
-    text: str
-    kind: Kind
-    binds: int = ATOM
-    place: str = ""
-    """Of an array within a memory: its own name, which is indexed directly."""
-
-    def within(self, binds: int) -> str:
-        """The expression where something that binds so tightly is expected."""
-        return self.text if self.binds >= binds else f"({self.text})"
 
 
 class Expressions:
@@ -605,23 +582,3 @@ class Expressions:
         if word in SAME:
             return Value(f"{word}({', '.join(one.text for one in values)})", FLOAT, CALL)
         raise self.error(node, f"call of math.{word}")
-
-
-def literal(value: Any) -> Value:
-    """A constant."""
-    if isinstance(value, bool):
-        return Value("true" if value else "false", FLAG)
-    if isinstance(value, int | np.integer):
-        text = f"{int(value)}" if abs(int(value)) < 2**31 else f"INT64_C({int(value)})"
-        return Value(text, WHOLE, UNARY if value < 0 else ATOM)
-    if isinstance(value, float):
-        if math.isinf(value):
-            return Value("INFINITY", FLOAT) if value > 0 else Value("-INFINITY", FLOAT, UNARY)
-        if value != value:
-            return Value("NAN", FLOAT)
-        return Value(repr(float(value)), FLOAT, UNARY if math.copysign(1.0, value) < 0 else ATOM)
-    if isinstance(value, tuple):
-        kind = kind_of_value(value)
-        assert kind is not None
-        return Value("{" + ", ".join(literal(one).text for one in value) + "}", kind)
-    raise TypeError(f"no constant: {value!r}")

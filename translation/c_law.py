@@ -5,8 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterable, Iterator
 
-from translation.c_expressions import BINARY, CALL, Expressions, Value
+from translation.c_expressions import BINARY, Expressions
 from translation.c_names import Law, Made, c_name, local
+from translation.c_values import CALL, Value
 from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined
 from translation.source import Module, UntranslatableError
 
