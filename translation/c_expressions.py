@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import ast
 import math
+from collections.abc import Callable
 from typing import Any
 
 from pointpred.layout import Layout
-from translation.c_names import Law, c_name, local
+from translation.c_names import Law, Made, c_name, local
 from translation.c_values import (
     AND,
     BITS,
@@ -24,6 +25,7 @@ from translation.c_values import (
     SUM,
     UNARY,
     Value,
+    function_of_c,
     literal,
 )
 from translation.kinds import (
@@ -35,6 +37,7 @@ from translation.kinds import (
     Kind,
     Memories,
     Memory,
+    Number,
     Parts,
     annotated,
     joined,
@@ -44,11 +47,6 @@ from translation.kinds import (
 )
 from translation.source import Module, Name, UntranslatableError, is_law, member, module, origin, row_of
 
-SAME = {
-    *("acos", "asin", "atan", "atan2", "copysign", "cos", "cosh", "erf", "exp", "expm1", "hypot", "lgamma"),
-    *("log", "log1p", "pow", "sin", "sinh", "sqrt", "tan", "tanh"),
-}
-"""Functions of Python's ``math`` that are also functions of ``math.h``."""
 BINARY = {ast.Add: ("+", 12), ast.Sub: ("-", 12), ast.Mult: ("*", 13)}
 COMPARE = {ast.Eq: "==", ast.NotEq: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
 CLEAR = Name("pointpred.layout", "clear")
@@ -174,6 +172,47 @@ class Expressions:
                 return self._call(node)
         raise self.error(node, type(node).__name__)
 
+    def _in_order(self, nodes: list[ast.expr]) -> list[Value]:
+        """Operands or arguments from left to right, as Python computes them; C does so in any order.
+
+        Each is computed before the next one where a law among them writes what another one may read.
+        """
+        writing = [one for one in nodes if self._has(one, lambda called: bool(called.written))]
+        if not writing or not any(one is not writing[0] and self._reads(one) for one in nodes):
+            return [self.value(one) for one in nodes]
+        if self._guarded:
+            raise self.error(nodes[0], f"a law that writes within a condition: {ast.unparse(writing[0])}")
+        values = []
+        for node in nodes:
+            value, name = self.value(node), self.fresh("value")
+            if isinstance(node, ast.Constant | ast.Name) and isinstance(value.kind, Number):
+                values.append(value)  # nothing changes it
+                continue
+            self.before.append(f"{value.kind.c} {name} = {value.text};")
+            values.append(Value(name, value.kind))
+        return values
+
+    def _has(self, node: ast.expr, fits: Callable[[Any], bool]) -> bool:
+        """Whether a law is called in an expression that fits."""
+        laws = [self._called(one.func) for one in ast.walk(node) if isinstance(one, ast.Call)]
+        return any(fits(self.known(law)) for law in laws if isinstance(law, Made) or (law and is_law(law)))
+
+    def _reads(self, node: ast.expr) -> bool:
+        """Whether an expression reads numbers of a memory or an array, or calls a law that may."""
+        parts = any(isinstance(one, ast.Subscript | ast.Attribute) for one in ast.walk(node))
+        return parts or self._has(node, lambda called: True)
+
+    def _called(self, function: ast.expr) -> Law | None:
+        """What a function of a call is; None where it is none that is imported, defined or bound."""
+        match function:
+            case ast.Name(id=word) if word in self.bound:
+                return self.bound[word]
+            case ast.Name(id=word) if word not in self.locals:
+                return origin(self.reader, word)
+            case ast.Attribute(value=ast.Name(id=owner), attr=word) if self._is_module(owner):
+                return member(self.reader, owner, word)
+        return None
+
     def _inside(self, node: ast.Attribute, value: Value, layout: type[Layout], name: str) -> Value:
         """A part of a memory."""
         self.struct(value.kind)
@@ -249,14 +288,14 @@ class Expressions:
             raise self.error(node, f"a call in the middle of {ast.unparse(node)}")
         if wrong := [one for one in node.ops if type(one) not in COMPARE]:
             raise self.error(node, f"{type(wrong[0]).__name__} in {ast.unparse(node)}")
-        texts = [self.value(one).within(ORDER + 1) for one in operands]
+        texts = [one.within(ORDER + 1) for one in self._in_order(operands)]
         parts = [f"{texts[i]} {COMPARE[type(op)]} {texts[i + 1]}" for i, op in enumerate(node.ops)]
         return Value(" && ".join(parts), FLAG, AND if len(parts) > 1 else EQUAL)
 
     def _binary(self, node: ast.BinOp) -> Value:
         if isinstance(node.op, ast.Pow):
             return self._power(node)
-        left, right = self.value(node.left), self.value(node.right)
+        left, right = self._in_order([node.left, node.right])
         numbers = (FLAG, WHOLE, FLOAT)
         if left.kind not in numbers or right.kind not in numbers:
             raise self.error(node, f"{left.kind.c} and {right.kind.c} in {ast.unparse(node)}")
@@ -399,6 +438,8 @@ class Expressions:
 
     def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
         """Values in turn; a star gives the parts of a tuple, or the shared arrays of a closure."""
+        if not any(isinstance(one, ast.Starred) for one in nodes):
+            return self._in_order(nodes)
         values = []
         for node in nodes:
             if not isinstance(node, ast.Starred):
@@ -421,19 +462,16 @@ class Expressions:
             isinstance(node.func, ast.Attribute) and node.func.attr in ("empty", "zeros")
         ):
             raise self.error(node, f"a named argument in {ast.unparse(node)}")
+        name = self._called(node.func)
         match node.func:
-            case ast.Name(id=word) if word in self.bound:
-                return self._law(node, self.bound[word])
-            case ast.Name(id=word) if word not in self.locals:
-                name = origin(self.reader, word)
-            case ast.Attribute(value=ast.Name(id=owner), attr=word) if self._is_module(owner):
-                name = member(self.reader, owner, word)
-            case ast.Attribute(value=array, attr="copy") if not node.args:
+            case ast.Attribute(value=array, attr="copy") if name is None and not node.args:
                 return self._copy(node, self.value(array))
-            case ast.Attribute(value=array, attr="reshape"):
+            case ast.Attribute(value=array, attr="reshape") if name is None:
                 return self._table(node, self.value(array))
-            case _:
-                raise self.error(node, f"call of {ast.unparse(node.func)}")
+        if name is None:
+            raise self.error(node, f"call of {ast.unparse(node.func)}")
+        if isinstance(name, Made):
+            return self._law(node, name)
         if (layout := layout_of(name)) is not None:
             return self._memory(node, layout)
         if name == CLEAR:
@@ -450,10 +488,13 @@ class Expressions:
             return self._made(kind, [self.cast(*pair, node) for pair in zip(values, kind.kinds, strict=True)])
         if name.module == "numpy" and name.name in ("empty", "zeros"):
             return self._array(node, name.name)
-        if name.module == "math":
-            return self._math(node, name.name, self._arguments(node.args))
-        if not name.module:
-            return self._builtin(node, name.name, self._arguments(node.args))
+        if name == Name("", "len") and (known := self.constant(node)) is not None:
+            return literal(known)
+        if name.module in ("", "math"):
+            found = function_of_c(name, self._arguments(node.args))
+            if found is None:
+                raise self.error(node, f"call of {ast.unparse(node.func)}")
+            return found
         if not is_law(name):
             raise self.error(node, f"call of {ast.unparse(node.func)}")
         return self._law(node, name)
@@ -544,41 +585,3 @@ class Expressions:
             size = " * ".join(one.within(PRODUCT + 1) for one in sizes)
             self.before.append(f"RELEASED {of.c} *{name} = reserved({size});")
         return Value(f"({kind.c}){{{name}, {', '.join(one.text for one in sizes)}}}", kind, CALL)
-
-    def _builtin(self, node: ast.Call, word: str, values: list[Value]) -> Value:
-        match word, values:
-            case "abs", [one]:
-                return Value(f"{'fabs' if one.kind == FLOAT else 'llabs'}({one.text})", one.kind, CALL)
-            case "int", [one]:
-                return one if one.kind == WHOLE else Value(f"(int64_t){one.within(UNARY)}", WHOLE, UNARY)
-            case "float", [one]:
-                return one if one.kind == FLOAT else Value(f"(double){one.within(UNARY)}", FLOAT, UNARY)
-            case "bool", [one]:
-                return one if one.kind == FLAG else Value(f"{one.within(EQUAL + 1)} != 0", FLAG, EQUAL)
-            case "len", [one]:
-                known = self.constant(node)
-                if known is not None:
-                    return literal(known)
-                if isinstance(one.kind, Parts):
-                    return literal(len(one.kind.kinds))
-                return Value(f"{one.within(CALL)}.n", WHOLE, CALL)
-            case (("max" | "min"), [first, *others]) if others:
-                for other in others:
-                    kind = joined(first.kind, other.kind)
-                    suffix = "_float" if kind == FLOAT else "_whole"
-                    first = Value(f"{word}{suffix}({first.text}, {other.text})", kind, CALL)
-                return first
-        raise self.error(node, f"call of {word}")
-
-    def _math(self, node: ast.Call, word: str, values: list[Value]) -> Value:
-        if word in ("floor", "ceil", "trunc"):
-            return (
-                Value(f"(int64_t){word}({values[0].text})", WHOLE, UNARY)
-                if values[0].kind == FLOAT
-                else values[0]
-            )
-        if word == "isfinite":
-            return Value(f"isfinite({values[0].text})", FLAG, CALL)
-        if word in SAME:
-            return Value(f"{word}({', '.join(one.text for one in values)})", FLOAT, CALL)
-        raise self.error(node, f"call of math.{word}")

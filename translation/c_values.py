@@ -7,9 +7,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from translation.kinds import FLAG, FLOAT, WHOLE, Kind, kind_of_value
+from translation.kinds import FLAG, FLOAT, WHOLE, Kind, joined, kind_of_value
+from translation.source import Name
 
 ATOM, CALL, UNARY, PRODUCT, SUM, ORDER, EQUAL, BITS, AND, OR, CHOICE = 20, 18, 15, 13, 12, 10, 9, 8, 5, 4, 3
+SAME = {
+    *("acos", "asin", "atan", "atan2", "copysign", "cos", "cosh", "erf", "exp", "expm1", "hypot", "lgamma"),
+    *("log", "log1p", "pow", "sin", "sinh", "sqrt", "tan", "tanh"),
+}
+"""Functions of Python's ``math`` that are also functions of ``math.h``."""
 
 
 class Value(NamedTuple):
@@ -24,6 +30,35 @@ class Value(NamedTuple):
     def within(self, binds: int) -> str:
         """The expression where something that binds so tightly is expected."""
         return self.text if self.binds >= binds else f"({self.text})"
+
+
+def function_of_c(name: Name, values: list[Value]) -> Value | None:
+    """A call of a function of Python or of its ``math``; None where C has none like it."""
+    word = name.name
+    match word, values:
+        case "abs", [one]:
+            return Value(f"{'fabs' if one.kind == FLOAT else 'llabs'}({one.text})", one.kind, CALL)
+        case "int", [one]:
+            return one if one.kind == WHOLE else Value(f"(int64_t){one.within(UNARY)}", WHOLE, UNARY)
+        case "float", [one]:
+            return one if one.kind == FLOAT else Value(f"(double){one.within(UNARY)}", FLOAT, UNARY)
+        case "bool", [one]:
+            return one if one.kind == FLAG else Value(f"{one.within(EQUAL + 1)} != 0", FLAG, EQUAL)
+        case "len", [one]:
+            return Value(f"{one.within(CALL)}.n", WHOLE, CALL)
+        case (("max" | "min"), [first, *others]) if others:
+            for other in others:
+                kind = joined(first.kind, other.kind)
+                suffix = "_float" if kind == FLOAT else "_whole"
+                first = Value(f"{word}{suffix}({first.text}, {other.text})", kind, CALL)
+            return first
+        case (("floor" | "ceil" | "trunc"), [one]):
+            return one if one.kind == WHOLE else Value(f"(int64_t){word}({one.text})", WHOLE, UNARY)
+        case "isfinite", [one]:
+            return Value(f"isfinite({one.text})", FLAG, CALL)
+    if name.module == "math" and word in SAME:
+        return Value(f"{word}({', '.join(one.text for one in values)})", FLOAT, CALL)
+    return None
 
 
 def literal(value: Any) -> Value:

@@ -1153,8 +1153,12 @@ T10d predictors_switched_step(predictors_switched_Memory * memory, T10d motion) 
     memset(y, 0, sizeof(predictors_switched_Axis));
   }
   since = m.t - s->t0;
-  end_x = s->x0 + predictors_switched_advance(settings, x, since, m.x - s->x0, m.vx, m.ax);
-  end_y = s->y0 + predictors_switched_advance(settings, y, since, m.y - s->y0, m.vy, m.ay);
+  double value_2 = s->x0;
+  double value_3 = predictors_switched_advance(settings, x, since, m.x - s->x0, m.vx, m.ax);
+  end_x = value_2 + value_3;
+  double value_4 = s->y0;
+  double value_5 = predictors_switched_advance(settings, y, since, m.y - s->y0, m.vy, m.ay);
+  end_y = value_4 + value_5;
   return records_endpoint(m.t, end_x, end_y, predictors_movement_phase(s, m));
 }
 

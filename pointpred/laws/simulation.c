@@ -224,9 +224,17 @@ T2d simulation_loop_report(simulation_loop_Memory * memory, double hat_x, double
   T2d values_1 = simulation_loop_assist(memory, scale * hypot(dx, dy), hat_x, hat_y);
   pull_x = values_1.f0;
   pull_y = values_1.f1;
+  double value_2 = s->x;
+  double value_3 = transfer_pixels_carry(&s->carried, 0, scale * dx);
   s->x += transfer_pixels_carry(&s->carried, 0, scale * dx);
+  double value_4 = s->y;
+  double value_5 = transfer_pixels_carry(&s->carried, 1, scale * dy);
   s->y += transfer_pixels_carry(&s->carried, 1, scale * dy);
+  double value_6 = s->x;
+  double value_7 = transfer_pixels_carry(&s->pulled, 0, pull_x);
   s->x += transfer_pixels_carry(&s->pulled, 0, pull_x);
+  double value_8 = s->y;
+  double value_9 = transfer_pixels_carry(&s->pulled, 1, pull_y);
   s->y += transfer_pixels_carry(&s->pulled, 1, pull_y);
   return (T2d){dx, dy};
 }

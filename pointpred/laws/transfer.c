@@ -160,7 +160,9 @@ T3d transfer_assistance_assisted_step(transfer_assistance_Assisted * memory, T5d
     y += share * off_y;
   }
   carried = &memory->transfer.state.carried;
-  return (T3d){t, transfer_pixels_carry(carried, 0, x), transfer_pixels_carry(carried, 1, y)};
+  double value_4 = transfer_pixels_carry(carried, 0, x);
+  double value_5 = transfer_pixels_carry(carried, 1, y);
+  return (T3d){t, value_4, value_5};
 }
 
 /* The endpoint's standard deviation along the longest axis of its region, as a share of the way to it. */
@@ -423,7 +425,9 @@ T3d transfer_pixels_step(transfer_pixels_Memory * memory, T3d report) {
   }
   scale = transfer_pixels_turn(memory, t, dt, dx, dy);
   carried = &memory->state.carried;
-  return (T3d){t, transfer_pixels_carry(carried, 0, scale * dx), transfer_pixels_carry(carried, 1, scale * dy)};
+  double value_4 = transfer_pixels_carry(carried, 0, scale * dx);
+  double value_5 = transfer_pixels_carry(carried, 1, scale * dy);
+  return (T3d){t, value_4, value_5};
 }
 
 /* Write the beginning of a memory: a stage's ``own`` parameters, then its ``Settings``. */

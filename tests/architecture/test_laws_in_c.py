@@ -56,6 +56,20 @@ def loops(memory: FloatArray, i: int, j: int) -> float:
     memory[3:] = 0.5
     return total
 '''
+TURNS = """
+@law
+def take(memory: FloatArray) -> float:
+    memory[0] += 1.0
+    return memory[0]
+
+@law
+def turns(memory: FloatArray, i: int, j: int) -> float:
+    total = take(memory) * 10.0 + take(memory) / (1.0 + take(memory))
+    first, second, third = memory[0], take(memory), memory[0]
+    late = 1.0 if memory[0] < take(memory) else 2.0
+    return total + (memory[0] - take(memory)) * 100.0 + first + 7.0 * second + 3.0 * third + 1000.0 * late
+"""
+"""Python computes from left to right; C would in any order."""
 HEAD = """
 from math import atan2, copysign, hypot
 from typing import NamedTuple
@@ -79,7 +93,7 @@ def source() -> str:
         f"    return {text}\n"
         for name, text in WHOLE.items()
     ]
-    return HEAD + "\n".join(laws) + LOOPS
+    return HEAD + "\n".join(laws) + LOOPS + TURNS
 
 
 def loaded(text: str, name: str, folder: Path) -> dict[str, Any]:
@@ -94,11 +108,10 @@ def loaded(text: str, name: str, folder: Path) -> dict[str, Any]:
 
 
 def function_of(module: str, name: str) -> Function:
-    def unknown(law: Any) -> Function:
-        raise AssertionError(law)
+    def read(law: Any) -> Function:
+        return Function(law, *source_of(law), read)
 
-    law = Name(f"pointpred.{module}", name)
-    return Function(law, *source_of(law), unknown)
+    return read(Name(f"pointpred.{module}", name))
 
 
 @pytest.fixture(scope="module")
@@ -111,7 +124,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory, plain: dict[str, Any]) ->
     if GCC is None:
         pytest.skip("needs gcc")
     folder = tmp_path_factory.mktemp("laws")
-    names = [*NUMBERS, *WHOLE, "loops"]
+    names = [*NUMBERS, *WHOLE, "loops", "take", "turns"]
     functions = [function_of("step", name) for name in names]
     structs = {kind.c: kind for one in functions for kind in one.structs.values()}
     lines = [(Path(__file__).parents[2] / "translation" / "c_prelude.h").read_text("utf-8")]
@@ -169,7 +182,10 @@ def test_whole_numbers_are_computed_as_in_python(
             assert call(compiled, name, ctypes.c_int64(i), ctypes.c_int64(j)) == plain[name](i, j)
 
 
-def test_loops_rows_and_slices_do_the_same_to_a_memory(compiled: ctypes.CDLL, plain: dict[str, Any]) -> None:
+@pytest.mark.parametrize("name", ["loops", "turns"])
+def test_loops_rows_slices_and_calls_do_the_same_to_a_memory(
+    compiled: ctypes.CDLL, plain: dict[str, Any], name: str
+) -> None:
     import numpy as np
 
     class Vector(ctypes.Structure):
@@ -179,8 +195,8 @@ def test_loops_rows_and_slices_do_the_same_to_a_memory(compiled: ctypes.CDLL, pl
         one = np.random.default_rng(i).normal(size=6)
         other = one.copy()
         given_one = Vector(one.ctypes.data, len(one))
-        found = call(compiled, "loops", given_one, ctypes.c_int64(i), ctypes.c_int64(0))
-        assert found == plain["loops"](other, i, 0)
+        found = call(compiled, name, given_one, ctypes.c_int64(i), ctypes.c_int64(0))
+        assert found == plain[name](other, i, 0)
         assert one.tolist() == other.tolist()
 
 
