@@ -64,7 +64,7 @@ def take(memory: FloatArray) -> float:
 
 @law
 def turns(memory: FloatArray, i: int, j: int) -> float:
-    total = take(memory) * 10.0 + take(memory) / (1.0 + take(memory))
+    total = atan2(take(memory), 3.0 * take(memory)) + take(memory) / (1.0 + take(memory))
     first, second, third = memory[0], take(memory), memory[0]
     late = 1.0 if memory[0] < take(memory) else 2.0
     return total + (memory[0] - take(memory)) * 100.0 + first + 7.0 * second + 3.0 * third + 1000.0 * late
