@@ -57,7 +57,8 @@ faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction
 
-laws: $(READY)  ## after a change of a law: write its C and JavaScript, compile what changed (FORCE=--force: all)
+laws:  ## after a change of a law: write its C and JavaScript, compile what changed (FORCE=--force: all)
+	test -x $(BIN)/python || $(MAKE) $(READY)
 	$(BIN)/python -m translation
 	for folder in . observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' setup.py -q build_ext --inplace $(FORCE)) || exit; done
 	touch $(RUNS) $(READY)

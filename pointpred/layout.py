@@ -78,11 +78,11 @@ class Layout:
     def __init_subclass__(cls) -> None:
         hints = get_type_hints(cls, include_extras=True)
         at, parts = 0, []
+        if wrong := [name for name in vars(cls).get("__annotations__", ()) if hasattr(Layout, name)]:
+            raise TypeError(f"{wrong[0]} has a meaning of its own in a layout: call the part something else")
         for name, hint in hints.items():
             if name in Layout.__annotations__:
                 continue
-            if hasattr(Layout, name):
-                raise TypeError(f"{name} has a meaning of its own in a layout")
             part = _part(name, at, hint)
             at += part.length
             parts.append(part)

@@ -15,6 +15,7 @@ from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, 
 import numpy as np
 
 from pointpred.compiled import law
+from pointpred.errors import EventError, ParameterError
 from pointpred.layout import Slot
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 from pointpred.records import BoolArray, FloatArray, FloatTable, refusal
@@ -220,7 +221,9 @@ class CompiledStage:
         return self._memory.tobytes()
 
     def recall(self, memory: bytes) -> None:
-        """Go on from where ``remembered`` was asked."""
+        """Go on from where ``remembered`` was asked; raises ParameterError for another stage's memory."""
+        if len(memory) != self._memory.nbytes:
+            raise ParameterError(f"memory must have {self._memory.nbytes} bytes, received {len(memory)}")
         self._memory[:] = np.frombuffer(memory)
 
     def __copy__(self) -> Self:
@@ -239,8 +242,11 @@ class CompiledStage:
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory.
 
-        A row that is refused changes nothing, and its answer says why; the rows after it are taken.
+        A row that is refused changes nothing, and its answer says why; the rows after it are taken. Raises
+        EventError where ``begin`` has not one mark a row.
         """
+        if begin.shape != (len(rows),):
+            raise EventError(f"begin needs {len(rows)} rows, received shape {begin.shape}")
         out = np.full((len(rows), self.width), np.nan)
         type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
         return out

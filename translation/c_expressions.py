@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import Any
 
 from pointpred.layout import Layout
-from translation.c_names import Law, Made, c_name, local
+from translation.c_names import Law, Made, c_name
 from translation.c_values import (
     AND,
     BITS,
@@ -44,6 +44,7 @@ from translation.kinds import (
     kind_of_value,
     layout_at,
     layout_of,
+    local,
 )
 from translation.source import Module, Name, UntranslatableError, is_law, member, module, origin, row_of
 
@@ -59,7 +60,7 @@ class Expressions:
 
     ``uses``: the laws and constants that they need; ``structs``, ``layouts``: kinds of tuples and memories;
     ``casts``: from which to which tuples are turned; ``written``: the arguments whose arrays are changed;
-    ``before``: lines that go before the present statement.
+    ``columns``: how many an argument has at least; ``before``: lines that go before the present statement.
     """
 
     def __init__(self, reader: Module, function: ast.FunctionDef, bound: dict[str, Law], known: Any) -> None:
@@ -68,12 +69,16 @@ class Expressions:
         self.structs: dict[str, Parts] = {}
         self.casts: set[tuple[Parts, Parts]] = set()
         self.locals: dict[str, Kind] = {}
+        self.names = {one.id for one in ast.walk(function) if isinstance(one, ast.Name)}
+        self.names |= {one.arg for one in ast.walk(function) if isinstance(one, ast.arg)}
         self.layouts: set[type[Layout]] = set()
         self.stars: dict[str, list[str]] = {}
         self.before: list[str] = []
         self.buffers: list[str] = []
         self.written: set[str] = set()
         self.sources: dict[str, set[str]] = {}
+        self.columns: dict[str, int] = {}
+        self.row_of: dict[str, str] = {}
         self._guarded = False
         self._temporary = 0
 
@@ -85,7 +90,8 @@ class Expressions:
     def fresh(self, word: str) -> str:
         """A name that the law does not have."""
         self._temporary += 1
-        return f"{word}_{self._temporary}"
+        name = f"{word}_{self._temporary}"
+        return self.fresh(word) if name in self.names else name
 
     def struct(self, kind: Kind) -> Kind:
         """The same kind, whose struct is then declared."""
@@ -142,9 +148,9 @@ class Expressions:
                     return self._inside(node, value, value.kind.of, name)
                 if not isinstance(value.kind, Parts) or name not in value.kind.names:
                     raise self.error(node, f".{name} of {ast.unparse(whole)}, which is {value.kind.c}")
-                return Value(
-                    f"{value.within(CALL)}.{name}", value.kind.kinds[value.kind.names.index(name)], CALL
-                )
+                place = value.kind.names.index(name)
+                part, kind = value.kind.field(place), value.kind.kinds[place]
+                return Value(f"{value.within(CALL)}.{part}", kind, CALL)
             case ast.Tuple(elts=parts):
                 values = self._arguments(parts)
                 return self._made(Parts(tuple(one.kind for one in values)), values)
@@ -197,10 +203,14 @@ class Expressions:
         laws = [self._called(one.func) for one in ast.walk(node) if isinstance(one, ast.Call)]
         return any(fits(self.known(law)) for law in laws if isinstance(law, Made) or (law and is_law(law)))
 
+    def has_law(self, node: ast.expr) -> bool:
+        """Whether a law is called in an expression."""
+        return self._has(node, lambda called: True)
+
     def _reads(self, node: ast.expr) -> bool:
         """Whether an expression reads numbers of a memory or an array, or calls a law that may."""
         parts = any(isinstance(one, ast.Subscript | ast.Attribute) for one in ast.walk(node))
-        return parts or self._has(node, lambda called: True)
+        return parts or self.has_law(node)
 
     def _called(self, function: ast.expr) -> Law | None:
         """What a function of a call is; None where it is none that is imported, defined or bound."""
@@ -239,10 +249,14 @@ class Expressions:
         return owner in self.reader.imports and owner not in self.locals
 
     def _each(self, operands: list[ast.expr], binds: int) -> list[str]:
-        """Conditions one after the other; only the first may need lines before the statement."""
-        texts = [self.condition(operands[0]).within(binds + 1)]
-        outer, self._guarded = self._guarded, True
-        texts += [self.condition(one).within(binds + 1) for one in operands[1:]]
+        """Truth values one after the other; only the first may need lines before the statement."""
+        texts, outer = [], self._guarded
+        for one in operands:
+            value = self.condition(one)
+            if value.kind != FLAG:
+                raise self.error(one, f"the number {ast.unparse(one)} beside and, or")
+            texts.append(value.within(binds + 1))
+            self._guarded = True
         self._guarded = outer
         return texts
 
@@ -284,7 +298,7 @@ class Expressions:
 
     def _compare(self, node: ast.Compare) -> Value:
         operands = [node.left, *node.comparators]
-        if any(isinstance(one, ast.Call) for one in operands[1:-1]):
+        if any(self.has_law(one) for one in operands[1:-1]):
             raise self.error(node, f"a call in the middle of {ast.unparse(node)}")
         if wrong := [one for one in node.ops if type(one) not in COMPARE]:
             raise self.error(node, f"{type(wrong[0]).__name__} in {ast.unparse(node)}")
@@ -325,6 +339,8 @@ class Expressions:
         if number == 2 and base.kind == FLOAT:
             return Value(f"square({base.text})", FLOAT, CALL)
         power = self.value(exponent)
+        if power.kind == WHOLE and base.kind == WHOLE and (number is None or number < 0):
+            raise self.error(node, f"a power of a whole number: {ast.unparse(node)}")
         if power.kind == WHOLE:
             word, kind = ("whole_power", FLOAT) if base.kind == FLOAT else ("power_of_whole", WHOLE)
             return Value(f"{word}({base.text}, {power.text})", kind, CALL)
@@ -405,6 +421,7 @@ class Expressions:
 
     def _element(self, node: ast.Subscript, value: Value, kind: Array, indices: list[ast.expr]) -> Value:
         """A number of an array, or a part of it, which shares its memory."""
+        self._note_column(node, indices[-1], kind)
         array, flat = value.within(CALL), Array(kind.of, 1)
         last = indices[-1]
         if len(indices) > kind.dimensions:
@@ -435,6 +452,19 @@ class Expressions:
             return Value(f"({flat.c}){{{row} + {start}, {end} - {start}}}", flat, CALL)
         place = f"{self.whole(indices[0]).within(PRODUCT)} * {array}.m + {self.whole(last).within(SUM)}"
         return Value(f"{array}.p[{place}]", kind.of, CALL)
+
+    def _note_column(self, node: ast.Subscript, last: ast.expr, kind: Array) -> None:
+        """Note which column of an argument is read, where that is known."""
+        match node:
+            case ast.Subscript(value=ast.Name(id=table), slice=ast.Tuple()) if kind.dimensions == 2:
+                pass
+            case ast.Subscript(value=ast.Name(id=row)) if row in self.row_of:
+                table = self.row_of[row]
+            case _:
+                return
+        place = self.constant(last)
+        if place is not None:
+            self.columns[table] = max(self.columns.get(table, 0), place + 1)
 
     def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
         """Values in turn; a star gives the parts of a tuple, or the shared arrays of a closure."""
@@ -524,6 +554,8 @@ class Expressions:
         for argument, name in zip(node.args, called.arguments, strict=False):
             if name in called.written:
                 self.write(argument)
+            if isinstance(argument, ast.Name) and name in called.columns:
+                self.columns[argument.id] = max(self.columns.get(argument.id, 0), called.columns[name])
         texts = [self.cast(one, kind, node).text for one, kind in zip(values, called.kinds, strict=True)]
         return Value(f"{c_name(law)}({', '.join(texts)})", self.struct(called.returns), CALL)
 

@@ -17,9 +17,9 @@ from pointpred.predictors import Predictor
 from pointpred.stage import CompiledStage
 from translation.c_law import Function, holds_arrays
 from translation.c_module import module_text
-from translation.c_names import Law, Made, c_name, local, source_of
+from translation.c_names import Law, Made, c_name, source_of
 from translation.c_values import literal
-from translation.kinds import Memory, Number, Parts, in_c, kind_of_value
+from translation.kinds import Memory, Number, Parts, in_c, kind_of_value, local
 from translation.source import PLAIN, Name, is_law, module
 
 WRITTEN = "/* Written by `make laws` from the laws: change those and run it again. */"

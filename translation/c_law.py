@@ -6,9 +6,9 @@ import ast
 from collections.abc import Callable, Iterable, Iterator
 
 from translation.c_expressions import BINARY, Expressions
-from translation.c_names import Law, Made, c_name, local
+from translation.c_names import Law, Made, c_name
 from translation.c_values import CALL, Value
-from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined
+from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined, local
 from translation.source import Module, UntranslatableError
 
 ROUNDS = 8
@@ -18,7 +18,7 @@ ROUNDS = 8
 class Function:
     """A law in C: ``text``; its ``arguments`` with their ``kinds``, what it ``returns``, what it ``uses``.
 
-    ``written``: the arguments whose arrays it changes.
+    ``written``: the arguments whose arrays it changes; ``columns``: how many a table must have.
     """
 
     def __init__(
@@ -39,6 +39,7 @@ class Function:
         lines = self._read(body)
         at = self._at
         self.uses, self.structs, self.casts, self.layouts = at.uses, at.structs, at.casts, at.layouts
+        self.columns = self._at.columns
         self.written = self._at.written & set(self.arguments)
         self.text = "\n".join([*self._comment(), f"{self.head} {{", *_indent(self._declared() + lines), "}"])
 
@@ -208,6 +209,8 @@ class Function:
         step = at.constant(arguments[2]) if len(arguments) == 3 else 1
         if not step:
             raise at.error(node, "a range whose step is not known")
+        if name in self.arguments:
+            raise at.error(node, f"the argument {name} as the variable of a loop")
         if any(_stores(one, name) for statement in node.body for one in ast.walk(statement)):
             raise at.error(node, f"{name} is changed within its loop")
         first = at.whole(arguments[0]).text if len(arguments) > 1 else "0"
@@ -240,12 +243,19 @@ class Function:
         for one in ast.walk(target):
             ast.copy_location(one, node)
         value = ast.copy_location(ast.BinOp(target, node.op, node.value), node)
-        kind, sign = self._at.value(value).kind, BINARY.get(type(node.op), (None,))[0]
+        at, sign = self._at, BINARY.get(type(node.op), (None,))[0]
+        if at.has_law(target):
+            raise at.error(node, f"a law called in the place of {ast.unparse(node.target)}")
+        if sign is None or at.has_law(node.value):
+            yield from self._store(node.target, at.value(value))
+            return
+        found = at.value(node.value)
+        kind = joined(found.kind, at.value(target).kind)
         place = self._place(node.target, kind)
-        if sign is None or place.kind.c != kind.c or (isinstance(node.op, ast.Sub | ast.Add) and False):
-            yield from self._store(node.target, self._at.value(value))
+        if place.kind.c == kind.c:
+            yield f"{place.text} {sign}= {found.text};"
         else:
-            yield f"{place.text} {sign}= {self._at.value(node.value).text};"
+            yield from self._store(node.target, at.value(value))
 
     def _assign(self, node: ast.stmt, target: ast.expr, value: ast.expr) -> Iterator[str]:
         at = self._at
@@ -268,6 +278,10 @@ class Function:
                 for one, part in pairs:
                     yield from self._store(one, at.value(part), part)
             return
+        match target, value:
+            case ast.Name(id=name), ast.Subscript(value=ast.Name(id=table), slice=index):
+                if not isinstance(index, ast.Slice | ast.Tuple):
+                    at.row_of[name] = table
         found = at.value(value)
         if isinstance(target, ast.Tuple) and not isinstance(value, ast.Name):
             name = at.fresh("values")
@@ -294,6 +308,8 @@ class Function:
                         part = Value(f"{value.within(CALL)}.{value.kind.field(i)}", value.kind.kinds[i], CALL)
                         yield from self._store(one, part, source)
             case ast.Subscript() | ast.Attribute():
+                if at.has_law(target):
+                    raise at.error(target, f"a law called in the place of {ast.unparse(target)}")
                 at.write(target.value)
                 place = at.value(target)
                 if isinstance(place.kind, Array):

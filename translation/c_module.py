@@ -22,6 +22,7 @@ def module_text(functions: list[Function], prelude: str) -> str:
     return "\n".join(
         [
             "/* Written by `make laws` from the laws: change those and run it again. */",
+            f"#define MOST_ARRAYS {max(map(_arrays, functions), default=1)}",
             prelude.rstrip(),
             '#include "laws.h"',
             "",
@@ -48,6 +49,8 @@ def _wrapper(function: Function, givers: dict[str, str]) -> str:
     for i, (word, kind) in enumerate(zip(function.arguments, function.kinds, strict=True)):
         declared.append(f"  {kind.c} a{i};")
         taken += _taken(f"a{i}", f"args[{i}]", word, kind, word in function.written)
+        if isinstance(kind, Array) and kind.dimensions == 2 and word in function.columns:
+            taken.append(f'has_columns(law, "{word}", a{i}.m, {function.columns[word]})')
     call = f"{name}({', '.join(f'a{i}' for i in range(len(function.kinds)))})"
     if function.returns != NOTHING:
         declared.append(f"  {function.returns.c} result;")
@@ -69,6 +72,15 @@ def _wrapper(function: Function, givers: dict[str, str]) -> str:
         "}",
     ]
     return "\n".join(lines)
+
+
+def _arrays(function: Function) -> int:
+    """How many arrays a law takes."""
+
+    def count(kind: Kind) -> int:
+        return sum(map(count, kind.kinds)) if isinstance(kind, Parts) else isinstance(kind, Array | Memory)
+
+    return max(1, sum(map(count, function.kinds)))
 
 
 def _is_table(kind: Kind) -> bool:

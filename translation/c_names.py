@@ -9,17 +9,6 @@ from typing import NamedTuple, TypeAlias
 from translation.kinds import in_c
 from translation.source import Module, Name, UntranslatableError, module
 
-RESERVED = {
-    *("INFINITY", "NAN", "abs", "acos", "alloca", "asin", "atan", "atan2", "auto", "bool", "calloc"),
-    *("case", "ceil", "char", "const", "copysign", "cos", "cosh", "default", "do", "double", "enum"),
-    *("erf", "exp", "expm1", "extern", "fabs", "false", "float", "floor", "free", "goto", "hypot"),
-    *("inline", "int", "isfinite", "lgamma", "log", "log1p", "long", "malloc", "pow", "register"),
-    *("restrict", "short", "signed", "sin", "sinh", "sizeof", "sqrt", "square", "static", "struct"),
-    *("switch", "tan", "tanh", "true", "trunc", "typedef", "union", "unsigned", "void", "volatile"),
-    *(),
-}
-"""Words that mean something in the files that are written; a local name that is one gets an underscore."""
-
 
 class Made(NamedTuple):
     """A law that a function makes around other laws, such as the loop around a step."""
@@ -32,11 +21,6 @@ class Made(NamedTuple):
 
 
 Law: TypeAlias = Name | Made
-
-
-def local(name: str) -> str:
-    """A local name in C."""
-    return f"{name}_" if name in RESERVED else name
 
 
 @cache

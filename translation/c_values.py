@@ -66,7 +66,7 @@ def literal(value: Any) -> Value:
     if isinstance(value, bool):
         return Value("true" if value else "false", FLAG)
     if isinstance(value, int | np.integer):
-        text = f"{int(value)}" if abs(int(value)) < 2**31 else f"INT64_C({int(value)})"
+        text = f"{int(value)}" if abs(int(value)) < 2**15 else f"INT64_C({int(value)})"
         return Value(text, WHOLE, UNARY if value < 0 else ATOM)
     if isinstance(value, float):
         if math.isinf(value):

@@ -9,6 +9,27 @@ from typing import Any, NamedTuple, TypeAlias
 from pointpred.layout import Layout
 from translation.source import Module, Name, UntranslatableError, member, module, origin, row_of
 
+RESERVED = {
+    *("EOF", "FlagTable", "FlagVector", "INFINITY", "INT64_C", "NAN", "NULL", "RELEASED", "Table"),
+    *("Vector", "WholeTable", "WholeVector", "abort", "abs", "acos", "alloca", "asin", "atan"),
+    *("atan2", "auto", "bool", "calloc", "case", "ceil", "char", "const", "copied", "copysign"),
+    *("cos", "cosh", "default", "do", "double", "enum", "erf", "errno", "exit", "exp", "expm1"),
+    *("extern", "fabs", "false", "fill", "fill_whole", "float", "floor", "floor_divided_float"),
+    *("floor_divided_whole", "free", "goto", "hypot", "inline", "int", "int64_t", "isfinite"),
+    *("lgamma", "log", "log1p", "long", "malloc", "max_float", "max_whole", "memcpy", "memmove"),
+    *("memset", "min_float", "min_whole", "pow", "power_of_whole", "register", "release", "remainder_float"),
+    *("remainder_whole", "reserved", "restrict", "short", "signed", "sin", "sinh", "size_t"),
+    *("sizeof", "sqrt", "square", "static", "stderr", "stdin", "stdout", "struct", "switch"),
+    *("tan", "tanh", "true", "trunc", "typedef", "uint8_t", "union", "unsigned", "void", "volatile"),
+    "whole_power",
+}
+"""Words that mean something in the files that are written; a name that is one gets an underscore."""
+
+
+def local(name: str) -> str:
+    """A local name in C."""
+    return f"{name}_" if name in RESERVED else name
+
 
 def in_c(name: Name) -> str:
     """A name of a module as one of C."""
@@ -53,7 +74,7 @@ class Parts(NamedTuple):
 
     def field(self, place: int) -> str:
         """The name of a part in C."""
-        return f"{self.names[place]}" if self.names else f"f{place}"
+        return local(self.names[place]) if self.names else f"f{place}"
 
 
 class Memory(NamedTuple):

@@ -3,7 +3,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#define MOST_ARRAYS 16
+/* MOST_ARRAYS: of the law that takes the most, as module.c says above. */
 typedef struct { Py_buffer views[MOST_ARRAYS]; int count; } Held;
 
 static void *let_go(Held *held) {
@@ -42,6 +42,13 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+static bool has_columns(const char *law, const char *argument, int64_t given, int64_t least) {
+  if (given >= least) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must have at least %lld columns, received %lld", law, argument, (long long)least,
+               (long long)given);
+  return false;
+}
+
 /* The numbers of a memory: an array, or a view with names of one. */
 static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
                         const Py_buffer **taken) {
@@ -50,7 +57,10 @@ static bool take_memory(Held *held, PyObject *given, const char *law, const char
     good = take_array(held, given, law, argument, 'd', 1, written, taken);
   } else {
     PyObject *memory = PyObject_GetAttrString(given, "memory");
-    if (memory == NULL) return false;
+    if (memory == NULL) {
+      PyErr_Clear();
+      return take_array(held, given, law, argument, 'd', 1, written, taken);
+    }
     good = take_array(held, memory, law, argument, 'd', 1, written, taken);
     Py_DecRef(memory);
   }

@@ -1,10 +1,11 @@
 /* Written by `make laws` from the laws: change those and run it again. */
+#define MOST_ARRAYS 9
 /* How Python's values become those of a law, and back. */
 #include "abi3.h"
 #include <stdbool.h>
 #include <string.h>
 
-#define MOST_ARRAYS 16
+/* MOST_ARRAYS: of the law that takes the most, as module.c says above. */
 typedef struct { Py_buffer views[MOST_ARRAYS]; int count; } Held;
 
 static void *let_go(Held *held) {
@@ -43,6 +44,13 @@ static bool take_array(Held *held, PyObject *given, const char *law, const char 
   return false;
 }
 
+static bool has_columns(const char *law, const char *argument, int64_t given, int64_t least) {
+  if (given >= least) return true;
+  PyErr_Format(PyExc_TypeError, "%s: %s must have at least %lld columns, received %lld", law, argument, (long long)least,
+               (long long)given);
+  return false;
+}
+
 /* The numbers of a memory: an array, or a view with names of one. */
 static bool take_memory(Held *held, PyObject *given, const char *law, const char *argument, bool written, Py_ssize_t least,
                         const Py_buffer **taken) {
@@ -51,7 +59,10 @@ static bool take_memory(Held *held, PyObject *given, const char *law, const char
     good = take_array(held, given, law, argument, 'd', 1, written, taken);
   } else {
     PyObject *memory = PyObject_GetAttrString(given, "memory");
-    if (memory == NULL) return false;
+    if (memory == NULL) {
+      PyErr_Clear();
+      return take_array(held, given, law, argument, 'd', 1, written, taken);
+    }
     good = take_array(held, memory, law, argument, 'd', 1, written, taken);
     Py_DecRef(memory);
   }
@@ -2035,6 +2046,7 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_ad
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2058,7 +2070,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_de
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2080,7 +2093,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_ho
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2102,7 +2116,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_ka
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2124,7 +2139,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_ke
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2146,7 +2162,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_kt
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2168,7 +2185,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_li
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2190,7 +2208,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_mi
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2212,7 +2231,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_sw
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2234,7 +2254,8 @@ static PyObject *py_last__differentiators_difference_step__follow__predictors_sw
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_difference_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2258,6 +2279,7 @@ static PyObject *py_last__differentiators_difference_step__predictors_kinematic_
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2283,6 +2305,7 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_a
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2306,7 +2329,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_d
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2328,7 +2352,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_h
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2350,7 +2375,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_k
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2372,7 +2398,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_k
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2394,7 +2421,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_k
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2416,7 +2444,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_l
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2438,7 +2467,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_m
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2460,7 +2490,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_s
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2482,7 +2513,8 @@ static PyObject *py_last__differentiators_homogeneous_step__follow__predictors_s
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_homogeneous_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2506,6 +2538,7 @@ static PyObject *py_last__differentiators_homogeneous_step__predictors_kinematic
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2531,6 +2564,7 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_adapta
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2554,7 +2588,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_delphi
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_delphian_step__predictors_delphian_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2576,7 +2611,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_hold_s
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_hold_step__predictors_hold_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2598,7 +2634,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_kalman
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_kalman_step__predictors_kalman_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2620,7 +2657,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_kep_st
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_kep_step__predictors_kep_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2642,7 +2680,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_ktm_st
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_ktm_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2664,7 +2703,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_linear
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_linear_step__predictors_linear_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2686,7 +2726,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_minimu
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__predictors_minimum_jerk_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2708,7 +2749,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_switch
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_switched_direction_step__predictors_switched_direction_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2730,7 +2772,8 @@ static PyObject *py_last__differentiators_kalman_step__follow__predictors_switch
         && take_array(&held, args[1], law, "other", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = last__differentiators_kalman_step__follow__predictors_switched_step__predictors_switched_step(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -2754,6 +2797,7 @@ static PyObject *py_last__differentiators_kalman_step__predictors_kinematic_pred
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 6)
         && take_array(&held, args[3], law, "shared_0", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -2781,6 +2825,7 @@ static PyObject *py_loop__predictors_adaptation_predictor_conclude__records_row_
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[5], law, "shared_0", 'd', 1, false, &view)
@@ -2809,6 +2854,7 @@ static PyObject *py_loop__predictors_ktm_conclude__records_row_at__predictors_kt
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2835,6 +2881,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 6)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2861,6 +2908,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 6)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2887,6 +2935,7 @@ static PyObject *py_loop__stage_learn_nothing__records_event_at__differentiators
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 6)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2913,6 +2962,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_delphi
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2939,6 +2989,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_hold_s
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2965,6 +3016,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kalman
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -2991,6 +3043,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kep_st
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3018,6 +3071,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_kinema
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[5], law, "shared_0", 'd', 1, false, &view)
@@ -3046,6 +3100,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_linear
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3072,6 +3127,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_minimu
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3098,6 +3154,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switch
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3124,6 +3181,7 @@ static PyObject *py_loop__stage_learn_nothing__records_row_at__predictors_switch
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 10)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3150,6 +3208,7 @@ static PyObject *py_loop__stage_learn_nothing__transfer_assistance_guided_report
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a3.m, 8)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -3718,7 +3777,8 @@ static PyObject *py_predictors_adaptation_destination_candidates(PyObject *self,
         && take_double(PyTuple_GetItem(args[3], 5), &a3.broad)
         && take_double(PyTuple_GetItem(args[3], 6), &a3.tail)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a4.m, 4)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_candidates(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -3792,6 +3852,7 @@ static PyObject *py_predictors_adaptation_destination_geometric_median(PyObject 
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 4)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_destination_geometric_median(a0, a1); Py_END_ALLOW_THREADS
@@ -4885,7 +4946,8 @@ static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, 
         && take_memory(&held, args[0], law, "memory", true, 3949, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a1.m, 7)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_predictor_list_places(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -6102,10 +6164,12 @@ static PyObject *py_predictors_kinematic_features_observe_all(PyObject *self, Py
         && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "rows", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a2.m, 10)
         && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[4], law, "frames", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "frames", a4.m, 3)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS predictors_kinematic_features_observe_all(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -7102,6 +7166,7 @@ static PyObject *py_predictors_mixture_outlines(PyObject *self, PyObject *const 
         && take_double(args[2], &a2)
         && take_array(&held, args[3], law, "points", 'd', 2, true, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "points", a3.m, 2)
         && take_array(&held, args[4], law, "ends", 'd', 1, true, &view)
         && (a4 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -7596,6 +7661,7 @@ static PyObject *py_records_event_at(PyObject *self, PyObject *const *args, Py_s
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 6)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = records_event_at(a0, a1); Py_END_ALLOW_THREADS
@@ -7652,6 +7718,7 @@ static PyObject *py_records_row_at(PyObject *self, PyObject *const *args, Py_ssi
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 10)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = records_row_at(a0, a1); Py_END_ALLOW_THREADS
@@ -7863,6 +7930,7 @@ static PyObject *py_regression_drem_mix(PyObject *self, PyObject *const *args, P
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "a", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "a", a0.m, 3)
         && take_array(&held, args[1], law, "y", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -7887,6 +7955,7 @@ static PyObject *py_regression_drem_mix3(PyObject *self, PyObject *const *args, 
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "a", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "a", a0.m, 3)
         && take_array(&held, args[1], law, "y", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -8101,14 +8170,17 @@ static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *con
   if (!(counted(law, count, 7)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 3)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[4], law, "discs", 'd', 2, false, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "discs", a4.m, 3)
         && take_array(&held, args[5], law, "shares", 'd', 1, false, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[6], law, "out", 'd', 2, true, &view)
@@ -8166,8 +8238,10 @@ static PyObject *py_scoring_measures_endpoint_measure_trial(PyObject *self, PyOb
   if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 3)
         && take_array(&held, args[2], law, "fractions", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_int64_t(args[3], &a3)
@@ -8193,6 +8267,7 @@ static PyObject *py_scoring_measures_endpoint_moments(PyObject *self, PyObject *
   if (!(counted(law, count, 6)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 1)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)
         && take_int64_t(args[3], &a3)
@@ -8257,14 +8332,17 @@ static PyObject *py_scoring_measures_regions_calibrate(PyObject *self, PyObject 
   if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 9)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a4.m, 5)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_regions_calibrate(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -8321,8 +8399,10 @@ static PyObject *py_scoring_measures_regions_inside_by_time(PyObject *self, PyOb
   if (!(counted(law, count, 6)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 9)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
@@ -8427,8 +8507,10 @@ static PyObject *py_scoring_measures_time_left_inside_by_time(PyObject *self, Py
   if (!(counted(law, count, 6)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 1)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 10)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
@@ -8457,15 +8539,18 @@ static PyObject *py_scoring_measures_time_left_time_left(PyObject *self, PyObjec
   if (!(counted(law, count, 6)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 1)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 10)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "out", 'd', 2, true, &view)
-        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a5.m, 4)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_time_left_time_left(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -8534,10 +8619,13 @@ static PyObject *py_scoring_target_choice_account(PyObject *self, PyObject *cons
   if (!(counted(law, count, 9)
         && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "events", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 7)
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a2.m, 4)
         && take_array(&held, args[3], law, "shares", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_int64_t(args[4], &a4)
@@ -8564,6 +8652,7 @@ static PyObject *py_scoring_target_choice_nearest(PyObject *self, PyObject *cons
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 2)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -8587,8 +8676,10 @@ static PyObject *py_scoring_target_choice_read(PyObject *self, PyObject *const *
   if (!(counted(law, count, 7)
         && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "events", a0.m, 3)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a1.m, 2)
         && take_array(&held, args[2], law, "shares", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_int64_t(args[3], &a3)
@@ -8596,7 +8687,8 @@ static PyObject *py_scoring_target_choice_read(PyObject *self, PyObject *const *
         && take_array(&held, args[5], law, "fractions", 'd', 1, false, &view)
         && (a5 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[6], law, "out", 'd', 2, true, &view)
-        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a6.m, 4)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_target_choice_read(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -8617,10 +8709,13 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
   if (!(counted(law, count, 6)
         && take_array(&held, args[0], law, "events", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "events", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a1.m, 10)
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a2.m, 5)
         && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
         && (a3 = view->buf, true)
         && take_double(args[4], &a4)
@@ -8643,10 +8738,12 @@ static PyObject *py_scoring_trials_cut(PyObject *self, PyObject *const *args, Py
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 6)
         && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
         && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'q', 2, true, &view)
-        && (a2 = (WholeTable){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (WholeTable){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a2.m, 5)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_trials_cut(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -8665,6 +8762,7 @@ static PyObject *py_scoring_trials_departure(PyObject *self, PyObject *const *ar
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8684,6 +8782,7 @@ static PyObject *py_scoring_trials_divide(PyObject *self, PyObject *const *args,
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "motions", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "motions", a0.m, 5)
         && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
         && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'b', 1, true, &view)
@@ -8706,6 +8805,7 @@ static PyObject *py_scoring_trials_divided(PyObject *self, PyObject *const *args
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "motions", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "motions", a0.m, 5)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8726,6 +8826,7 @@ static PyObject *py_scoring_trials_fault(PyObject *self, PyObject *const *args, 
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 6)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8745,6 +8846,7 @@ static PyObject *py_scoring_trials_judge(PyObject *self, PyObject *const *args, 
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 3)
         && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
         && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'b', 1, true, &view)
@@ -8767,6 +8869,7 @@ static PyObject *py_scoring_trials_selection(PyObject *self, PyObject *const *ar
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 6)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8787,6 +8890,7 @@ static PyObject *py_scoring_trials_settling(PyObject *self, PyObject *const *arg
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8807,6 +8911,7 @@ static PyObject *py_scoring_trials_straight_through(PyObject *self, PyObject *co
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 3)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -9091,6 +9196,7 @@ static PyObject *py_simulation_loop_play(PyObject *self, PyObject *const *args, 
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 5)
         && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
@@ -9186,7 +9292,8 @@ static PyObject *py_stage_first_refused(PyObject *self, PyObject *const *args, P
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "answers", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a0.m, 1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = stage_first_refused(a0); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9243,6 +9350,7 @@ static PyObject *py_targets_choice_law_enter(PyObject *self, PyObject *const *ar
   if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 4)
         && take_array(&held, args[1], law, "inside", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
@@ -9266,6 +9374,7 @@ static PyObject *py_targets_choice_law_holder(PyObject *self, PyObject *const *a
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 4)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9285,6 +9394,7 @@ static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 5)
         && take_array(&held, args[1], law, "inside", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -9440,7 +9550,8 @@ static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const 
         && take_memory(&held, args[0], law, "s", false, 15, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "events", a1.m, 3)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_unusable(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9665,10 +9776,12 @@ static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, true, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 5)
         && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "known", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "known", a2.m, 4)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_expectation_expect(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9686,6 +9799,7 @@ static PyObject *py_targets_expectation_target_of(PyObject *self, PyObject *cons
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 5)
         && take_array(&held, args[1], law, "place", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -9705,7 +9819,8 @@ static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, 
         && take_memory(&held, args[0], law, "s", true, 8, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 3)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_ledger_begin(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9727,6 +9842,7 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 3)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
@@ -9749,6 +9865,7 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 3)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
@@ -9771,6 +9888,7 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 1)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
@@ -9883,7 +10001,8 @@ static PyObject *py_targets_posterior_features(PyObject *self, PyObject *const *
         && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
         && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
         && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "out", a3.m, 6)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_posterior_features(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9942,6 +10061,7 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a1.m, 5)
         && take_tuple(args[2], law, "answer", 10)
         && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
         && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
@@ -10149,6 +10269,7 @@ static PyObject *py_targets_prefetch_visit(PyObject *self, PyObject *const *args
         && take_double(args[1], &a1)
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a2.m, 2)
         && take_array(&held, args[3], law, "shares", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[4], law, "out", 'd', 1, true, &view)
@@ -10293,7 +10414,8 @@ static PyObject *py_targets_rectangles_complete(PyObject *self, PyObject *const 
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "rows", 'd', 2, true, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 5)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_rectangles_complete(a0); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -10441,6 +10563,7 @@ static PyObject *py_transfer_assistance_guided_report_at(PyObject *self, PyObjec
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 8)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = transfer_assistance_guided_report_at(a0, a1); Py_END_ALLOW_THREADS
@@ -10459,6 +10582,7 @@ static PyObject *py_transfer_assistance_offset_report_at(PyObject *self, PyObjec
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 5)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = transfer_assistance_offset_report_at(a0, a1); Py_END_ALLOW_THREADS
@@ -10626,6 +10750,7 @@ static PyObject *py_transfer_identification_event_at(PyObject *self, PyObject *c
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 6)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = transfer_identification_event_at(a0, a1); Py_END_ALLOW_THREADS
@@ -10817,6 +10942,7 @@ static PyObject *py_transfer_pixels_report_at(PyObject *self, PyObject *const *a
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 3)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = transfer_pixels_report_at(a0, a1); Py_END_ALLOW_THREADS

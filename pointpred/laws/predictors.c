@@ -69,7 +69,7 @@ double predictors_mixture_density(Table parts, int64_t count, double x, double y
   double total;
   total = 0.0;
   for (int64_t k = 0; k < count; k++) {
-    total += predictors_mixture_part_density((predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p), x, y);
+    total = total + predictors_mixture_part_density((predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p), x, y);
   }
   return total;
 }
@@ -882,7 +882,7 @@ double predictors_mixture_threshold_of(Table parts, int64_t count, double level,
   most = predictors_mixture_DENSITY_LEAST;
   for (int64_t k = 0; k < count; k++) {
     part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
-    most += predictors_mixture_part_density(part, part->x, part->y);
+    most = most + predictors_mixture_part_density(part, part->x, part->y);
   }
   low = log(predictors_mixture_DENSITY_LEAST);
   high = log(most);

@@ -88,7 +88,7 @@ static const int64_t predictors_adaptation_places_CAPACITY = 64;
 static const int64_t predictors_adaptation_places_FINE = 0;
 static const double predictors_adaptation_places_KEEP = 0.97;
 static const double predictors_adaptation_places_LIGHTEST = 1e-09;
-static const int64_t predictors_adaptation_places_MOST_ENDED = 131072;
+static const int64_t predictors_adaptation_places_MOST_ENDED = INT64_C(131072);
 static const int64_t predictors_adaptation_places_MOVEMENTS = 128;
 static const double predictors_adaptation_places_NEAR_SHARE = 0.03;
 static const double predictors_adaptation_places_NOWHERE = -1.0;
@@ -762,7 +762,7 @@ void predictors_adaptation_stages_learn(predictors_adaptation_stages_Stage * s, 
   shift = predictors_adaptation_stages_bias(s, total, m->along) / m->wide;
   rest = off - shift;
   paid = predictors_adaptation_stages_bounded(shift, predictors_adaptation_stages_FURTHEST);
-  s->bias_paid += paid * predictors_adaptation_stages_bounded(off, predictors_adaptation_stages_FURTHEST);
+  s->bias_paid = s->bias_paid + paid * predictors_adaptation_stages_bounded(off, predictors_adaptation_stages_FURTHEST);
   s->bias_size += paid * paid;
   weight = (m->tail + 1.0) / (m->tail + rest * rest);
   f0 = total / m->wide;
@@ -773,8 +773,8 @@ void predictors_adaptation_stages_learn(predictors_adaptation_stages_Stage * s, 
   s->r0 += weight * f0 * off;
   s->r1 += weight * f1 * off;
   predictors_adaptation_stages_solve(s);
-  s->wide += predictors_adaptation_stages_scale(s, s->wide, rest, m->tail);
-  s->broad += predictors_adaptation_stages_scale(s, s->broad, aside, m->tail);
+  s->wide = s->wide + predictors_adaptation_stages_scale(s, s->wide, rest, m->tail);
+  s->broad = s->broad + predictors_adaptation_stages_scale(s, s->broad, aside, m->tail);
   left = t - m->t;
   if (left > 0.0) {
     late = predictors_adaptation_stages_bounded(log(left / m->left), predictors_adaptation_stages_TEMPO_MOST);
@@ -865,7 +865,7 @@ void predictors_adaptation_distances_judge(predictors_adaptation_distances_Dista
     likely = 0.0;
     for (int64_t j = 0; j < count; j++) {
       off = log(distance / s->last[j]) / width;
-      likely += predictors_adaptation_distances_age_weight(j, count, time) * exp(-0.5 * min_float(off * off, 1000.0)) / (width * sqrt(2.0 * 3.141592653589793));
+      likely = likely + predictors_adaptation_distances_age_weight(j, count, time) * exp(-0.5 * min_float(off * off, 1000.0)) / (width * sqrt(2.0 * 3.141592653589793));
     }
     s->belief[k] *= max_float(predictors_adaptation_distances_UNKNOWN_LOGS * likely, predictors_adaptation_distances_LEAST_LIKELY);
     total += s->belief[k];
@@ -899,7 +899,7 @@ void predictors_adaptation_distances_remember(predictors_adaptation_distances_Di
     for (int64_t w = 0; w < 3; w++) {
       weight = 0.0;
       for (int64_t a = 0; a < 2; a++) {
-        weight += s->belief[a * 3 + w] * predictors_adaptation_distances_age_weight(j, count, ((const double *)&predictors_adaptation_distances_AGES)[a]);
+        weight = weight + s->belief[a * 3 + w] * predictors_adaptation_distances_age_weight(j, count, ((const double *)&predictors_adaptation_distances_AGES)[a]);
       }
       s->weights[j][w] = weight;
     }
@@ -1263,7 +1263,7 @@ double predictors_adaptation_habits_usual_width(predictors_adaptation_habits_Hab
   double log_width;
   log_width = 0.0;
   for (int64_t k = 0; k < 3; k++) {
-    log_width += predictors_adaptation_habits_width_weight(s, k) * log(((const double *)&predictors_adaptation_habits_WIDTHS)[k]);
+    log_width = log_width + predictors_adaptation_habits_width_weight(s, k) * log(((const double *)&predictors_adaptation_habits_WIDTHS)[k]);
   }
   return exp(log_width);
 }
@@ -1710,10 +1710,10 @@ T4d predictors_adaptation_stages_correct(predictors_adaptation_stages_Stages * k
   for (int64_t side = 0; side < 2; side++) {
     s = &known->stages[stage + side];
     weight = side == 1 ? part : 1.0 - part;
-    shift += weight * predictors_adaptation_stages_bias(s, total, along) * predictors_adaptation_stages_belief(s->bias_paid, s->bias_size);
-    wide += weight * predictors_adaptation_stages_width_log(s, s->wide);
-    broad += weight * predictors_adaptation_stages_width_log(s, s->broad);
-    slow += weight * predictors_adaptation_stages_tempo(s) * predictors_adaptation_stages_belief(s->tempo_paid, s->tempo_size);
+    shift = shift + weight * predictors_adaptation_stages_bias(s, total, along) * predictors_adaptation_stages_belief(s->bias_paid, s->bias_size);
+    wide = wide + weight * predictors_adaptation_stages_width_log(s, s->wide);
+    broad = broad + weight * predictors_adaptation_stages_width_log(s, s->broad);
+    slow = slow + weight * predictors_adaptation_stages_tempo(s) * predictors_adaptation_stages_belief(s->tempo_paid, s->tempo_size);
   }
   return (T4d){shift, exp(wide), exp(broad), exp(slow)};
 }

@@ -276,7 +276,7 @@ void scoring_measures_regions_calibrate(Table rows, Table answers, WholeVector o
           inside.p[j] += weight;
         }
       }
-      ranked += weight * 0.5 * (scoring_measures_regions_axis_score(dx, sxx, tail) + scoring_measures_regions_axis_score(dy, syy, tail));
+      ranked = ranked + weight * 0.5 * (scoring_measures_regions_axis_score(dx, sxx, tail) + scoring_measures_regions_axis_score(dy, syy, tail));
     }
     out.p[k * out.m + scoring_measures_regions_CLAIMED] = claimed_s / all_s;
     if (claimed_s > 0.0) {

@@ -38,7 +38,7 @@ double simulation_loop_cursor_distance(simulation_loop_Settings * settings, doub
   total = 0.0;
   for (int64_t i = 1; i < simulation_loop_QUADRATURE; i++) {
     weight = remainder_whole(i, 2) == 1 ? 4.0 : 2.0;
-    total += weight * transfer_functions_cursor_speed(&settings->function, peak * sin(3.141592653589793 * i / simulation_loop_QUADRATURE));
+    total = total + weight * transfer_functions_cursor_speed(&settings->function, peak * sin(3.141592653589793 * i / simulation_loop_QUADRATURE));
   }
   return settings->px_per_metre * duration * total / (3.0 * simulation_loop_QUADRATURE);
 }
@@ -226,16 +226,16 @@ T2d simulation_loop_report(simulation_loop_Memory * memory, double hat_x, double
   pull_y = values_1.f1;
   double value_2 = s->x;
   double value_3 = transfer_pixels_carry(&s->carried, 0, scale * dx);
-  s->x += transfer_pixels_carry(&s->carried, 0, scale * dx);
+  s->x = value_2 + value_3;
   double value_4 = s->y;
   double value_5 = transfer_pixels_carry(&s->carried, 1, scale * dy);
-  s->y += transfer_pixels_carry(&s->carried, 1, scale * dy);
+  s->y = value_4 + value_5;
   double value_6 = s->x;
   double value_7 = transfer_pixels_carry(&s->pulled, 0, pull_x);
-  s->x += transfer_pixels_carry(&s->pulled, 0, pull_x);
+  s->x = value_6 + value_7;
   double value_8 = s->y;
   double value_9 = transfer_pixels_carry(&s->pulled, 1, pull_y);
-  s->y += transfer_pixels_carry(&s->pulled, 1, pull_y);
+  s->y = value_8 + value_9;
   return (T2d){dx, dy};
 }
 

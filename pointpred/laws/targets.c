@@ -982,7 +982,7 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     }
     likely = max_float(visits.p[i], targets_prefetch_SMALLEST);
     score = common + targets_prefetch_log_odds(likely) + settings->end * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
-    score += targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings) - settings->spent * (s->count + count);
+    score = score + (targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings) - settings->spent * (s->count + count));
     line_s = targets_prefetch_contact(x, y, s->cursor.vx, s->cursor.vy, (Vector){table.p + i * table.m, table.m});
     late = line_s <= settings->late_s && likely >= max_float(settings->late, thresholds.p[i]);
     if (late || score >= targets_prefetch_log_odds(thresholds.p[i])) {

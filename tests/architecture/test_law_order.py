@@ -1,4 +1,4 @@
-"""A law that calls another defined below it would be cached without knowing of that one's changes."""
+"""A law calls only laws that stand above it or are imported: it is read from top to bottom."""
 
 from __future__ import annotations
 

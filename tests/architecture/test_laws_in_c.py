@@ -66,6 +66,8 @@ def take(memory: FloatArray) -> float:
 def turns(memory: FloatArray, i: int, j: int) -> float:
     total = atan2(take(memory), 3.0 * take(memory)) + take(memory) / (1.0 + take(memory))
     first, second, third = memory[0], take(memory), memory[0]
+    memory[1] += take(memory) * memory[1]
+    memory[2] -= take(memory)
     late = 1.0 if memory[0] < take(memory) else 2.0
     return total + (memory[0] - take(memory)) * 100.0 + first + 7.0 * second + 3.0 * third + 1000.0 * late
 """
@@ -219,6 +221,9 @@ def test_loops_rows_slices_and_calls_do_the_same_to_a_memory(
         ("c = a if a > 0.0 else m", "double and Vector under one name"),
         ("while len(np.zeros(int(a))) > 1: b = 1.0", "a new array within a condition"),
         ("for k in range(3): k = 2", "k is changed within its loop"),
+        ("for a in range(3): b = 2.0", "the argument a as the variable of a loop"),
+        ("c = 1 if len(m) and b > 0.0 else 2", "the number len(m) beside and, or"),
+        ("c = 2 ** -len(m)", "a power of a whole number: 2 ** (-len(m))"),
         ("c = unknown", "the name unknown"),
     ],
 )

@@ -5,7 +5,7 @@ static const int64_t interconnected_persidskii_law_ACCEPTED = 0;
 static const int64_t interconnected_persidskii_law_BACKWARDS = 2;
 static const int64_t interconnected_persidskii_law_REPEATED = 1;
 static const int64_t interconnected_persidskii_law_SKIPPED = 4;
-static const int64_t interconnected_persidskii_law_STEPS_MOST = 100000;
+static const int64_t interconnected_persidskii_law_STEPS_MOST = INT64_C(100000);
 static const int64_t interconnected_persidskii_law_TOO_LONG = 3;
 
 /* Number of floats of the state. */

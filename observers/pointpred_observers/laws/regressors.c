@@ -211,7 +211,7 @@ void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memor
       argument += sample.J.p[row * sample.J.m + i] * (s.stage.p[i] + s.start.p[i]);
     }
     error = sample.y.p[row] - (1.0 - sample.weight) * argument;
-    error -= sample.weight * nonlinearity_value(memory->code, argument);
+    error = error - sample.weight * nonlinearity_value(memory->code, argument);
     for (int64_t i = 0; i < n; i++) {
       s.change.p[i] += memory->gain * sample.J.p[row * sample.J.m + i] * error;
     }
