@@ -243,10 +243,10 @@ class CompiledStage:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory.
 
         A row that is refused changes nothing, and its answer says why; the rows after it are taken. Raises
-        EventError where ``begin`` has not one mark a row.
+        EventError where ``begin`` has fewer marks than there are rows.
         """
-        if begin.shape != (len(rows),):
-            raise EventError(f"begin needs {len(rows)} rows, received shape {begin.shape}")
+        if len(begin) < len(rows):
+            raise EventError(f"begin needs {len(rows)} rows, received {len(begin)}")
         out = np.full((len(rows), self.width), np.nan)
         type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
         return out

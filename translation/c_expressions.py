@@ -79,6 +79,7 @@ class Expressions:
         self.sources: dict[str, set[str]] = {}
         self.columns: dict[str, int] = {}
         self.row_of: dict[str, str] = {}
+        self.conditional = 0
         self._guarded = False
         self._temporary = 0
 
@@ -463,7 +464,7 @@ class Expressions:
             case _:
                 return
         place = self.constant(last)
-        if place is not None:
+        if place is not None and not self.conditional and not self._guarded:
             self.columns[table] = max(self.columns.get(table, 0), place + 1)
 
     def _arguments(self, nodes: list[ast.expr]) -> list[Value]:
@@ -554,7 +555,7 @@ class Expressions:
         for argument, name in zip(node.args, called.arguments, strict=False):
             if name in called.written:
                 self.write(argument)
-            if isinstance(argument, ast.Name) and name in called.columns:
+            if isinstance(argument, ast.Name) and name in called.columns and not self.conditional:
                 self.columns[argument.id] = max(self.columns.get(argument.id, 0), called.columns[name])
         texts = [self.cast(one, kind, node).text for one, kind in zip(values, called.kinds, strict=True)]
         return Value(f"{c_name(law)}({', '.join(texts)})", self.struct(called.returns), CALL)

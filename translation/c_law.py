@@ -166,7 +166,9 @@ class Function:
             case ast.AugAssign():
                 yield from self._augment(node)
             case ast.If():
+                at.conditional += 1
                 yield from self._if(node)
+                at.conditional -= 1
             case ast.For() | ast.While() if node.orelse:
                 raise at.error(node, "else of a loop")
             case ast.For():
@@ -177,7 +179,9 @@ class Function:
                 if len(at.before) > count:
                     raise at.error(node, "a new array within a condition")
                 yield f"while ({condition.text}) {{"
+                at.conditional += 1
                 yield from _indent(self._block(node.body))
+                at.conditional -= 1
                 yield "}"
             case ast.Break():
                 yield "break;"

@@ -4946,8 +4946,7 @@ static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, 
         && take_memory(&held, args[0], law, "memory", true, 3949, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "out", a1.m, 7)))
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_predictor_list_places(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -7166,7 +7165,6 @@ static PyObject *py_predictors_mixture_outlines(PyObject *self, PyObject *const 
         && take_double(args[2], &a2)
         && take_array(&held, args[3], law, "points", 'd', 2, true, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "points", a3.m, 2)
         && take_array(&held, args[4], law, "ends", 'd', 1, true, &view)
         && (a4 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -7930,7 +7928,6 @@ static PyObject *py_regression_drem_mix(PyObject *self, PyObject *const *args, P
   if (!(counted(law, count, 4)
         && take_array(&held, args[0], law, "a", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "a", a0.m, 3)
         && take_array(&held, args[1], law, "y", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
@@ -8173,7 +8170,6 @@ static PyObject *py_scoring_measures_endpoint_hits(PyObject *self, PyObject *con
         && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "answers", a1.m, 3)
         && take_array(&held, args[2], law, "offsets", 'q', 1, false, &view)
         && (a2 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "arrivals", 'q', 1, false, &view)
@@ -8241,7 +8237,6 @@ static PyObject *py_scoring_measures_endpoint_measure_trial(PyObject *self, PyOb
         && has_columns(law, "rows", a0.m, 3)
         && take_array(&held, args[1], law, "answers", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "answers", a1.m, 3)
         && take_array(&held, args[2], law, "fractions", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_int64_t(args[3], &a3)
@@ -8342,7 +8337,7 @@ static PyObject *py_scoring_measures_regions_calibrate(PyObject *self, PyObject 
         && (a3 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "out", a4.m, 5)))
+        && has_columns(law, "out", a4.m, 1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS scoring_measures_regions_calibrate(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -8625,7 +8620,7 @@ static PyObject *py_scoring_target_choice_account(PyObject *self, PyObject *cons
         && has_columns(law, "answers", a1.m, 7)
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a2.m, 4)
+        && has_columns(law, "table", a2.m, 3)
         && take_array(&held, args[3], law, "shares", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_int64_t(args[4], &a4)
@@ -8738,7 +8733,6 @@ static PyObject *py_scoring_trials_cut(PyObject *self, PyObject *const *args, Py
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 6)
         && take_array(&held, args[1], law, "offsets", 'q', 1, false, &view)
         && (a1 = (WholeVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "out", 'q', 2, true, &view)
@@ -8762,7 +8756,6 @@ static PyObject *py_scoring_trials_departure(PyObject *self, PyObject *const *ar
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 3)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -8826,7 +8819,6 @@ static PyObject *py_scoring_trials_fault(PyObject *self, PyObject *const *args, 
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 6)
         && take_int64_t(args[1], &a1)
         && take_int64_t(args[2], &a2)))
     return let_go(&held);
@@ -9292,8 +9284,7 @@ static PyObject *py_stage_first_refused(PyObject *self, PyObject *const *args, P
   held.count = 0;
   if (!(counted(law, count, 1)
         && take_array(&held, args[0], law, "answers", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "answers", a0.m, 1)))
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = stage_first_refused(a0); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9350,7 +9341,6 @@ static PyObject *py_targets_choice_law_enter(PyObject *self, PyObject *const *ar
   if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 4)
         && take_array(&held, args[1], law, "inside", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[2], &a2)
@@ -9374,7 +9364,7 @@ static PyObject *py_targets_choice_law_holder(PyObject *self, PyObject *const *a
   if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 4)
+        && has_columns(law, "table", a0.m, 2)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -9394,7 +9384,7 @@ static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 5)
+        && has_columns(law, "table", a0.m, 4)
         && take_array(&held, args[1], law, "inside", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -9551,7 +9541,7 @@ static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const 
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "events", a1.m, 3)))
+        && has_columns(law, "events", a1.m, 1)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_unusable(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9780,8 +9770,7 @@ static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *
         && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "known", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "known", a2.m, 4)))
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_expectation_expect(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
@@ -9799,7 +9788,7 @@ static PyObject *py_targets_expectation_target_of(PyObject *self, PyObject *cons
   if (!(counted(law, count, 2)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 5)
+        && has_columns(law, "table", a0.m, 4)
         && take_array(&held, args[1], law, "place", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
@@ -9865,7 +9854,6 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a1.m, 3)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
@@ -9888,7 +9876,6 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a1.m, 1)
         && take_double(args[2], &a2)
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
