@@ -59,14 +59,15 @@ def texts(package: str) -> dict[str, str]:
     for one in known.values():
         rooms.setdefault(room_of(one.law), []).append(one)
     here = Path(__file__).parent
+    shared = in_header(list(known.values()))
     files = {
         "abi3.h": (here / "abi3.h").read_text("utf-8"),
-        "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values())),
+        "laws.h": header((here / "c_prelude.h").read_text("utf-8"), list(known.values()), shared),
         "module.c": module_text(
             sorted(entries, key=lambda one: c_name(one.law)), (here / "module.h").read_text("utf-8")
         ),
     }
-    files |= {f"{room}.c": room_text(rooms[room]) for room in sorted(rooms)}
+    files |= {f"{room}.c": room_text(rooms[room], shared) for room in sorted(rooms)}
     digest = hashlib.sha256("".join(files[name] for name in sorted(files)).encode()).hexdigest()
     # Apart from the module, which takes the longest to compile.
     files["digest.c"] = (
@@ -130,8 +131,14 @@ def room_of(law: Law) -> str:
     return "_".join(words) or law.module.rpartition(".")[2]
 
 
-def header(prelude: str, functions: list[Function]) -> str:
-    """The arrays and tuples, and the heads of all laws."""
+def in_header(functions: list[Function]) -> list[Function]:
+    """Short laws that other rooms call: in the header, a compiler can put them where they are called."""
+    outside = {use for one in functions for use in one.uses if room_of(use) != room_of(one.law)}
+    return [one for one in functions if one.law in outside and isinstance(one.law, Name) and one.is_short]
+
+
+def header(prelude: str, functions: list[Function], shared: list[Function]) -> str:
+    """The arrays and tuples, the heads of all laws, and the laws that rooms share."""
     structs: dict[str, Parts] = {}
     casts: dict[tuple[str, str], tuple[Parts, Parts]] = {}
     for one in functions:
@@ -158,7 +165,11 @@ def header(prelude: str, functions: list[Function]) -> str:
             f"static inline {target.c} {target.c}_of_{source.c}({source.c} value) "
             f"{{ return ({target.c}){{{', '.join(parts)}}}; }}"
         )
-    lines += [f"{one.head};" for one in sorted(functions, key=lambda one: c_name(one.law))]
+    for one in sorted(functions, key=lambda one: c_name(one.law)):
+        lines.append(f"static inline {one.head};" if one in shared else f"{one.head};")
+    lines += [constant(one) for one in sorted(constants_of(shared))]
+    for one in shared:
+        lines += ["", one.comment + "static inline " + one.body]
     return "\n".join([*lines, "#endif", ""])
 
 
@@ -192,13 +203,18 @@ def _depth(kind: Parts) -> int:
     return 1 + max((_depth(one) for one in kind.kinds if isinstance(one, Parts)), default=0)
 
 
-def room_text(functions: list[Function]) -> str:
+def constants_of(functions: list[Function]) -> set[Name]:
+    """The constants that laws use."""
+    return {use for one in functions for use in one.uses if isinstance(use, Name) and not is_law(use)}
+
+
+def room_text(functions: list[Function], shared: list[Function]) -> str:
     """A room: its constants, its laws."""
-    constants = {use for one in functions for use in one.uses if isinstance(use, Name) and not is_law(use)}
+    own = [one for one in functions if one not in shared]
     lines = [WRITTEN, '#include "laws.h"', ""]
-    lines += [constant(one) for one in sorted(constants)]
-    for one in functions:
-        lines += ["", one.text]
+    lines += [constant(one) for one in sorted(constants_of(own) - constants_of(shared))]
+    for one in own:
+        lines += ["", one.comment + ("WIDE " if one.is_wide else "") + one.body]
     return "\n".join([*lines, ""])
 
 

@@ -9,14 +9,16 @@ from translation.c_expressions import BINARY, Expressions
 from translation.c_names import Law, Made, c_name
 from translation.c_values import CALL, Value
 from translation.kinds import FLOAT, NOTHING, WHOLE, Array, Kind, Memory, Parts, annotated, joined, local
-from translation.source import Module, UntranslatableError
+from translation.source import Module, UntranslatableError, is_law
 
+SHORT = 30
+"""Statements of a law that other rooms may have in place."""
 ROUNDS = 8
 """How often a law is read until the kinds of its names no longer change."""
 
 
 class Function:
-    """A law in C: ``text``; its ``arguments`` with their ``kinds``, what it ``returns``, what it ``uses``.
+    """A law in C: ``comment``, ``body``; its ``arguments``, their ``kinds``, what it ``returns`` and ``uses``.
 
     ``written``: the arguments whose arrays it changes; ``columns``: how many a table must have.
     """
@@ -41,7 +43,7 @@ class Function:
         self.uses, self.structs, self.casts, self.layouts = at.uses, at.structs, at.casts, at.layouts
         self.columns = self._at.columns
         self.written = self._at.written & set(self.arguments)
-        self.text = "\n".join([*self._comment(), f"{self.head} {{", *_indent(self._declared() + lines), "}"])
+        self.body = "\n".join([f"{self.head} {{", *_indent(self._declared() + lines), "}"])
 
     @property
     def head(self) -> str:
@@ -53,9 +55,28 @@ class Function:
     def _argument(self, name: str, kind: Kind) -> str:
         return local(name) if self._at.locals.get(name, kind).c == kind.c else f"given_{name}"
 
-    def _comment(self) -> list[str]:
+    @property
+    def comment(self) -> str:
+        """A line of comment: what the law does."""
         words = (ast.get_docstring(self.node) or "").partition("\n")[0]
-        return [f"/* {words.replace('*/', '* /')} */"] if words else []
+        return f"/* {words.replace('*/', '* /')} */\n" if words else ""
+
+    @property
+    def is_short(self) -> bool:
+        """Whether it is a few statements without a loop."""
+        statements = [one for one in ast.walk(self.node) if isinstance(one, ast.stmt)]
+        return len(statements) <= SHORT and not any(
+            isinstance(one, ast.For | ast.While) for one in statements
+        )
+
+    @property
+    def is_wide(self) -> bool:
+        """Whether it is loops in loops and calls no law: worth compiling for wide registers, too."""
+        loops = [one for one in ast.walk(self.node) if isinstance(one, ast.For)]
+        nested = any(
+            isinstance(one, ast.For) for loop in loops for inner in loop.body for one in ast.walk(inner)
+        )
+        return nested and not any(isinstance(use, Made) or is_law(use) for use in self.uses)
 
     def _arguments(self, bound: dict[str, Law]) -> tuple[list[str], list[Kind]]:
         """The names and kinds; of a closure, as the laws take what it hands them."""

@@ -11,12 +11,7 @@ static const double differentiators_kalman_SETTLED_RADIANS = 4.0;
 static const double differentiators_kalman_START_ACCELERATION_M_S2 = 5.0;
 static const double differentiators_kalman_START_SPEED_M_S = 0.3;
 static const int64_t differentiators_sampling_MERGED = 0;
-static const int64_t differentiators_sampling_MOVED = 2;
-static const int64_t differentiators_sampling_RESTARTED = 1;
-static const int64_t records_FINE = 0;
 static const double records_METRES_PER_INCH = 0.0254;
-static const int64_t records_ORDER = 1;
-static const double records_ROUNDING_S = 1e-06;
 
 /* Velocity over the last interval, acceleration between the middles of the last two. */
 void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt) {
@@ -113,43 +108,8 @@ T10d differentiators_sampling_motion(differentiators_sampling_State * s, records
   return (T10d){t, x, y, vx, vy, ax, ay, settled, start ? 1.0 : 0.0, s->counts};
 }
 
-/* One event through the differences of both axes. */
-T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event) {
-  differentiators_difference_Settings * settings;
-  differentiators_sampling_State * samples;
-  differentiators_difference_Differences * last;
-  int64_t verdict;
-  bool start;
-  double dt, settled;
-  T2d velocity, acceleration;
-  settings = &memory->settings;
-  samples = &memory->state.sampling;
-  last = &memory->state.last;
-  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
-  verdict = values_1.f0;
-  start = values_1.f4;
-  if (verdict < 0) {
-    return records_refused(-verdict, samples->t);
-  }
-  if (verdict == differentiators_sampling_RESTARTED) {
-    memset(last, 0, sizeof(differentiators_difference_Differences));
-    last->t = samples->t;
-  }
-  dt = samples->t - last->t;
-  if (verdict == differentiators_sampling_MOVED && dt >= settings->shortest_s) {
-    differentiators_difference_advance(last, 0, samples->u, dt);
-    differentiators_difference_advance(last, 1, samples->v, dt);
-    last->t = samples->t;
-    last->span_s = dt;
-  }
-  velocity = (T2d){last->v[0], last->v[1]};
-  acceleration = (T2d){last->a[0], last->a[1]};
-  settled = differentiators_sampling_settled(samples, 3.0, 2.0 * settings->shortest_s);
-  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
-}
-
 /* Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last z_n'. */
-double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps) {
+WIDE double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps) {
   int64_t order;
   double slope, y, error, size, scale, push, carried;
   order = (int64_t)settings->order;
@@ -168,42 +128,6 @@ double differentiators_homogeneous_advance(differentiators_homogeneous_Settings 
     }
   }
   return slope;
-}
-
-/* One event through the differentiator of both axes. */
-T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event) {
-  differentiators_homogeneous_Settings * settings;
-  differentiators_sampling_State * samples;
-  differentiators_homogeneous_Estimates * z;
-  int64_t verdict, steps;
-  double dt, before_u, before_v, h, settled;
-  bool start, second;
-  T2d velocity, acceleration;
-  settings = &memory->settings;
-  samples = &memory->state.sampling;
-  z = &memory->state.estimates;
-  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
-  verdict = values_1.f0;
-  dt = values_1.f1;
-  before_u = values_1.f2;
-  before_v = values_1.f3;
-  start = values_1.f4;
-  if (verdict < 0) {
-    return records_refused(-verdict, samples->t);
-  }
-  if (verdict == differentiators_sampling_RESTARTED) {
-    memset(z, 0, sizeof(differentiators_homogeneous_Estimates));
-  } else if (verdict == differentiators_sampling_MOVED) {
-    steps = (int64_t)ceil(dt / settings->step_s);
-    h = dt / steps;
-    z->slope[0] = differentiators_homogeneous_advance(settings, &z->x, before_u, samples->u, h, steps);
-    z->slope[1] = differentiators_homogeneous_advance(settings, &z->y, before_v, samples->v, h, steps);
-  }
-  second = settings->order == 2.0;
-  velocity = (T2d){z->x.z[1], z->y.z[1]};
-  acceleration = (T2d){second ? z->slope[0] : z->x.z[2], second ? z->slope[1] : z->y.z[2]};
-  settled = differentiators_sampling_settled(samples, settings->order + 1.0, settings->settle_s);
-  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
 /* Seconds until the velocity stays within 5 % of a ramp's ``speed`` m/s, from rest; spoils ``memory``. */
@@ -239,7 +163,7 @@ double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * 
 }
 
 /* The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)). */
-void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi) {
+WIDE void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi) {
   double rate;
   for (int64_t i = 0, end_1 = (int64_t)settings->order; i < end_1; i++) {
     rate = gain_lambda * whole_power(gain_xi, i);
@@ -284,54 +208,6 @@ void differentiators_kalman_fill(Vector values, differentiators_kalman_Settings 
   settings->noise = settings->noise * settings->noise;
 }
 
-/* One axis after ``dt`` s of constant acceleration. */
-void differentiators_kalman_predict(Vector axis, double dt) {
-  axis.p[0] += dt * (axis.p[1] + 0.5 * dt * axis.p[2]);
-  axis.p[1] += dt * axis.p[2];
-}
-
-/* Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly. */
-void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt) {
-  double half, q, f00, f01, f02, g11, g12;
-  half = 0.5 * dt * dt;
-  q = jerk_density * dt;
-  f00 = p->p00 + dt * p->p01 + half * p->p02;
-  f01 = p->p01 + dt * p->p11 + half * p->p12;
-  f02 = p->p02 + dt * p->p12 + half * p->p22;
-  g11 = p->p11 + dt * p->p12;
-  g12 = p->p12 + dt * p->p22;
-  p->p00 = f00 + dt * f01 + half * f02 + q * whole_power(dt, 4) / 20.0;
-  p->p01 = f01 + dt * f02 + q * whole_power(dt, 3) / 8.0;
-  p->p02 = f02 + q * dt * dt / 6.0;
-  p->p11 = g11 + dt * g12 + q * dt * dt / 3.0;
-  p->p12 = g12 + q * dt / 2.0;
-  p->p22 = p->p22 + q;
-}
-
-/* One axis after its position was measured with variance ``noise``; the covariance stays. */
-void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured) {
-  double share;
-  share = (measured - axis.p[0]) / (p->p00 + noise);
-  axis.p[0] += p->p00 * share;
-  axis.p[1] += p->p01 * share;
-  axis.p[2] += p->p02 * share;
-}
-
-/* Covariance after a position was measured with variance ``noise``. */
-void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise) {
-  double p00, p01, p02, total;
-  p00 = p->p00;
-  p01 = p->p01;
-  p02 = p->p02;
-  total = p00 + noise;
-  p->p11 = max_float(p->p11 - p01 * p01 / total, 0.0);
-  p->p12 -= p01 * p02 / total;
-  p->p22 = max_float(p->p22 - p02 * p02 / total, 0.0);
-  p->p00 = p00 * noise / total;
-  p->p01 = p01 * noise / total;
-  p->p02 = p02 * noise / total;
-}
-
 /* Both axes at the origin of the path, at a speed that nobody knows. */
 void differentiators_kalman_restart(differentiators_kalman_Plane * plane, double noise) {
   memset(plane, 0, sizeof(differentiators_kalman_Plane));
@@ -359,36 +235,6 @@ double differentiators_kalman_settle_s(differentiators_kalman_Settings * setting
   intervals = max_float(samples->samples - 1.0, 1.0);
   period = (samples->t - samples->since) / intervals;
   return differentiators_kalman_SETTLED_RADIANS * pow(settings->noise * period / settings->jerk_density, 1.0 / 6.0);
-}
-
-/* One event through the filter of both axes. */
-T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event) {
-  differentiators_kalman_Settings * settings;
-  differentiators_sampling_State * samples;
-  differentiators_kalman_Plane * plane;
-  int64_t verdict;
-  double dt, settled;
-  bool start;
-  T2d velocity, acceleration;
-  settings = &memory->settings;
-  samples = &memory->state.sampling;
-  plane = &memory->state.plane;
-  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
-  verdict = values_1.f0;
-  dt = values_1.f1;
-  start = values_1.f4;
-  if (verdict < 0) {
-    return records_refused(-verdict, samples->t);
-  }
-  if (verdict == differentiators_sampling_RESTARTED) {
-    differentiators_kalman_restart(plane, settings->noise);
-  } else if (verdict == differentiators_sampling_MOVED) {
-    differentiators_kalman_follow(plane, settings->jerk_density, settings->noise, dt, (T2d){samples->u, samples->v});
-  }
-  velocity = (T2d){plane->x[1], plane->y[1]};
-  acceleration = (T2d){plane->x[2], plane->y[2]};
-  settled = differentiators_sampling_settled(samples, 4.0, differentiators_kalman_settle_s(settings, samples));
-  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
 void loop__stage_learn_nothing__records_event_at__differentiators_difference_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {

@@ -8,6 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Laws of loops in loops are compiled for the wide registers of newer processors, too, which changes no bit. */
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define WIDE
+#endif
+
 typedef struct { double *p; int64_t n; } Vector;
 typedef struct { double *p; int64_t n, m; } Table;
 typedef struct { int64_t *p; int64_t n; } WholeVector;
@@ -957,23 +964,23 @@ static inline transfer_assistance_OffsetReport transfer_assistance_OffsetReport_
 static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (records_EventRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5}; }
 static inline transfer_assistance_GuidedReport transfer_assistance_GuidedReport_of_T8d(T8d value) { return (transfer_assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt);
-T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event);
+static inline T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event);
 double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
 double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * memory, double place, double h, int64_t steps);
 void differentiators_homogeneous_fill(Vector values, differentiators_homogeneous_Settings * settings);
 void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi);
 void differentiators_homogeneous_settle(differentiators_homogeneous_Memory * memory);
 double differentiators_homogeneous_settling(differentiators_homogeneous_Memory * memory, double speed, double h, int64_t steps);
-T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event);
-void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
+static inline T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event);
+static inline void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
 void differentiators_kalman_fill(Vector values, differentiators_kalman_Settings * settings);
 void differentiators_kalman_follow(differentiators_kalman_Plane * plane, double jerk_density, double noise, double dt, T2d place);
-void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise);
-void differentiators_kalman_predict(Vector axis, double dt);
+static inline void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise);
+static inline void differentiators_kalman_predict(Vector axis, double dt);
 void differentiators_kalman_restart(differentiators_kalman_Plane * plane, double noise);
 double differentiators_kalman_settle_s(differentiators_kalman_Settings * settings, differentiators_sampling_State * samples);
-void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt);
-T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event);
+static inline void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt);
+static inline T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event);
 Tq3db differentiators_sampling_accept(differentiators_sampling_Settings * settings, differentiators_sampling_State * s, records_EventRow event);
 void differentiators_sampling_fill(Vector values, Vector memory);
 T10d differentiators_sampling_motion(differentiators_sampling_State * s, records_EventRow event, T2_T2d_ hand, double settled, bool start);
@@ -1229,17 +1236,17 @@ int64_t predictors_ktm_winner(predictors_ktm_Memory * memory, predictors_ktm_Sta
 Tb3d predictors_linear_before(predictors_linear_Past * past, double window_s, double t);
 void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y);
 T10d predictors_linear_step(predictors_linear_Memory * memory, T10d motion);
-T2d predictors_minimum_jerk_progress(double ratio);
+static inline T2d predictors_minimum_jerk_progress(double ratio);
 T10d predictors_minimum_jerk_step(predictors_movement_State * s, T10d motion);
-double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points);
-double predictors_mixture_corrected_probability(double level, double tail, double near, double far);
-double predictors_mixture_corrected_radius(double level, double heavy, double offset);
+static inline double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points);
+static inline double predictors_mixture_corrected_probability(double level, double tail, double near, double far);
+static inline double predictors_mixture_corrected_radius(double level, double heavy, double offset);
 T2d predictors_mixture_crossing(Table parts, int64_t count, double threshold, T3d one, T3d other);
 void predictors_mixture_densities(Table parts, int64_t count, int64_t points, Table out);
 double predictors_mixture_density(Table parts, int64_t count, double x, double y);
 int64_t predictors_mixture_edge_of(int64_t side, int64_t i, int64_t j, int64_t columns, int64_t rows);
 void predictors_mixture_follow_cells(Table heights, Table middles, int64_t columns, int64_t rows, Vector following);
-double predictors_mixture_heaviness(double tail);
+static inline double predictors_mixture_heaviness(double tail);
 double predictors_mixture_height(Table parts, int64_t count, double threshold, double x, double y);
 int64_t predictors_mixture_lines_of(Table parts, int64_t count, double threshold, int64_t across, Vector out);
 int64_t predictors_mixture_outlines(Table parts, int64_t count, double threshold, Table points, Vector ends);
@@ -1248,12 +1255,12 @@ int64_t predictors_mixture_partner(Vector sides, int64_t side, double middle);
 double predictors_mixture_reach(predictors_mixture_PartRow * part, int64_t count, double threshold);
 double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold);
 double predictors_mixture_squared_radius(double share, double tail);
-double predictors_mixture_squared_radius_over_tail(double level, double heavy);
+static inline double predictors_mixture_squared_radius_over_tail(double level, double heavy);
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points);
 int64_t predictors_movement_fault_of(predictors_movement_State * s, records_MotionRow m);
-Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m);
-double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m);
-T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault);
+static inline Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m);
+static inline double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m);
+static inline T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault);
 double predictors_switched_advance(predictors_switched_Settings * settings, predictors_switched_Axis * axis, double t, double x, double v, double a);
 double predictors_switched_direction_approach(predictors_switched_direction_Settings * settings, predictors_switched_direction_Submovement * s, double px_m, double x, double y, double speed);
 void predictors_switched_direction_begin_submovement(predictors_switched_direction_Submovement * s, double x, double y);
@@ -1262,12 +1269,12 @@ double predictors_switched_direction_gain(predictors_switched_direction_Hand * h
 T10d predictors_switched_direction_step(predictors_switched_direction_Memory * memory, T10d motion);
 double predictors_switched_direction_time_constant(double own, double typical_s, double done, double peak);
 T10d predictors_switched_step(predictors_switched_Memory * memory, T10d motion);
-T10d records_endpoint(double t, double x, double y, double phase);
-T6d records_event_at(Table table, int64_t i);
-int64_t records_fault_of_event(records_EventRow event);
-T10d records_refused(int64_t code, double value);
-T10d records_row_at(Table table, int64_t i);
-double regions_reach(double level, double tail);
+static inline T10d records_endpoint(double t, double x, double y, double phase);
+static inline T6d records_event_at(Table table, int64_t i);
+static inline int64_t records_fault_of_event(records_EventRow event);
+static inline T10d records_refused(int64_t code, double value);
+static inline T10d records_row_at(Table table, int64_t i);
+static inline double regions_reach(double level, double tail);
 int64_t regression_delay_capacity(int64_t delays);
 Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, double t, Vector w);
 void regression_delay_push(regression_delay_Ring * ring, int64_t samples, double spacing, double t, Vector w, double y);
@@ -1278,14 +1285,14 @@ bool regression_drem_extend(regression_drem_Regression r, double delay_s, double
 double regression_drem_mix(Table a, Vector y, Vector out, Vector scratch);
 double regression_drem_mix3(Table a, Vector y, Vector out);
 int64_t regression_drem_numbers(int64_t n);
-regression_drem_Regression regression_drem_parts(Vector memory, int64_t n);
+static inline regression_drem_Regression regression_drem_parts(Vector memory, int64_t n);
 double regression_drem_remember(regression_drem_State * s, regression_drem_Regression r, double delay_s, double t, double y);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output);
 double regression_least_squares_excitation(Table r, int64_t j);
 int64_t regression_least_squares_numbers(int64_t n);
-regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n);
+static inline regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n);
 bool regression_least_squares_solve(regression_least_squares_Regression regression, double least, Vector out);
 void scoring_measures_endpoint_hits(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Table discs, Vector shares, Table out);
 void scoring_measures_endpoint_measure(Table rows, Table answers, Vector fractions, WholeVector offsets, WholeVector arrivals, Table out, WholeVector faults);
@@ -1337,7 +1344,7 @@ T2d simulation_loop_report(simulation_loop_Memory * memory, double hat_x, double
 T14d simulation_loop_step(simulation_loop_Memory * memory, T5d chance);
 void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
-void stage_learn_nothing(Vector memory);
+static inline void stage_learn_nothing(Vector memory);
 T4q targets_choice_law_changes(T2q before, T2q now);
 int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y, bool released);
 int64_t targets_choice_law_holder(Table table, double x, double y);
@@ -1347,20 +1354,20 @@ T3q targets_choice_law_step(targets_cursor_State * s, T4d event, T10d answer, T_
 T3q targets_choice_law_step_with_shares(targets_cursor_State * s, T4d event, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing);
 int64_t targets_choice_law_unusable(targets_cursor_State * s, Table events);
 T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, T2q proposed);
-bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed);
+static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed);
 double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height);
 bool targets_cursor_usable(double t, double x, double y);
-int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds);
+static inline int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds);
 bool targets_decision_early(targets_cursor_State * s, Vector row, double remaining_s, double least_s);
 int64_t targets_decision_likeliest(Vector shares, int64_t count);
 void targets_decision_rank(Vector shares, int64_t count, Vector order);
 void targets_expectation_expect(Table table, Vector own, Table known);
 int64_t targets_expectation_target_of(Table table, Vector place);
 void targets_ledger_begin(targets_ledger_State * s, Table rows);
-T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place);
-void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place);
-void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place);
-void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released);
+static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place);
+static inline void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place);
+static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place);
+static inline void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released);
 double targets_posterior_bend(T2d u, T2d g, double far2, double size);
 T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targets_posterior_Law predicted, bool mass);
 void targets_posterior_features(targets_cursor_State * s, Table table, targets_posterior_Law predicted, Table out);
@@ -1390,7 +1397,7 @@ T5d transfer_assistance_guarded_step(transfer_assistance_Guarded * memory, T8d r
 T2d transfer_assistance_guide(transfer_assistance_Guard * guard, double dt, T2d own, T5d way);
 T8d transfer_assistance_guided_report_at(Table rows, int64_t i);
 T5d transfer_assistance_offset_report_at(Table rows, int64_t i);
-double transfer_assistance_pull(double rho, double strength, double dt, double own_px, double off_x, double off_y);
+static inline double transfer_assistance_pull(double rho, double strength, double dt, double own_px, double off_x, double off_y);
 double transfer_assistance_spread(double way_px, double sxx, double sxy, double syy, double unclaimed);
 void transfer_bands_learn(Vector memory, transfer_bands_Model model, double band, Vector row, double output);
 int64_t transfer_bands_states(int64_t n);
@@ -1404,9 +1411,521 @@ void transfer_identification_learn_speeds(transfer_identification_Memory * memor
 void transfer_identification_open_window(transfer_identification_State * s);
 Td transfer_identification_step(transfer_identification_Memory * memory, T6d event);
 Tbd transfer_pixels_accept(transfer_pixels_Memory * memory, double t, double dx, double dy);
-double transfer_pixels_carry(transfer_pixels_Carried * carried, int64_t axis, double moved_px);
+static inline double transfer_pixels_carry(transfer_pixels_Carried * carried, int64_t axis, double moved_px);
 void transfer_pixels_lay_out(Vector memory, Vector own, T4d device, transfer_functions_Function * function);
 T3d transfer_pixels_report_at(Table rows, int64_t i);
 T3d transfer_pixels_step(transfer_pixels_Memory * memory, T3d report);
 double transfer_pixels_turn(transfer_pixels_Memory * memory, double t, double dt, double dx, double dy);
+static const int64_t differentiators_sampling_MOVED = 2;
+static const int64_t differentiators_sampling_RESTARTED = 1;
+static const double predictors_mixture_HEAVINESS_LEAST = 1e-06;
+static const double predictors_mixture_HEAVINESS_MOST = 40.0;
+static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
+static const double predictors_mixture_PROBABILITY_MOST = 0.999999999;
+static const double predictors_movement_BALLISTIC = 1.0;
+static const double predictors_movement_CORRECTIVE = 2.0;
+static const double predictors_movement_CORRECTIVE_FRACTION = 0.2;
+static const double predictors_movement_STILL = 0.0;
+static const double predictors_movement_STILL_M_S = 0.002;
+static const int64_t records_EVENT_FIELD = 2;
+static const int64_t records_FINE = 0;
+static const double records_LARGEST = 1000000000.0;
+static const double records_LATEST_S = 100000000000.0;
+static const int64_t records_MOTION_FIELD = 8;
+static const int64_t records_ORDER = 1;
+static const double records_ROUNDING_S = 1e-06;
+static const double regions_LARGEST_LOG = 700.0;
+static const double regions_NEARLY_NORMAL = 1e+16;
+static const double targets_cursor_PAUSE_S = 0.3;
+static const double targets_cursor_SLOWER_S = 0.06;
+static const double targets_cursor_SPEED_S = 0.03;
+static const double targets_cursor_TRAIL_SHARE = 0.35;
+static const int64_t targets_decision_NOBODY = -1;
+static const int64_t targets_ledger_ENTRY = 1;
+static const int64_t targets_ledger_ENTRY_SINCE = 2;
+static const int64_t targets_ledger_MADE = 0;
+
+/* Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN). */
+static inline int64_t records_fault_of_event(records_EventRow event) {
+  double t, x, y, dx, dy, buttons;
+  t = event.t;
+  x = event.x;
+  y = event.y;
+  dx = event.dx;
+  dy = event.dy;
+  buttons = event.buttons;
+  if (!(fabs(t) <= records_LATEST_S)) {
+    return records_EVENT_FIELD;
+  }
+  if (!(fabs(x) <= records_LARGEST)) {
+    return records_EVENT_FIELD + 1;
+  }
+  if (!(fabs(y) <= records_LARGEST)) {
+    return records_EVENT_FIELD + 2;
+  }
+  if (!(dx != dx && dy != dy)) {
+    if (!(fabs(dx) <= records_LARGEST)) {
+      return records_EVENT_FIELD + 3;
+    }
+    if (!(fabs(dy) <= records_LARGEST)) {
+      return records_EVENT_FIELD + 4;
+    }
+  }
+  if (!((0.0 <= buttons && buttons <= records_LARGEST) && buttons == (int64_t)floor(buttons))) {
+    return records_EVENT_FIELD + 5;
+  }
+  return records_FINE;
+}
+
+/* The answer of a law to a row that it refuses: NaN for a time, why, and what it was compared with. */
+static inline T10d records_refused(int64_t code, double value) {
+  return (T10d){NAN, (double)code, value, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+}
+
+/* One event through the differences of both axes. */
+static inline T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event) {
+  differentiators_difference_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_difference_Differences * last;
+  int64_t verdict;
+  bool start;
+  double dt, settled;
+  T2d velocity, acceleration;
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  last = &memory->state.last;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
+  verdict = values_1.f0;
+  start = values_1.f4;
+  if (verdict < 0) {
+    return records_refused(-verdict, samples->t);
+  }
+  if (verdict == differentiators_sampling_RESTARTED) {
+    memset(last, 0, sizeof(differentiators_difference_Differences));
+    last->t = samples->t;
+  }
+  dt = samples->t - last->t;
+  if (verdict == differentiators_sampling_MOVED && dt >= settings->shortest_s) {
+    differentiators_difference_advance(last, 0, samples->u, dt);
+    differentiators_difference_advance(last, 1, samples->v, dt);
+    last->t = samples->t;
+    last->span_s = dt;
+  }
+  velocity = (T2d){last->v[0], last->v[1]};
+  acceleration = (T2d){last->a[0], last->a[1]};
+  settled = differentiators_sampling_settled(samples, 3.0, 2.0 * settings->shortest_s);
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
+}
+
+/* One event through the differentiator of both axes. */
+static inline T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event) {
+  differentiators_homogeneous_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_homogeneous_Estimates * z;
+  int64_t verdict, steps;
+  double dt, before_u, before_v, h, settled;
+  bool start, second;
+  T2d velocity, acceleration;
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  z = &memory->state.estimates;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
+  verdict = values_1.f0;
+  dt = values_1.f1;
+  before_u = values_1.f2;
+  before_v = values_1.f3;
+  start = values_1.f4;
+  if (verdict < 0) {
+    return records_refused(-verdict, samples->t);
+  }
+  if (verdict == differentiators_sampling_RESTARTED) {
+    memset(z, 0, sizeof(differentiators_homogeneous_Estimates));
+  } else if (verdict == differentiators_sampling_MOVED) {
+    steps = (int64_t)ceil(dt / settings->step_s);
+    h = dt / steps;
+    z->slope[0] = differentiators_homogeneous_advance(settings, &z->x, before_u, samples->u, h, steps);
+    z->slope[1] = differentiators_homogeneous_advance(settings, &z->y, before_v, samples->v, h, steps);
+  }
+  second = settings->order == 2.0;
+  velocity = (T2d){z->x.z[1], z->y.z[1]};
+  acceleration = (T2d){second ? z->slope[0] : z->x.z[2], second ? z->slope[1] : z->y.z[2]};
+  settled = differentiators_sampling_settled(samples, settings->order + 1.0, settings->settle_s);
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
+}
+
+/* One axis after ``dt`` s of constant acceleration. */
+static inline void differentiators_kalman_predict(Vector axis, double dt) {
+  axis.p[0] += dt * (axis.p[1] + 0.5 * dt * axis.p[2]);
+  axis.p[1] += dt * axis.p[2];
+}
+
+/* Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly. */
+static inline void differentiators_kalman_spread(differentiators_kalman_Covariance * p, double jerk_density, double dt) {
+  double half, q, f00, f01, f02, g11, g12;
+  half = 0.5 * dt * dt;
+  q = jerk_density * dt;
+  f00 = p->p00 + dt * p->p01 + half * p->p02;
+  f01 = p->p01 + dt * p->p11 + half * p->p12;
+  f02 = p->p02 + dt * p->p12 + half * p->p22;
+  g11 = p->p11 + dt * p->p12;
+  g12 = p->p12 + dt * p->p22;
+  p->p00 = f00 + dt * f01 + half * f02 + q * whole_power(dt, 4) / 20.0;
+  p->p01 = f01 + dt * f02 + q * whole_power(dt, 3) / 8.0;
+  p->p02 = f02 + q * dt * dt / 6.0;
+  p->p11 = g11 + dt * g12 + q * dt * dt / 3.0;
+  p->p12 = g12 + q * dt / 2.0;
+  p->p22 = p->p22 + q;
+}
+
+/* One axis after its position was measured with variance ``noise``; the covariance stays. */
+static inline void differentiators_kalman_correct(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured) {
+  double share;
+  share = (measured - axis.p[0]) / (p->p00 + noise);
+  axis.p[0] += p->p00 * share;
+  axis.p[1] += p->p01 * share;
+  axis.p[2] += p->p02 * share;
+}
+
+/* Covariance after a position was measured with variance ``noise``. */
+static inline void differentiators_kalman_narrow(differentiators_kalman_Covariance * p, double noise) {
+  double p00, p01, p02, total;
+  p00 = p->p00;
+  p01 = p->p01;
+  p02 = p->p02;
+  total = p00 + noise;
+  p->p11 = max_float(p->p11 - p01 * p01 / total, 0.0);
+  p->p12 -= p01 * p02 / total;
+  p->p22 = max_float(p->p22 - p02 * p02 / total, 0.0);
+  p->p00 = p00 * noise / total;
+  p->p01 = p01 * noise / total;
+  p->p02 = p02 * noise / total;
+}
+
+/* One event through the filter of both axes. */
+static inline T10d differentiators_kalman_step(differentiators_kalman_Memory * memory, records_EventRow event) {
+  differentiators_kalman_Settings * settings;
+  differentiators_sampling_State * samples;
+  differentiators_kalman_Plane * plane;
+  int64_t verdict;
+  double dt, settled;
+  bool start;
+  T2d velocity, acceleration;
+  settings = &memory->settings;
+  samples = &memory->state.sampling;
+  plane = &memory->state.plane;
+  Tq3db values_1 = differentiators_sampling_accept(&settings->sampling, samples, event);
+  verdict = values_1.f0;
+  dt = values_1.f1;
+  start = values_1.f4;
+  if (verdict < 0) {
+    return records_refused(-verdict, samples->t);
+  }
+  if (verdict == differentiators_sampling_RESTARTED) {
+    differentiators_kalman_restart(plane, settings->noise);
+  } else if (verdict == differentiators_sampling_MOVED) {
+    differentiators_kalman_follow(plane, settings->jerk_density, settings->noise, dt, (T2d){samples->u, samples->v});
+  }
+  velocity = (T2d){plane->x[1], plane->y[1]};
+  acceleration = (T2d){plane->x[2], plane->y[2]};
+  settled = differentiators_sampling_settled(samples, 4.0, differentiators_kalman_settle_s(settings, samples));
+  return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
+}
+
+/* The probability of the places that are denser than a place: exact for a single part. */
+static inline double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points) {
+  predictors_mixture_PartRow * part;
+  double own, best, power;
+  Table known;
+  if (count == 1) {
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + 0 * parts.m, parts.m}.p);
+    own = predictors_mixture_part_density(part, x, y);
+    best = predictors_mixture_part_density(part, part->x, part->y);
+    power = part->tail == 0.0 ? 1.0 : part->tail / (part->tail + 2.0);
+    return 1.0 - pow(own / best, power);
+  }
+  RELEASED double *buffer_1 = reserved(count * points);
+  known = (Table){buffer_1, count, points};
+  predictors_mixture_densities(parts, count, points, known);
+  return predictors_mixture_share_above(parts, count, points, known, predictors_mixture_density(parts, count, x, y));
+}
+
+/* 2 / tail within bounds. */
+static inline double predictors_mixture_heaviness(double tail) {
+  return min_float(max_float(2.0 / tail, predictors_mixture_HEAVINESS_LEAST), predictors_mixture_HEAVINESS_MOST);
+}
+
+/* ``squared_radius_over_tail`` of a level with its offset. */
+static inline double predictors_mixture_corrected_radius(double level, double heavy, double offset) {
+  double lower;
+  lower = exp(min_float(offset, 0.0));
+  return exp(max_float(offset, 0.0)) * (exp(-heavy * log(1.0 - level) * lower) - 1.0);
+}
+
+/* The probability that the region of a level must have so that it holds that share of the ends. */
+static inline double predictors_mixture_corrected_probability(double level, double tail, double near, double far) {
+  double radius, half, most, part, heavy, own;
+  radius = log(-log(1.0 - level));
+  half = log(-log(1.0 - predictors_mixture_LEVELS.f0));
+  most = log(-log(1.0 - predictors_mixture_LEVELS.f1));
+  part = min_float(max_float((radius - half) / (most - half), 0.0), 1.0);
+  heavy = predictors_mixture_heaviness(tail);
+  own = predictors_mixture_corrected_radius(level, heavy, near + part * (far - near));
+  if (level > predictors_mixture_LEVELS.f0) {
+    own = max_float(own, predictors_mixture_corrected_radius(predictors_mixture_LEVELS.f0, heavy, near));
+  }
+  return min_float(1.0 - exp(-log(1.0 + own) / heavy), predictors_mixture_PROBABILITY_MOST);
+}
+
+/* Squared radius of a level's region over the tail; ``heavy``: 2 / tail. */
+static inline double predictors_mixture_squared_radius_over_tail(double level, double heavy) {
+  return exp(-heavy * log(1.0 - level)) - 1.0;
+}
+
+/* Take one motion in: (its fault, a movement starts here, dt in s since the motion before). */
+static inline Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m) {
+  double t, x, y, dt;
+  int64_t fault;
+  bool new;
+  t = m.t;
+  x = m.x;
+  y = m.y;
+  fault = predictors_movement_fault_of(s, m);
+  if (fault != records_FINE) {
+    return (Tqbd){fault, false, 0.0};
+  }
+  new = m.start == 1.0 || s->known == 0.0;
+  dt = new ? 0.0 : t - s->t;
+  if (new || t == s->t0) {
+    s->t0 = t;
+    s->x0 = x;
+    s->y0 = y;
+    s->path = 0.0;
+  } else {
+    s->path += hypot(x - s->x, y - s->y);
+  }
+  if (new) {
+    s->peak = 0.0;
+  }
+  s->known = 1.0;
+  s->t = t;
+  s->x = x;
+  s->y = y;
+  s->peak = max_float(s->peak, hypot(m.vx, m.vy));
+  return (Tqbd){records_FINE, new, dt};
+}
+
+/* Share of the time and of the way done, from the speed as a share of its peak, after the peak. */
+static inline T2d predictors_minimum_jerk_progress(double ratio) {
+  double tau;
+  tau = 0.5 * (1.0 + sqrt(1.0 - sqrt(min_float(max_float(ratio, 0.0), 1.0))));
+  return (T2d){tau, tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau))};
+}
+
+/* The answer to a motion with a fault. */
+static inline T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault) {
+  return records_refused(fault, fault == records_ORDER ? s->t : ((const double *)&m)[fault - records_MOTION_FIELD]);
+}
+
+/* The phase by speed alone: still, ballistic above a fifth of the peak, corrective below. */
+static inline double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m) {
+  double speed;
+  speed = hypot(m.vx, m.vy);
+  if (speed < predictors_movement_STILL_M_S) {
+    return predictors_movement_STILL;
+  }
+  return speed >= predictors_movement_CORRECTIVE_FRACTION * s->peak ? predictors_movement_BALLISTIC : predictors_movement_CORRECTIVE;
+}
+
+/* The row of a prediction that claims an endpoint and nothing else; ``x`` is NaN where it claims none. */
+static inline T10d records_endpoint(double t, double x, double y, double phase) {
+  return (T10d){t, x, y, NAN, NAN, NAN, NAN, phase, NAN, NAN};
+}
+
+/* The parts of ``numbers(n)`` floats. */
+static inline regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n) {
+  return (regression_least_squares_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Table){(Vector){memory.p + 2 * n, 2 * n + n * n - 2 * n}.p, n, n}};
+}
+
+/* A row of a table of motions or of predictions as a tuple. */
+static inline T10d records_row_at(Table table, int64_t i) {
+  Vector r;
+  r = (Vector){table.p + i * table.m, table.m};
+  return (T10d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6], r.p[7], r.p[8], r.p[9]};
+}
+
+/* The parts of ``numbers(n)`` floats. */
+static inline regression_drem_Regression regression_drem_parts(Vector memory, int64_t n) {
+  int64_t tables, ring;
+  tables = 5 * n;
+  ring = tables + 2 * n * n;
+  return (regression_drem_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Vector){memory.p + 2 * n, 3 * n - 2 * n}, (Vector){memory.p + 3 * n, 4 * n - 3 * n}, (Vector){memory.p + 4 * n, 5 * n - 4 * n}, (Table){(Vector){memory.p + tables, tables + n * n - tables}.p, n, n}, (Vector){memory.p + (tables + n * n), ring - (tables + n * n)}, (Vector){memory.p + ring, memory.n - ring}};
+}
+
+/* A row of a table of events as a tuple. */
+static inline T6d records_event_at(Table table, int64_t i) {
+  Vector r;
+  r = (Vector){table.p + i * table.m, table.m};
+  return (T6d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5]};
+}
+
+/* Squared Mahalanobis distance up to which the region of a level in (0, 1) goes. */
+static inline double regions_reach(double level, double tail) {
+  double normal;
+  normal = -2.0 * log1p(-level);
+  if (!(tail < regions_NEARLY_NORMAL)) {
+    return normal;
+  }
+  if (tail <= 0.0) {
+    return NAN;
+  }
+  if (normal / tail > regions_LARGEST_LOG) {
+    return INFINITY;
+  }
+  return tail * expm1(normal / tail);
+}
+
+/* Take an event in, a usable one that is not before the last; returns whether a button was released. */
+static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed) {
+  double dt, way, far, share;
+  bool released, starts;
+  dt = t - s->t;
+  released = s->pressed == 1.0 && pressed == 0.0;
+  starts = s->known == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
+  if (starts) {
+    s->t0 = t;
+    s->x0 = x;
+    s->y0 = y;
+    s->trail_x = x;
+    s->trail_y = y;
+    s->peak = 0.0;
+    s->slow = s->peak;
+    s->speed = s->peak;
+    s->vy = s->peak;
+    s->vx = s->peak;
+  } else {
+    way = hypot(x - s->x, y - s->y);
+    far = hypot(x - s->x0, y - s->y0);
+    share = far > 0.0 ? 1.0 - exp(-way / (targets_cursor_TRAIL_SHARE * far)) : 1.0;
+    s->trail_x += share * (x - s->trail_x);
+    s->trail_y += share * (y - s->trail_y);
+    if (dt > 0.0) {
+      share = 1.0 - exp(-dt / targets_cursor_SPEED_S);
+      s->vx += share * ((x - s->x) / dt - s->vx);
+      s->vy += share * ((y - s->y) / dt - s->vy);
+      s->speed = hypot(s->vx, s->vy);
+      s->slow += (1.0 - exp(-dt / targets_cursor_SLOWER_S)) * (s->speed - s->slow);
+    }
+    s->peak = max_float(s->peak, s->speed);
+  }
+  s->known = 1.0;
+  s->pressed = pressed;
+  s->t = t;
+  s->x = x;
+  s->y = y;
+  return released;
+}
+
+/* The cursor goes into a target; only the first time in a movement counts. */
+static inline void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place) {
+  if (place != targets_decision_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
+    rows.p[place * rows.m + targets_ledger_ENTRY] = t;
+    rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = s->standing == place ? s->since : NAN;
+  }
+}
+
+/* The target that is proposed from now on, NOBODY for none; ``bounds``: (ask, keep, least_s, least_px). */
+static inline int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds) {
+  double ask, keep, least_s, least_px, far;
+  int64_t best;
+  ask = bounds.f0;
+  keep = bounds.f1;
+  least_s = bounds.f2;
+  least_px = bounds.f3;
+  best = targets_decision_likeliest(shares, table.n);
+  if (best == targets_decision_NOBODY) {
+    return targets_decision_NOBODY;
+  }
+  if (standing != targets_decision_NOBODY && (best == standing || shares.p[best] < ask)) {
+    return shares.p[standing] >= keep ? standing : targets_decision_NOBODY;
+  }
+  far = hypot(s->x - s->x0, s->y - s->y0);
+  if (shares.p[best] >= ask && far >= least_px && targets_decision_early(s, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
+    return best;
+  }
+  if (standing != targets_decision_NOBODY && shares.p[standing] >= keep) {
+    return standing;
+  }
+  return targets_decision_NOBODY;
+}
+
+/* The proposal that stands ends; where this target's does not stand, nothing happens. */
+static inline void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released) {
+  if (place == targets_decision_NOBODY || s->standing != place) {
+    return;
+  }
+  s->standing = targets_decision_NOBODY;
+  if (released) {
+    int64_t value_1 = place;
+    double value_2 = t;
+    double value_3 = s->since;
+    s->ended = value_1;
+    s->ended_at = value_2;
+    s->ended_since = value_3;
+  } else {
+    s->retracted += 1.0;
+  }
+}
+
+/* A proposal is made; it takes the place of one that stands. */
+static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place) {
+  s->proposed += 1.0;
+  s->standing = place;
+  s->since = t;
+  if (place != targets_decision_NOBODY) {
+    rows.p[place * rows.m + targets_ledger_MADE] += 1.0;
+  }
+}
+
+/* How often the target of the movement was proposed, and the leads before its entry and its click, s. */
+static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place) {
+  double entry, since;
+  if (place == targets_decision_NOBODY) {
+    return (T3d){0.0, NAN, NAN};
+  }
+  entry = rows.p[place * rows.m + targets_ledger_ENTRY];
+  since = rows.p[place * rows.m + targets_ledger_ENTRY_SINCE];
+  if (entry != entry) {
+    entry = t;
+    if (s->ended == place && s->ended_at == t) {
+      since = s->ended_since;
+    } else if (s->standing == place) {
+      since = s->since;
+    }
+  }
+  return (T3d){rows.p[place * rows.m + targets_ledger_MADE], entry - since, t - since};
+}
+
+/* The fraction of the offset (T_hat - x, T_hat_y - y) by which the cursor is pulled in ``dt`` s. */
+static inline double transfer_assistance_pull(double rho, double strength, double dt, double own_px, double off_x, double off_y) {
+  double length, share;
+  length = hypot(off_x, off_y);
+  if (!(0.0 < length && length < INFINITY)) {
+    return 0.0;
+  }
+  share = -expm1(-rho * dt);
+  return strength < INFINITY ? min_float(share, strength * own_px / length) : share;
+}
+
+/* Whole pixels of one axis, 0 or 1; the remainder is carried until the direction reverses. */
+static inline double transfer_pixels_carry(transfer_pixels_Carried * carried, int64_t axis, double moved_px) {
+  double rest, whole;
+  rest = carried->px[axis] * moved_px >= 0.0 ? carried->px[axis] : 0.0;
+  whole = (double)(int64_t)trunc(rest + moved_px);
+  carried->px[axis] = rest + moved_px - whole;
+  return whole;
+}
+
+/* What most stages do when a movement ends. */
+static inline void stage_learn_nothing(Vector memory) {
+}
 #endif

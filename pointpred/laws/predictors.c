@@ -19,28 +19,14 @@ static const double predictors_mixture_AT_CENTRE = 0.4;
 static const int64_t predictors_mixture_CLOSER = 3;
 static const double predictors_mixture_DENSITY_LEAST = 1e-280;
 static const int64_t predictors_mixture_HALVINGS = 60;
-static const double predictors_mixture_HEAVINESS_LEAST = 1e-06;
-static const double predictors_mixture_HEAVINESS_MOST = 40.0;
-static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
 static const int64_t predictors_mixture_LINES = 24;
 static const double predictors_mixture_OUTSIDE = 1.0001;
-static const double predictors_mixture_PROBABILITY_MOST = 0.999999999;
 static const double predictors_mixture_TURN_COS = -0.7373688780783197;
 static const double predictors_mixture_TURN_SIN = 0.6754902942615238;
-static const double predictors_movement_BALLISTIC = 1.0;
-static const double predictors_movement_CORRECTIVE = 2.0;
-static const double predictors_movement_CORRECTIVE_FRACTION = 0.2;
 static const int64_t predictors_movement_NUMBERS = 7;
-static const double predictors_movement_STILL = 0.0;
-static const double predictors_movement_STILL_M_S = 0.002;
 static const int64_t predictors_switched_T = 2;
 static const int64_t predictors_switched_UNKNOWNS = 3;
-static const int64_t records_EVENT_FIELD = 2;
-static const int64_t records_FINE = 0;
-static const int64_t records_MOTION_FIELD = 8;
 static const double records_MOTION_MOST = 1e+300;
-static const int64_t records_ORDER = 1;
-static const double records_ROUNDING_S = 1e-06;
 
 /* The density of a part at a place, times its share, in 1 / px^2. */
 double predictors_mixture_part_density(predictors_mixture_PartRow * part, double x, double y) {
@@ -99,7 +85,7 @@ void predictors_mixture_densities(Table parts, int64_t count, int64_t points, Ta
 }
 
 /* The probability of the places that are denser than a threshold; ``known``: by ``densities``. */
-double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold) {
+WIDE double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold) {
   double total;
   int64_t above;
   total = 0.0;
@@ -113,56 +99,6 @@ double predictors_mixture_share_above(Table parts, int64_t count, int64_t points
   return total;
 }
 
-/* The probability of the places that are denser than a place: exact for a single part. */
-double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points) {
-  predictors_mixture_PartRow * part;
-  double own, best, power;
-  Table known;
-  if (count == 1) {
-    part = (predictors_mixture_PartRow *)((Vector){parts.p + 0 * parts.m, parts.m}.p);
-    own = predictors_mixture_part_density(part, x, y);
-    best = predictors_mixture_part_density(part, part->x, part->y);
-    power = part->tail == 0.0 ? 1.0 : part->tail / (part->tail + 2.0);
-    return 1.0 - pow(own / best, power);
-  }
-  RELEASED double *buffer_1 = reserved(count * points);
-  known = (Table){buffer_1, count, points};
-  predictors_mixture_densities(parts, count, points, known);
-  return predictors_mixture_share_above(parts, count, points, known, predictors_mixture_density(parts, count, x, y));
-}
-
-/* 2 / tail within bounds. */
-double predictors_mixture_heaviness(double tail) {
-  return min_float(max_float(2.0 / tail, predictors_mixture_HEAVINESS_LEAST), predictors_mixture_HEAVINESS_MOST);
-}
-
-/* ``squared_radius_over_tail`` of a level with its offset. */
-double predictors_mixture_corrected_radius(double level, double heavy, double offset) {
-  double lower;
-  lower = exp(min_float(offset, 0.0));
-  return exp(max_float(offset, 0.0)) * (exp(-heavy * log(1.0 - level) * lower) - 1.0);
-}
-
-/* The probability that the region of a level must have so that it holds that share of the ends. */
-double predictors_mixture_corrected_probability(double level, double tail, double near, double far) {
-  double radius, half, most, part, heavy, own;
-  radius = log(-log(1.0 - level));
-  half = log(-log(1.0 - predictors_mixture_LEVELS.f0));
-  most = log(-log(1.0 - predictors_mixture_LEVELS.f1));
-  part = min_float(max_float((radius - half) / (most - half), 0.0), 1.0);
-  heavy = predictors_mixture_heaviness(tail);
-  own = predictors_mixture_corrected_radius(level, heavy, near + part * (far - near));
-  if (level > predictors_mixture_LEVELS.f0) {
-    own = max_float(own, predictors_mixture_corrected_radius(predictors_mixture_LEVELS.f0, heavy, near));
-  }
-  return min_float(1.0 - exp(-log(1.0 + own) / heavy), predictors_mixture_PROBABILITY_MOST);
-}
-
-/* Squared radius of a level's region over the tail; ``heavy``: 2 / tail. */
-double predictors_mixture_squared_radius_over_tail(double level, double heavy) {
-  return exp(-heavy * log(1.0 - level)) - 1.0;
-}
-
 /* FINE; ORDER before the last time; MOTION_FIELD plus the place of the first value out of its bounds. */
 int64_t predictors_movement_fault_of(predictors_movement_State * s, records_MotionRow m) {
   for (int64_t i = 0; i < predictors_movement_NUMBERS; i++) {
@@ -171,61 +107,6 @@ int64_t predictors_movement_fault_of(predictors_movement_State * s, records_Moti
     }
   }
   return s->known == 1.0 && m.t < s->t ? records_ORDER : records_FINE;
-}
-
-/* Take one motion in: (its fault, a movement starts here, dt in s since the motion before). */
-Tqbd predictors_movement_follow(predictors_movement_State * s, records_MotionRow m) {
-  double t, x, y, dt;
-  int64_t fault;
-  bool new;
-  t = m.t;
-  x = m.x;
-  y = m.y;
-  fault = predictors_movement_fault_of(s, m);
-  if (fault != records_FINE) {
-    return (Tqbd){fault, false, 0.0};
-  }
-  new = m.start == 1.0 || s->known == 0.0;
-  dt = new ? 0.0 : t - s->t;
-  if (new || t == s->t0) {
-    s->t0 = t;
-    s->x0 = x;
-    s->y0 = y;
-    s->path = 0.0;
-  } else {
-    s->path += hypot(x - s->x, y - s->y);
-  }
-  if (new) {
-    s->peak = 0.0;
-  }
-  s->known = 1.0;
-  s->t = t;
-  s->x = x;
-  s->y = y;
-  s->peak = max_float(s->peak, hypot(m.vx, m.vy));
-  return (Tqbd){records_FINE, new, dt};
-}
-
-/* Share of the time and of the way done, from the speed as a share of its peak, after the peak. */
-T2d predictors_minimum_jerk_progress(double ratio) {
-  double tau;
-  tau = 0.5 * (1.0 + sqrt(1.0 - sqrt(min_float(max_float(ratio, 0.0), 1.0))));
-  return (T2d){tau, tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau))};
-}
-
-/* The answer to a motion with a fault. */
-T10d predictors_movement_refuse(predictors_movement_State * s, records_MotionRow m, int64_t fault) {
-  return records_refused(fault, fault == records_ORDER ? s->t : ((const double *)&m)[fault - records_MOTION_FIELD]);
-}
-
-/* The phase by speed alone: still, ballistic above a fifth of the peak, corrective below. */
-double predictors_movement_phase(predictors_movement_State * s, records_MotionRow m) {
-  double speed;
-  speed = hypot(m.vx, m.vy);
-  if (speed < predictors_movement_STILL_M_S) {
-    return predictors_movement_STILL;
-  }
-  return speed >= predictors_movement_CORRECTIVE_FRACTION * s->peak ? predictors_movement_BALLISTIC : predictors_movement_CORRECTIVE;
 }
 
 /* Remember the peak; once the speed has fallen from it, the line says how far it is from there. */
@@ -769,7 +650,7 @@ T10d predictors_ktm_step(predictors_ktm_Memory * memory, T10d motion) {
 }
 
 /* Remember a sample if the newest is an eighth of the window old; one of the same time is replaced. */
-void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y) {
+WIDE void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y) {
   int64_t count;
   bool same;
   count = (int64_t)past->count;

@@ -135,9 +135,6 @@ static const double predictors_adaptation_time_left_START = 0.1;
 static const int64_t predictors_adaptation_time_left_SUMS = 28;
 static const int64_t predictors_adaptation_time_left_TERMS = 7;
 static const double predictors_adaptation_time_left_prior_PRIOR[] = {0.463, 0.05, 0.135, 0.352, -0.144, -0.102, 0.026, 5.386, 4.699, 7.62, 7.876, 8.315, 18.215, 3.974, 3.859, 5.877, 4.439, 3.135, 4.623, 4.769, 3.006, 4.42, 0.488, 0.501, 1.748, 0.157, 0.026, 0.716, 0.764, 0.903, 3.059, 0.155, 0.112, 0.72, 1.826};
-static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
-static const int64_t records_EVENT_FIELD = 2;
-static const double records_ROUNDING_S = 1e-06;
 
 /* Of so many stages the one before a share of the time, and how far the share is from it to the next. */
 Tqd predictors_adaptation_stages_interpolation_among(double share, int64_t count) {
@@ -217,7 +214,7 @@ Tqd predictors_adaptation_distances_fault(predictors_adaptation_distances_Distan
 }
 
 /* The duration that would stand at a place if they were sorted. */
-double predictors_adaptation_durations_value_of_rank(predictors_adaptation_durations_Durations * s, int64_t rank) {
+WIDE double predictors_adaptation_durations_value_of_rank(predictors_adaptation_durations_Durations * s, int64_t rank) {
   int64_t count, before;
   count = (int64_t)s->count;
   for (int64_t i = 0; i < count; i++) {
@@ -257,7 +254,7 @@ Tqd predictors_adaptation_durations_fault(predictors_adaptation_durations_Durati
 }
 
 /* Factor the sums and the prior's into L D L' in place of their lower triangle; returns the least of D. */
-double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out) {
+WIDE double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out) {
   double least, scaled;
   int64_t row, column;
   least = INFINITY;
@@ -353,7 +350,7 @@ double predictors_adaptation_correction_arrival(predictors_adaptation_correction
 }
 
 /* How likely the last distances had made a distance, over what it is where nothing is known. */
-double predictors_adaptation_distances_likelihood(predictors_adaptation_distances_Distances * s, double distance) {
+WIDE double predictors_adaptation_distances_likelihood(predictors_adaptation_distances_Distances * s, double distance) {
   int64_t count;
   double likely, off, near;
   count = (int64_t)s->count;
@@ -1175,7 +1172,7 @@ predictors_adaptation_destination_Heading predictors_adaptation_correction_with_
 }
 
 /* The way ahead and its width along, by the predicted law and the last distances: (px, px). */
-T3d predictors_adaptation_distances_combine(predictors_adaptation_distances_Distances * s, double reached, predictors_adaptation_distances_Ahead predicted) {
+WIDE T3d predictors_adaptation_distances_combine(predictors_adaptation_distances_Distances * s, double reached, predictors_adaptation_distances_Ahead predicted) {
   double ahead, wide, broad, tail, total, low, high, distance, gap, kernel2, both2, fits, part, middle, below, off, around;
   int64_t count, most, parts;
   Vector weight, shift, width;
@@ -1418,7 +1415,7 @@ int64_t predictors_adaptation_destination_candidates(predictors_adaptation_desti
 }
 
 /* The point with the least mean distance from where the movement may end (Weiszfeld), px. */
-T2d predictors_adaptation_destination_geometric_median(Table rows, int64_t count) {
+WIDE T2d predictors_adaptation_destination_geometric_median(Table rows, int64_t count) {
   double x, y, total, sum_x, sum_y, sum_w, dx, dy, w;
   x = 0.0;
   y = 0.0;

@@ -32,8 +32,6 @@ static const double predictors_kinematic_submovements_RISE_SHARE = 0.02;
 static const double predictors_kinematic_track_SLOW = 0.2;
 static const double predictors_kinematic_track_SLOWER = 0.05;
 static const double predictors_kinematic_track_SPAN_S = 0.05;
-static const int64_t records_EVENT_FIELD = 2;
-static const int64_t records_FINE = 0;
 
 /* Remember the start: tick 0 is the origin. */
 void predictors_kinematic_history_begin(predictors_kinematic_history_State * s) {
@@ -391,7 +389,7 @@ double predictors_kinematic_network_side(Vector values) {
 }
 
 /* Weighted sums of the inputs; returns where the next layer's weights stand in the rest. */
-int64_t predictors_kinematic_network_layer(predictors_kinematic_network_Coefficients * coefficients, int64_t at, Vector inputs, Vector sums) {
+WIDE int64_t predictors_kinematic_network_layer(predictors_kinematic_network_Coefficients * coefficients, int64_t at, Vector inputs, Vector sums) {
   int64_t width, count, offset, p, w;
   double a, b, c, d, e, f, g, h, four, value;
   Vector wa, wb, wc, wd, we, wf, wg, wh, weights;

@@ -3,13 +3,8 @@
 
 static const int64_t regression_delay_PER_DELAY = 64;
 
-/* The parts of ``numbers(n)`` floats. */
-regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n) {
-  return (regression_least_squares_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Table){(Vector){memory.p + 2 * n, 2 * n + n * n - 2 * n}.p, n, n}};
-}
-
 /* A = d A + w w', psi = d psi + w y for the regressor w and y = ``output``. */
-void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output) {
+WIDE void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output) {
   Vector w, z;
   Table r;
   int64_t n;
@@ -86,14 +81,6 @@ bool regression_least_squares_solve(regression_least_squares_Regression regressi
     out.p[i] = value / r.p[i * r.m + i];
   }
   return true;
-}
-
-/* The parts of ``numbers(n)`` floats. */
-regression_drem_Regression regression_drem_parts(Vector memory, int64_t n) {
-  int64_t tables, ring;
-  tables = 5 * n;
-  ring = tables + 2 * n * n;
-  return (regression_drem_Regression){(Vector){memory.p, n}, (Vector){memory.p + n, 2 * n - n}, (Vector){memory.p + 2 * n, 3 * n - 2 * n}, (Vector){memory.p + 3 * n, 4 * n - 3 * n}, (Vector){memory.p + 4 * n, 5 * n - 4 * n}, (Table){(Vector){memory.p + tables, tables + n * n - tables}.p, n, n}, (Vector){memory.p + (tables + n * n), ring - (tables + n * n)}, (Vector){memory.p + ring, memory.n - ring}};
 }
 
 /* Store the sample (t, w, y), never before the last. */
@@ -258,7 +245,7 @@ double regression_drem_mix3(Table a, Vector y, Vector out) {
 }
 
 /* The determinant of a square matrix, which is destroyed, by elimination with row pivoting. */
-double regression_drem_determinant(Table a) {
+WIDE double regression_drem_determinant(Table a) {
   int64_t n, pivot;
   double result, value, factor;
   n = a.n;
@@ -360,7 +347,7 @@ int64_t regression_drem_numbers(int64_t n) {
 }
 
 /* Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant. */
-void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h) {
+WIDE void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h) {
   int64_t n;
   double error, square_, exponent, share;
   n = theta.n;

@@ -1,7 +1,6 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const int64_t records_FINE = 0;
 static const int64_t scoring_target_choice_HIT = 3;
 static const int64_t scoring_target_choice_LEAD_CLICK = 5;
 static const int64_t scoring_target_choice_LEAD_ENTRY = 4;
@@ -37,7 +36,6 @@ static const int64_t scoring_trials_STOP = 3;
 static const int64_t scoring_trials_UNUSABLE = 3;
 static const int64_t scoring_trials_VERDICT = 0;
 static const double targets_choice_law_KEEP = 0.4;
-static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_ledger_FIELDS = 3;
 
 /* The shares of all targets after each event, in a row of ``shares``. */

@@ -145,7 +145,7 @@ void scoring_measures_endpoint_hits(Table rows, Table answers, WholeVector offse
 }
 
 /* The continued fraction of the incomplete beta function, by Lentz's method. */
-double scoring_measures_regions_beta_fraction(double a, double b, double x) {
+WIDE double scoring_measures_regions_beta_fraction(double a, double b, double x) {
   double c, d, total, even, odd, term;
   c = 1.0;
   d = 1.0 - (a + b) * x / (a + 1.0);

@@ -3,7 +3,7 @@
 
 
 /* Add the columns of each trial to the sums of its person in each group that it is in. */
-void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagTable inside, Table sums) {
+WIDE void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagTable inside, Table sums) {
   int64_t people;
   people = floor_divided_whole(sums.n, inside.n);
   for (int64_t k = 0; k < person.n; k++) {

@@ -9,10 +9,6 @@ void stage_copy_values(Vector values, Vector memory) {
   }
 }
 
-/* What most stages do when a movement ends. */
-void stage_learn_nothing(Vector memory) {
-}
-
 /* The first row whose answer is a refusal, with NaN for a time; -1 where there is none. */
 int64_t stage_first_refused(Table answers) {
   for (int64_t i = 0; i < answers.n; i++) {

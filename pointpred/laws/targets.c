@@ -1,27 +1,16 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const double records_LARGEST = 1000000000.0;
-static const double records_LATEST_S = 100000000000.0;
-static const double records_ROUNDING_S = 1e-06;
 static const double targets_choice_law_ENTERED = 2.0;
 static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
 static const double targets_choice_law_OUTSIDE = 0.0;
 static const double targets_choice_law_RELEASED = 3.0;
-static const double targets_cursor_PAUSE_S = 0.3;
-static const double targets_cursor_SLOWER_S = 0.06;
-static const double targets_cursor_SPEED_S = 0.03;
-static const double targets_cursor_TRAIL_SHARE = 0.35;
-static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_expectation_BEFORE = 3;
 static const int64_t targets_expectation_NONE = -1;
 static const int64_t targets_expectation_SPREAD = 4;
 static const int64_t targets_expectation_X = 0;
 static const int64_t targets_expectation_Y = 1;
-static const int64_t targets_ledger_ENTRY = 1;
-static const int64_t targets_ledger_ENTRY_SINCE = 2;
-static const int64_t targets_ledger_MADE = 0;
 static const double targets_posterior_ACROSS = 0.2;
 static const double targets_posterior_ALONG = 0.5;
 static const double targets_posterior_ANGLE = 0.15;
@@ -72,47 +61,6 @@ static const int64_t targets_rectangles_CENTRE_Y = 1;
 static const int64_t targets_rectangles_HEIGHT = 3;
 static const int64_t targets_rectangles_LOG_WEIGHT = 4;
 static const int64_t targets_rectangles_WIDTH = 2;
-
-/* Take an event in, a usable one that is not before the last; returns whether a button was released. */
-bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed) {
-  double dt, way, far, share;
-  bool released, starts;
-  dt = t - s->t;
-  released = s->pressed == 1.0 && pressed == 0.0;
-  starts = s->known == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
-  if (starts) {
-    s->t0 = t;
-    s->x0 = x;
-    s->y0 = y;
-    s->trail_x = x;
-    s->trail_y = y;
-    s->peak = 0.0;
-    s->slow = s->peak;
-    s->speed = s->peak;
-    s->vy = s->peak;
-    s->vx = s->peak;
-  } else {
-    way = hypot(x - s->x, y - s->y);
-    far = hypot(x - s->x0, y - s->y0);
-    share = far > 0.0 ? 1.0 - exp(-way / (targets_cursor_TRAIL_SHARE * far)) : 1.0;
-    s->trail_x += share * (x - s->trail_x);
-    s->trail_y += share * (y - s->trail_y);
-    if (dt > 0.0) {
-      share = 1.0 - exp(-dt / targets_cursor_SPEED_S);
-      s->vx += share * ((x - s->x) / dt - s->vx);
-      s->vy += share * ((y - s->y) / dt - s->vy);
-      s->speed = hypot(s->vx, s->vy);
-      s->slow += (1.0 - exp(-dt / targets_cursor_SLOWER_S)) * (s->speed - s->slow);
-    }
-    s->peak = max_float(s->peak, s->speed);
-  }
-  s->known = 1.0;
-  s->pressed = pressed;
-  s->t = t;
-  s->x = x;
-  s->y = y;
-  return released;
-}
 
 /* Whether a predicted law can be used: a region of finite size, and a tail that is one, or none. */
 bool targets_posterior_lawful(targets_posterior_Law predicted) {
@@ -452,14 +400,6 @@ void targets_ledger_begin(targets_ledger_State * s, Table rows) {
   }
 }
 
-/* The cursor goes into a target; only the first time in a movement counts. */
-void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place) {
-  if (place != targets_decision_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
-    rows.p[place * rows.m + targets_ledger_ENTRY] = t;
-    rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = s->standing == place ? s->since : NAN;
-  }
-}
-
 /* Seconds until the cursor enters a rectangle at its present speed; 0 inside, infinite at rest. */
 double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height) {
   double dx, dy, way;
@@ -483,78 +423,6 @@ bool targets_decision_early(targets_cursor_State * s, Vector row, double remaini
     left = max_float(left, remaining_s);
   }
   return left >= least_s;
-}
-
-/* The target that is proposed from now on, NOBODY for none; ``bounds``: (ask, keep, least_s, least_px). */
-int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds) {
-  double ask, keep, least_s, least_px, far;
-  int64_t best;
-  ask = bounds.f0;
-  keep = bounds.f1;
-  least_s = bounds.f2;
-  least_px = bounds.f3;
-  best = targets_decision_likeliest(shares, table.n);
-  if (best == targets_decision_NOBODY) {
-    return targets_decision_NOBODY;
-  }
-  if (standing != targets_decision_NOBODY && (best == standing || shares.p[best] < ask)) {
-    return shares.p[standing] >= keep ? standing : targets_decision_NOBODY;
-  }
-  far = hypot(s->x - s->x0, s->y - s->y0);
-  if (shares.p[best] >= ask && far >= least_px && targets_decision_early(s, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
-    return best;
-  }
-  if (standing != targets_decision_NOBODY && shares.p[standing] >= keep) {
-    return standing;
-  }
-  return targets_decision_NOBODY;
-}
-
-/* The proposal that stands ends; where this target's does not stand, nothing happens. */
-void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released) {
-  if (place == targets_decision_NOBODY || s->standing != place) {
-    return;
-  }
-  s->standing = targets_decision_NOBODY;
-  if (released) {
-    int64_t value_1 = place;
-    double value_2 = t;
-    double value_3 = s->since;
-    s->ended = value_1;
-    s->ended_at = value_2;
-    s->ended_since = value_3;
-  } else {
-    s->retracted += 1.0;
-  }
-}
-
-/* A proposal is made; it takes the place of one that stands. */
-void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place) {
-  s->proposed += 1.0;
-  s->standing = place;
-  s->since = t;
-  if (place != targets_decision_NOBODY) {
-    rows.p[place * rows.m + targets_ledger_MADE] += 1.0;
-  }
-}
-
-/* How often the target of the movement was proposed, and the leads before its entry and its click, s. */
-T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place) {
-  double entry, since;
-  if (place == targets_decision_NOBODY) {
-    return (T3d){0.0, NAN, NAN};
-  }
-  entry = rows.p[place * rows.m + targets_ledger_ENTRY];
-  since = rows.p[place * rows.m + targets_ledger_ENTRY_SINCE];
-  if (entry != entry) {
-    entry = t;
-    if (s->ended == place && s->ended_at == t) {
-      since = s->ended_since;
-    } else if (s->standing == place) {
-      since = s->since;
-    }
-  }
-  return (T3d){rows.p[place * rows.m + targets_ledger_MADE], entry - since, t - since};
 }
 
 /* The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none. */
@@ -726,7 +594,7 @@ int64_t targets_choice_law_unusable(targets_cursor_State * s, Table events) {
 }
 
 /* The places of the largest shares into ``order``, best first, the first of equal ones before the others. */
-void targets_decision_rank(Vector shares, int64_t count, Vector order) {
+WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
   int64_t place;
   for (int64_t k = 0; k < order.n; k++) {
     order.p[k] = targets_decision_NOBODY;

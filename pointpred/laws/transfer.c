@@ -1,10 +1,7 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const double records_LARGEST = 1000000000.0;
-static const double records_LATEST_S = 100000000000.0;
 static const double records_METRES_PER_INCH = 0.0254;
-static const double records_ROUNDING_S = 1e-06;
 static const int64_t transfer_bands_BANDS = 20;
 static const double transfer_functions_ARCTAN = 3.0;
 static const double transfer_functions_BOUNDED = 5.0;
@@ -68,26 +65,6 @@ double transfer_functions_cursor_speed(transfer_functions_Function * f, double s
     return atan(speed);
   }
   return transfer_functions_gain(f, speed) * speed;
-}
-
-/* The fraction of the offset (T_hat - x, T_hat_y - y) by which the cursor is pulled in ``dt`` s. */
-double transfer_assistance_pull(double rho, double strength, double dt, double own_px, double off_x, double off_y) {
-  double length, share;
-  length = hypot(off_x, off_y);
-  if (!(0.0 < length && length < INFINITY)) {
-    return 0.0;
-  }
-  share = -expm1(-rho * dt);
-  return strength < INFINITY ? min_float(share, strength * own_px / length) : share;
-}
-
-/* Whole pixels of one axis, 0 or 1; the remainder is carried until the direction reverses. */
-double transfer_pixels_carry(transfer_pixels_Carried * carried, int64_t axis, double moved_px) {
-  double rest, whole;
-  rest = carried->px[axis] * moved_px >= 0.0 ? carried->px[axis] : 0.0;
-  whole = (double)(int64_t)trunc(rest + moved_px);
-  carried->px[axis] = rest + moved_px - whole;
-  return whole;
 }
 
 /* A row of a table of reports with the way to an endpoint. */

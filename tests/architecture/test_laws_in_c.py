@@ -133,7 +133,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory, plain: dict[str, Any]) ->
     for kind in structs.values():
         fields = " ".join(f"{one.c} {kind.field(i)};" for i, one in enumerate(kind.kinds))
         lines.append(f"typedef struct {{ {fields} }} {kind.c};")
-    lines += [one.text for one in functions]
+    lines += [one.body for one in functions]
     (folder / "laws.c").write_text("\n".join(lines))
     command = [
         GCC,

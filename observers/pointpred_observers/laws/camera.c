@@ -268,7 +268,7 @@ void camera_kinematics_turn_covariance(camera_kinematics_Matrix * p, double h, T
 }
 
 /* Add the effect of sensor noise with variances (rad^2, m^2/s^2) on s = (p, v) to a covariance. */
-void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel) {
+WIDE void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel) {
   int64_t i, j;
   double dot, value;
   for (int64_t block = 0; block < 2; block++) {
@@ -301,7 +301,7 @@ void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double 
 }
 
 /* One coordinate of the image, linearised at the prediction (x, y, z). */
-void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted) {
+WIDE void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted) {
   double x, y, z, side, near, far, total, expected, share;
   x = predicted.f0;
   y = predicted.f1;
@@ -355,7 +355,7 @@ void camera_starting_begin(camera_starting_State * s) {
 }
 
 /* Add an image: N += Phi' Q Phi, b -= Phi' Q g, Q = H'H - 2 r e3 e3', H = (1 0 -x; 0 1 -y). */
-void camera_starting_take(camera_starting_State * s, double x, double y, double variance) {
+WIDE void camera_starting_take(camera_starting_State * s, double x, double y, double variance) {
   double corner, g0, g1, g2, a0, a1, a2, q0, q1, q2;
   corner = x * x + y * y - 2.0 * variance;
   g0 = s->g[0];
@@ -376,7 +376,7 @@ void camera_starting_take(camera_starting_State * s, double x, double y, double 
 }
 
 /* Cholesky's lower factor in place; false if the matrix is not safely positive definite. */
-bool camera_starting_factor(camera_kinematics_Matrix * lower) {
+WIDE bool camera_starting_factor(camera_kinematics_Matrix * lower) {
   double own, total;
   for (int64_t i = 0; i < 6; i++) {
     own = lower->m[i][i];
@@ -399,7 +399,7 @@ bool camera_starting_factor(camera_kinematics_Matrix * lower) {
 }
 
 /* Solve with Cholesky's factor, the vector in place. */
-void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v) {
+WIDE void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v) {
   double total;
   for (int64_t i = 0; i < 6; i++) {
     total = v.p[i];

@@ -8,6 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Laws of loops in loops are compiled for the wide registers of newer processors, too, which changes no bit. */
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define WIDE
+#endif
+
 typedef struct { double *p; int64_t n; } Vector;
 typedef struct { double *p; int64_t n, m; } Table;
 typedef struct { int64_t *p; int64_t n; } WholeVector;
@@ -284,7 +291,7 @@ int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory 
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-double nonlinearity_value(double code, double s);
+static inline double nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 bool regressors_gradient_finite(Vector row);
 void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_Sample sample, double h);
@@ -303,7 +310,7 @@ void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memor
 int64_t regressors_nonlinear_regression_states(int64_t n, int64_t r);
 int64_t regressors_nonlinear_regression_step(regressors_nonlinear_regression_Memory * memory, Vector row, Vector out);
 int64_t regressors_nonlinear_regression_width(int64_t n, int64_t r);
-void stage_learn_nothing(Vector memory);
+static inline void stage_learn_nothing(Vector memory);
 double triangular_interlaced_observer_drive(triangular_interlaced_observer_Parts parts, int64_t i, int64_t k, double passed, double share, Vector row);
 void triangular_interlaced_observer_follow(triangular_interlaced_observer_Parts parts, double h, int64_t steps, Vector row, bool driven);
 triangular_interlaced_observer_Parts triangular_interlaced_observer_parts_of(Vector memory);
@@ -312,4 +319,33 @@ int64_t triangular_interlaced_observer_states(int64_t q, int64_t p);
 int64_t triangular_interlaced_observer_step(Vector memory, Vector row, Vector out);
 double triangular_program_apply(int64_t code, double a, double b);
 void triangular_program_execute(Vector memory, Table rows);
+static const int64_t nonlinearity_ATAN = 3;
+static const int64_t nonlinearity_CUBE = 5;
+static const int64_t nonlinearity_SATURATION = 4;
+static const int64_t nonlinearity_SIN = 1;
+static const int64_t nonlinearity_TANH = 2;
+
+/* The nonlinearity with the given code at s. */
+static inline double nonlinearity_value(double code, double s) {
+  if (code == nonlinearity_SIN) {
+    return sin(s);
+  }
+  if (code == nonlinearity_TANH) {
+    return tanh(s);
+  }
+  if (code == nonlinearity_ATAN) {
+    return atan(s);
+  }
+  if (code == nonlinearity_SATURATION) {
+    return min_float(max_float(s, -1.0), 1.0);
+  }
+  if (code == nonlinearity_CUBE) {
+    return s * s * s;
+  }
+  return s;
+}
+
+/* What most stages do when a movement ends. */
+static inline void stage_learn_nothing(Vector memory) {
+}
 #endif

@@ -3,7 +3,7 @@
 
 
 /* Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant. */
-void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h) {
+WIDE void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h) {
   int64_t n;
   double error, square_, exponent, share;
   n = theta.n;

@@ -55,7 +55,7 @@ bool regressors_gradient_finite(Vector row) {
 }
 
 /* The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample. */
-double regressors_gradient_steepness(Table d, Table gain) {
+WIDE double regressors_gradient_steepness(Table d, Table gain) {
   int64_t n;
   double total;
   n = gain.n;
@@ -86,7 +86,7 @@ void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_S
 }
 
 /* One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors. */
-void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share) {
+WIDE void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share) {
   int64_t n;
   double way;
   n = s.start.n;
@@ -184,7 +184,7 @@ regressors_nonlinear_regression_Sample regressors_nonlinear_regression_sample_of
 }
 
 /* The sum of the squares of J, which bounds the eigenvalues of J'J. */
-double regressors_nonlinear_regression_pace(Table regressor) {
+WIDE double regressors_nonlinear_regression_pace(Table regressor) {
   double total;
   total = 0.0;
   for (int64_t row = 0; row < regressor.n; row++) {
