@@ -18,7 +18,7 @@ ROUNDS = 8
 
 
 class Function:
-    """A law in C: ``comment``, ``body``; its ``arguments``, their ``kinds``, what it ``returns`` and ``uses``.
+    """A law in C: ``comment``, ``body``; its ``arguments`` and ``kinds``, what it ``returns`` and ``uses``.
 
     ``written``: the arguments whose arrays it changes; ``columns``: how many a table must have.
     """
