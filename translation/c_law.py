@@ -354,8 +354,8 @@ class Function:
             if isinstance(value.kind, Array) or kind.of != FLOAT:
                 raise self._at.error(target, f"assignment to {ast.unparse(target)}")
         if isinstance(value.kind, Array):
-            to, source = place.within(CALL), value.within(CALL)
-            yield f"memmove({to}.p, {source}.p, sizeof({kind.of.c}) * {to}.n);"
+            word = {"d": "copy_into", "q": "copy_whole_into"}[kind.of.letter]
+            yield f"{word}({place.text}, {value.text});"
         else:
             word = {"d": "fill", "q": "fill_whole"}[kind.of.letter]
             yield f"{word}({place.text}, {value.text});"

@@ -11,6 +11,11 @@
 #else
 #define WIDE
 #endif
+#ifdef __clang__ /* which wants it where the law is declared, too */
+#define WIDE_HEAD WIDE
+#else
+#define WIDE_HEAD
+#endif
 
 typedef struct { double *p; int64_t n; } Vector;
 typedef struct { double *p; int64_t n, m; } Table;
@@ -37,6 +42,10 @@ static inline void fill(Vector part, double value) {
 }
 static inline void fill_whole(WholeVector part, int64_t value) {
   for (int64_t i = 0; i < part.n; i++) part.p[i] = value;
+}
+static inline void copy_into(Vector part, Vector values) { memmove(part.p, values.p, sizeof(double) * (size_t)part.n); }
+static inline void copy_whole_into(WholeVector part, WholeVector values) {
+  memmove(part.p, values.p, sizeof(int64_t) * (size_t)part.n);
 }
 
 /* As Python has them. */

@@ -1293,7 +1293,7 @@ T10d joint__differentiators_difference_step__predictors_minimum_jerk_step(Vector
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1329,8 +1329,8 @@ T10d last__differentiators_difference_step__follow__predictors_minimum_jerk_step
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1344,7 +1344,7 @@ T10d joint__differentiators_homogeneous_step__predictors_minimum_jerk_step(Vecto
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1374,8 +1374,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_minimum_jerk_ste
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1389,7 +1389,7 @@ T10d joint__differentiators_kalman_step__predictors_minimum_jerk_step(Vector mem
   if (answer.f0 == answer.f0) {
     answer = predictors_minimum_jerk_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1419,8 +1419,8 @@ T10d last__differentiators_kalman_step__follow__predictors_minimum_jerk_step__pr
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1434,7 +1434,7 @@ T10d joint__differentiators_difference_step__predictors_delphian_step(Vector mem
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1470,8 +1470,8 @@ T10d last__differentiators_difference_step__follow__predictors_delphian_step__pr
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1485,7 +1485,7 @@ T10d joint__differentiators_homogeneous_step__predictors_delphian_step(Vector me
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1515,8 +1515,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_delphian_step__p
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1530,7 +1530,7 @@ T10d joint__differentiators_kalman_step__predictors_delphian_step(Vector memory,
   if (answer.f0 == answer.f0) {
     answer = predictors_delphian_step((predictors_delphian_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1560,8 +1560,8 @@ T10d last__differentiators_kalman_step__follow__predictors_delphian_step__predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1575,7 +1575,7 @@ T10d joint__differentiators_difference_step__predictors_hold_step(Vector memory,
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1611,8 +1611,8 @@ T10d last__differentiators_difference_step__follow__predictors_hold_step__predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1626,7 +1626,7 @@ T10d joint__differentiators_homogeneous_step__predictors_hold_step(Vector memory
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1656,8 +1656,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_hold_step__predi
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1671,7 +1671,7 @@ T10d joint__differentiators_kalman_step__predictors_hold_step(Vector memory, Vec
   if (answer.f0 == answer.f0) {
     answer = predictors_hold_step((predictors_movement_State *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1701,8 +1701,8 @@ T10d last__differentiators_kalman_step__follow__predictors_hold_step__predictors
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1716,7 +1716,7 @@ T10d joint__differentiators_difference_step__predictors_kalman_step(Vector memor
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1752,8 +1752,8 @@ T10d last__differentiators_difference_step__follow__predictors_kalman_step__pred
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1767,7 +1767,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kalman_step(Vector memo
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1797,8 +1797,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kalman_step__pre
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1812,7 +1812,7 @@ T10d joint__differentiators_kalman_step__predictors_kalman_step(Vector memory, V
   if (answer.f0 == answer.f0) {
     answer = predictors_kalman_step((predictors_kalman_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1842,8 +1842,8 @@ T10d last__differentiators_kalman_step__follow__predictors_kalman_step__predicto
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1857,7 +1857,7 @@ T10d joint__differentiators_difference_step__predictors_kep_step(Vector memory, 
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1893,8 +1893,8 @@ T10d last__differentiators_difference_step__follow__predictors_kep_step__predict
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1908,7 +1908,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kep_step(Vector memory,
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1938,8 +1938,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_kep_step__predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1953,7 +1953,7 @@ T10d joint__differentiators_kalman_step__predictors_kep_step(Vector memory, Vect
   if (answer.f0 == answer.f0) {
     answer = predictors_kep_step((predictors_kep_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -1983,8 +1983,8 @@ T10d last__differentiators_kalman_step__follow__predictors_kep_step__predictors_
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -1998,7 +1998,7 @@ T10d joint__differentiators_difference_step__predictors_ktm_step(Vector memory, 
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2034,8 +2034,8 @@ T10d last__differentiators_difference_step__follow__predictors_ktm_step__predict
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2049,7 +2049,7 @@ T10d joint__differentiators_homogeneous_step__predictors_ktm_step(Vector memory,
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2079,8 +2079,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_ktm_step__predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2094,7 +2094,7 @@ T10d joint__differentiators_kalman_step__predictors_ktm_step(Vector memory, Vect
   if (answer.f0 == answer.f0) {
     answer = predictors_ktm_step((predictors_ktm_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2124,8 +2124,8 @@ T10d last__differentiators_kalman_step__follow__predictors_ktm_step__predictors_
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2139,7 +2139,7 @@ T10d joint__differentiators_difference_step__predictors_linear_step(Vector memor
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2175,8 +2175,8 @@ T10d last__differentiators_difference_step__follow__predictors_linear_step__pred
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2190,7 +2190,7 @@ T10d joint__differentiators_homogeneous_step__predictors_linear_step(Vector memo
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2220,8 +2220,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_linear_step__pre
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2235,7 +2235,7 @@ T10d joint__differentiators_kalman_step__predictors_linear_step(Vector memory, V
   if (answer.f0 == answer.f0) {
     answer = predictors_linear_step((predictors_linear_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2265,8 +2265,8 @@ T10d last__differentiators_kalman_step__follow__predictors_linear_step__predicto
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2280,7 +2280,7 @@ T10d joint__differentiators_difference_step__predictors_switched_step(Vector mem
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2316,8 +2316,8 @@ T10d last__differentiators_difference_step__follow__predictors_switched_step__pr
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2331,7 +2331,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_step(Vector me
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2361,8 +2361,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_step__p
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2376,7 +2376,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_step(Vector memory,
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_step((predictors_switched_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2406,8 +2406,8 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_step__predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2421,7 +2421,7 @@ T10d joint__differentiators_difference_step__predictors_switched_direction_step(
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2457,8 +2457,8 @@ T10d last__differentiators_difference_step__follow__predictors_switched_directio
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2472,7 +2472,7 @@ T10d joint__differentiators_homogeneous_step__predictors_switched_direction_step
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2502,8 +2502,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_switched_directi
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2517,7 +2517,7 @@ T10d joint__differentiators_kalman_step__predictors_switched_direction_step(Vect
   if (answer.f0 == answer.f0) {
     answer = predictors_switched_direction_step((predictors_switched_direction_Memory *)other.p, answer);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2547,8 +2547,8 @@ T10d last__differentiators_kalman_step__follow__predictors_switched_direction_st
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }

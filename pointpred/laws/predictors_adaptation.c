@@ -2094,7 +2094,7 @@ T10d joint__differentiators_difference_step__predictors_adaptation_predictor_ste
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step((predictors_adaptation_predictor_Memory *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2130,8 +2130,8 @@ T10d last__differentiators_difference_step__follow__predictors_adaptation_predic
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2145,7 +2145,7 @@ T10d joint__differentiators_homogeneous_step__predictors_adaptation_predictor_st
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step((predictors_adaptation_predictor_Memory *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2175,8 +2175,8 @@ T10d last__differentiators_homogeneous_step__follow__predictors_adaptation_predi
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -2190,7 +2190,7 @@ T10d joint__differentiators_kalman_step__predictors_adaptation_predictor_step(Ve
   if (answer.f0 == answer.f0) {
     answer = predictors_adaptation_predictor_step((predictors_adaptation_predictor_Memory *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -2220,8 +2220,8 @@ T10d last__differentiators_kalman_step__follow__predictors_adaptation_predictor_
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }

@@ -574,7 +574,7 @@ T10d joint__differentiators_difference_step__predictors_kinematic_predictor_step
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step((predictors_kinematic_features_State *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -604,8 +604,8 @@ T10d last__differentiators_difference_step__predictors_kinematic_predictor_follo
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -619,7 +619,7 @@ T10d joint__differentiators_homogeneous_step__predictors_kinematic_predictor_ste
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step((predictors_kinematic_features_State *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -649,8 +649,8 @@ T10d last__differentiators_homogeneous_step__predictors_kinematic_predictor_foll
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
@@ -664,7 +664,7 @@ T10d joint__differentiators_kalman_step__predictors_kinematic_predictor_step(Vec
   if (answer.f0 == answer.f0) {
     answer = predictors_kinematic_predictor_step((predictors_kinematic_features_State *)other.p, answer, (predictors_kinematic_network_Coefficients *)shared_0.p);
     if (answer.f0 != answer.f0) {
-      memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
+      copy_into((Vector){memory.p, memory.n}, kept);
     }
   }
   return answer;
@@ -694,8 +694,8 @@ T10d last__differentiators_kalman_step__predictors_kinematic_predictor_follow__p
     }
   }
   if (answer.f0 != answer.f0) {
-    memmove((Vector){memory.p, memory.n}.p, kept.p, sizeof(double) * (Vector){memory.p, memory.n}.n);
-    memmove((Vector){other.p, other.n}.p, other_kept.p, sizeof(double) * (Vector){other.p, other.n}.n);
+    copy_into((Vector){memory.p, memory.n}, kept);
+    copy_into((Vector){other.p, other.n}, other_kept);
   }
   return answer;
 }
