@@ -166,8 +166,7 @@ def header(prelude: str, functions: list[Function], shared: list[Function]) -> s
             f"{{ return ({target.c}){{{', '.join(parts)}}}; }}"
         )
     for one in sorted(functions, key=lambda one: c_name(one.law)):
-        mark = "static inline " if one in shared else "WIDE_HEAD " if one.is_wide else ""
-        lines.append(f"{mark}{one.head};")
+        lines.append(f"static inline {one.head};" if one in shared else f"{one.head};")
     lines += [constant(one) for one in sorted(constants_of(shared))]
     for one in shared:
         lines += ["", one.comment + "static inline " + one.body]

@@ -8,16 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Laws of loops in loops are compiled for the wide registers of newer processors, too, which changes no bit. */
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+/* gcc compiles laws of loops in loops for the wide registers of newer processors, too, which changes no bit;
+   clang's would: kinematic then differs in its last bits. */
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define WIDE
-#endif
-#ifdef __clang__ /* which wants it where the law is declared, too */
-#define WIDE_HEAD WIDE
-#else
-#define WIDE_HEAD
 #endif
 
 typedef struct { double *p; int64_t n; } Vector;
@@ -974,10 +970,10 @@ static inline records_EventRow records_EventRow_of_T6d(T6d value) { return (reco
 static inline transfer_assistance_GuidedReport transfer_assistance_GuidedReport_of_T8d(T8d value) { return (transfer_assistance_GuidedReport){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7}; }
 void differentiators_difference_advance(differentiators_difference_Differences * last, int64_t axis, double u, double dt);
 static inline T10d differentiators_difference_step(differentiators_difference_Memory * memory, records_EventRow event);
-WIDE_HEAD double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
+double differentiators_homogeneous_advance(differentiators_homogeneous_Settings * settings, differentiators_homogeneous_Axis * axis, double before, double now, double h, int64_t steps);
 double differentiators_homogeneous_chatter(differentiators_homogeneous_Memory * memory, double place, double h, int64_t steps);
 void differentiators_homogeneous_fill(Vector values, differentiators_homogeneous_Settings * settings);
-WIDE_HEAD void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi);
+void differentiators_homogeneous_place_poles(differentiators_homogeneous_Settings * settings, double gain_lambda, double gain_xi);
 void differentiators_homogeneous_settle(differentiators_homogeneous_Memory * memory);
 double differentiators_homogeneous_settling(differentiators_homogeneous_Memory * memory, double speed, double h, int64_t steps);
 static inline T10d differentiators_homogeneous_step(differentiators_homogeneous_Memory * memory, records_EventRow event);
@@ -1109,7 +1105,7 @@ void predictors_adaptation_correction_write_mixture(predictors_adaptation_correc
 int64_t predictors_adaptation_destination_candidates(predictors_adaptation_destination_Movement * s, predictors_adaptation_places_Places * held, T2d start, predictors_adaptation_destination_Heading elsewhere, Table out);
 predictors_adaptation_destination_Heading predictors_adaptation_destination_combine(predictors_adaptation_destination_Movement * s, predictors_adaptation_places_Places * held, T2d start, predictors_adaptation_destination_Heading elsewhere);
 void predictors_adaptation_destination_favour_near(predictors_adaptation_destination_Movement * s, predictors_adaptation_places_Places * held, T2d start, double near);
-WIDE_HEAD T2d predictors_adaptation_destination_geometric_median(Table rows, int64_t count);
+T2d predictors_adaptation_destination_geometric_median(Table rows, int64_t count);
 double predictors_adaptation_destination_likelihood(predictors_adaptation_destination_Heading law_of_end, double x, double y, double distance, double spread);
 void predictors_adaptation_destination_prepare(predictors_adaptation_destination_Movement * s, predictors_adaptation_places_Places * held, predictors_adaptation_habits_Habits * known, T3d scene, T2d start);
 T6d predictors_adaptation_destination_scaled(predictors_adaptation_destination_Heading end, double shape, double factor, double tail);
@@ -1117,10 +1113,10 @@ predictors_adaptation_destination_Heading predictors_adaptation_destination_shif
 double predictors_adaptation_destination_spread_of(predictors_adaptation_destination_Movement * s, T2d start, double x, double y);
 void predictors_adaptation_destination_weigh(predictors_adaptation_destination_Movement * s, predictors_adaptation_places_Places * held, T2d start, predictors_adaptation_destination_Heading law_of_end, T2d elsewhere);
 double predictors_adaptation_distances_age_weight(int64_t age, int64_t count, double time);
-WIDE_HEAD T3d predictors_adaptation_distances_combine(predictors_adaptation_distances_Distances * s, double reached, predictors_adaptation_distances_Ahead predicted);
+T3d predictors_adaptation_distances_combine(predictors_adaptation_distances_Distances * s, double reached, predictors_adaptation_distances_Ahead predicted);
 Tqd predictors_adaptation_distances_fault(predictors_adaptation_distances_Distances * learned);
 void predictors_adaptation_distances_judge(predictors_adaptation_distances_Distances * s, double distance);
-WIDE_HEAD double predictors_adaptation_distances_likelihood(predictors_adaptation_distances_Distances * s, double distance);
+double predictors_adaptation_distances_likelihood(predictors_adaptation_distances_Distances * s, double distance);
 void predictors_adaptation_distances_remember(predictors_adaptation_distances_Distances * s, double distance);
 Tqd predictors_adaptation_durations_fault(predictors_adaptation_durations_Durations * learned);
 void predictors_adaptation_durations_forget(predictors_adaptation_durations_Durations * s);
@@ -1129,7 +1125,7 @@ double predictors_adaptation_durations_median(predictors_adaptation_durations_Du
 double predictors_adaptation_durations_mix(predictors_adaptation_durations_Durations * s, double since, double left);
 double predictors_adaptation_durations_mixture(predictors_adaptation_durations_Durations * s, double share, double since, double left);
 void predictors_adaptation_durations_remember(predictors_adaptation_durations_Durations * s, double duration);
-WIDE_HEAD double predictors_adaptation_durations_value_of_rank(predictors_adaptation_durations_Durations * s, int64_t rank);
+double predictors_adaptation_durations_value_of_rank(predictors_adaptation_durations_Durations * s, int64_t rank);
 void predictors_adaptation_habits_blend(Table out, int64_t rule, int64_t base, int64_t count, double weight);
 void predictors_adaptation_habits_count_following(predictors_adaptation_places_Places * held, int64_t here, Table out);
 void predictors_adaptation_habits_count_last(predictors_adaptation_habits_Habits * s, predictors_adaptation_places_Places * held, Table out);
@@ -1182,7 +1178,7 @@ void predictors_adaptation_stages_solve(predictors_adaptation_stages_Stage * s);
 double predictors_adaptation_stages_tempo(predictors_adaptation_stages_Stage * s);
 double predictors_adaptation_stages_tempo_factor(predictors_adaptation_stages_Stage * s);
 double predictors_adaptation_stages_width_log(predictors_adaptation_stages_Stage * s, double squares);
-WIDE_HEAD double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out);
+double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out);
 Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned);
 void predictors_adaptation_time_left_learn(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T2d span, double median, Vector prior);
 int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_left_Movement * movement, int64_t k, T2d span, double share);
@@ -1220,7 +1216,7 @@ T3d predictors_kinematic_history_past(predictors_kinematic_history_State * s, pr
 void predictors_kinematic_network_activate(Vector sums);
 int64_t predictors_kinematic_network_evaluate(predictors_kinematic_network_Coefficients * coefficients, Vector values, Vector out);
 double predictors_kinematic_network_factor(predictors_kinematic_network_Calibration * calibration, double share, int64_t which);
-WIDE_HEAD int64_t predictors_kinematic_network_layer(predictors_kinematic_network_Coefficients * coefficients, int64_t at, Vector inputs, Vector sums);
+int64_t predictors_kinematic_network_layer(predictors_kinematic_network_Coefficients * coefficients, int64_t at, Vector inputs, Vector sums);
 double predictors_kinematic_network_side(Vector values);
 double predictors_kinematic_predictor_bounded_exp(double logarithm, T2d bounds);
 bool predictors_kinematic_predictor_follow(predictors_kinematic_features_State * s, T10d motion, predictors_kinematic_network_Coefficients * coefficients);
@@ -1243,7 +1239,7 @@ T10d predictors_ktm_step(predictors_ktm_Memory * memory, T10d motion);
 int64_t predictors_ktm_template_count(predictors_ktm_Memory * memory);
 int64_t predictors_ktm_winner(predictors_ktm_Memory * memory, predictors_ktm_State * s, double times);
 Tb3d predictors_linear_before(predictors_linear_Past * past, double window_s, double t);
-WIDE_HEAD void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y);
+void predictors_linear_remember(predictors_linear_Past * past, double window_s, double t, double x, double y);
 T10d predictors_linear_step(predictors_linear_Memory * memory, T10d motion);
 static inline T2d predictors_minimum_jerk_progress(double ratio);
 T10d predictors_minimum_jerk_step(predictors_movement_State * s, T10d motion);
@@ -1262,7 +1258,7 @@ int64_t predictors_mixture_outlines(Table parts, int64_t count, double threshold
 double predictors_mixture_part_density(predictors_mixture_PartRow * part, double x, double y);
 int64_t predictors_mixture_partner(Vector sides, int64_t side, double middle);
 double predictors_mixture_reach(predictors_mixture_PartRow * part, int64_t count, double threshold);
-WIDE_HEAD double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold);
+double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold);
 double predictors_mixture_squared_radius(double share, double tail);
 static inline double predictors_mixture_squared_radius_over_tail(double level, double heavy);
 double predictors_mixture_threshold_of(Table parts, int64_t count, double level, int64_t points);
@@ -1289,7 +1285,7 @@ Tbd regression_delay_delayed(regression_delay_Ring * ring, int64_t samples, doub
 void regression_delay_push(regression_delay_Ring * ring, int64_t samples, double spacing, double t, Vector w, double y);
 int64_t regression_delay_states(int64_t n, int64_t samples);
 bool regression_drem_advance(regression_drem_State * s, regression_drem_Regression r, double delay_s, double gamma, double t, double y);
-WIDE_HEAD double regression_drem_determinant(Table a);
+double regression_drem_determinant(Table a);
 bool regression_drem_extend(regression_drem_Regression r, double delay_s, double t);
 double regression_drem_mix(Table a, Vector y, Vector out, Vector scratch);
 double regression_drem_mix3(Table a, Vector y, Vector out);
@@ -1297,8 +1293,8 @@ int64_t regression_drem_numbers(int64_t n);
 static inline regression_drem_Regression regression_drem_parts(Vector memory, int64_t n);
 double regression_drem_remember(regression_drem_State * s, regression_drem_Regression r, double delay_s, double t, double y);
 double regression_gradient_descend(double theta, double mixed, double phi, double gamma, double h);
-WIDE_HEAD void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
-WIDE_HEAD void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output);
+void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
+void regression_least_squares_advance(regression_least_squares_Sums * s, regression_least_squares_Regression regression, double forgetting, double output);
 double regression_least_squares_excitation(Table r, int64_t j);
 int64_t regression_least_squares_numbers(int64_t n);
 static inline regression_least_squares_Regression regression_least_squares_parts(Vector memory, int64_t n);
@@ -1308,7 +1304,7 @@ void scoring_measures_endpoint_measure(Table rows, Table answers, Vector fractio
 int64_t scoring_measures_endpoint_measure_trial(Table rows, Table answers, Vector fractions, int64_t arrival, Vector out);
 void scoring_measures_endpoint_moments(Table rows, int64_t first, int64_t arrival, int64_t last, Vector shares, WholeVector out);
 double scoring_measures_regions_axis_score(double error, double variance, double tail);
-WIDE_HEAD double scoring_measures_regions_beta_fraction(double a, double b, double x);
+double scoring_measures_regions_beta_fraction(double a, double b, double x);
 void scoring_measures_regions_calibrate(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Table out);
 double scoring_measures_regions_distribution(double z, double tail);
 double scoring_measures_regions_incomplete_beta(double a, double b, double x);
@@ -1320,7 +1316,7 @@ double scoring_measures_regions_surprise(double dx, double dy, double sxx, doubl
 void scoring_measures_time_left_inside_by_time(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, Vector shares, Table out);
 void scoring_measures_time_left_time_left(Table rows, Table answers, WholeVector offsets, WholeVector arrivals, double median_s, Table out);
 bool scoring_measures_time_left_within(double left, double predicted, double spread, double deviations);
-WIDE_HEAD void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagTable inside, Table sums);
+void scoring_summary_sums_add_trials(Table columns, WholeVector person, FlagTable inside, Table sums);
 void scoring_target_choice_account(Table events, Table answers, Table table, Table shares, int64_t right, double ask, double least_s, double least_px, Vector out);
 int64_t scoring_target_choice_nearest(Table table, double x, double y);
 void scoring_target_choice_read(Table events, Table table, Table shares, int64_t arrival, int64_t right, Vector fractions, Table out);
@@ -1369,7 +1365,7 @@ bool targets_cursor_usable(double t, double x, double y);
 static inline int64_t targets_decision_decide(targets_cursor_State * s, Table table, Vector shares, int64_t standing, double remaining_s, T4d bounds);
 bool targets_decision_early(targets_cursor_State * s, Vector row, double remaining_s, double least_s);
 int64_t targets_decision_likeliest(Vector shares, int64_t count);
-WIDE_HEAD void targets_decision_rank(Vector shares, int64_t count, Vector order);
+void targets_decision_rank(Vector shares, int64_t count, Vector order);
 void targets_expectation_expect(Table table, Vector own, Table known);
 int64_t targets_expectation_target_of(Table table, Vector place);
 void targets_ledger_begin(targets_ledger_State * s, Table rows);

@@ -8,16 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Laws of loops in loops are compiled for the wide registers of newer processors, too, which changes no bit. */
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+/* gcc compiles laws of loops in loops for the wide registers of newer processors, too, which changes no bit;
+   clang's would: kinematic then differs in its last bits. */
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define WIDE
-#endif
-#ifdef __clang__ /* which wants it where the law is declared, too */
-#define WIDE_HEAD WIDE
-#else
-#define WIDE_HEAD
 #endif
 
 typedef struct { double *p; int64_t n; } Vector;
@@ -260,7 +256,7 @@ void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, dou
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
 T7d camera_depth_step(camera_depth_Memory * memory, T9d sample);
-WIDE_HEAD void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
+void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
 T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn);
 void camera_kinematics_carry(Vector s, double h, T3d turn);
@@ -268,15 +264,15 @@ void camera_kinematics_carry_column(camera_kinematics_Matrix * phi, int64_t i, d
 void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel);
 void camera_kinematics_push(Vector s, double h, T3d turn, T3d before, T3d after);
 void camera_kinematics_turn_covariance(camera_kinematics_Matrix * p, double h, T3d turn);
-WIDE_HEAD void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted);
+void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted);
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
 void camera_starting_begin(camera_starting_State * s);
-WIDE_HEAD bool camera_starting_factor(camera_kinematics_Matrix * lower);
-WIDE_HEAD void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v);
+bool camera_starting_factor(camera_kinematics_Matrix * lower);
+void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v);
 bool camera_starting_start(camera_starting_State * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
-WIDE_HEAD void camera_starting_take(camera_starting_State * s, double x, double y, double variance);
+void camera_starting_take(camera_starting_State * s, double x, double y, double variance);
 T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, double wy, double wz);
 void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, double density, double eta, double wx, double wy, double wz, double h);
 T7d camera_unknown_input_filter_row_at(Table rows, int64_t i);
@@ -301,18 +297,18 @@ void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector beg
 void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 static inline double nonlinearity_value(double code, double s);
-WIDE_HEAD void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
+void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 bool regressors_gradient_finite(Vector row);
 void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_Sample sample, double h);
-WIDE_HEAD void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share);
+void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share);
 regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory);
 regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t n);
 int64_t regressors_gradient_states(int64_t n, int64_t p);
-WIDE_HEAD double regressors_gradient_steepness(Table d, Table gain);
+double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
 int64_t regressors_gradient_width(int64_t n, int64_t p);
 void regressors_nonlinear_regression_flow(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s, Vector new, double begin, double h, double dt);
-WIDE_HEAD double regressors_nonlinear_regression_pace(Table regressor);
+double regressors_nonlinear_regression_pace(Table regressor);
 regressors_nonlinear_regression_Parts regressors_nonlinear_regression_parts_of(regressors_nonlinear_regression_Memory * memory);
 regressors_nonlinear_regression_Sample regressors_nonlinear_regression_sample_of(Vector numbers, int64_t n);
 void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s);
