@@ -79,7 +79,7 @@ class Expressions:
         self.sources: dict[str, set[str]] = {}
         self.columns: dict[str, int] = {}
         self.row_of: dict[str, str] = {}
-        self.conditional = 0
+        self.conditional = self.loops = 0
         self._guarded = False
         self._temporary = 0
 
@@ -585,6 +585,7 @@ class Expressions:
     def _copy(self, node: ast.Call, value: Value) -> Value:
         if not isinstance(value.kind, Array) or value.kind.dimensions != 1:
             raise self.error(node, f"a copy of {value.kind.c}")
+        self._check_once(node)
         name, of, array = self._buffer(node), value.kind.of.c, value.within(CALL)
         self.before.append(f"RELEASED {of} *{name} = copied({array}.p, sizeof({of}) * {array}.n);")
         return Value(f"({value.kind.c}){{{name}, {array}.n}}", value.kind, CALL)
@@ -596,6 +597,10 @@ class Expressions:
         kind = Array(value.kind.of, 2)
         rows, columns = (self.whole(one).text for one in node.args)
         return Value(f"({kind.c}){{{value.within(CALL)}.p, {rows}, {columns}}}", kind, CALL)
+
+    def _check_once(self, node: ast.AST) -> None:
+        if self.loops:  # it ends with the block that it stands in
+            raise self.error(node, "an array whose size is not known within a loop")
 
     def _buffer(self, node: ast.AST) -> str:
         if self._guarded:
@@ -615,6 +620,7 @@ class Expressions:
             if word == "zeros":
                 self.before.append(f"memset({name}, 0, sizeof {name});")
         else:
+            self._check_once(node)
             size = " * ".join(one.within(PRODUCT + 1) for one in sizes)
             self.before.append(f"RELEASED {of.c} *{name} = reserved({size});")
         return Value(f"({kind.c}){{{name}, {', '.join(one.text for one in sizes)}}}", kind, CALL)

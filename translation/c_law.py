@@ -201,8 +201,10 @@ class Function:
                     raise at.error(node, "a new array within a condition")
                 yield f"while ({condition.text}) {{"
                 at.conditional += 1
+                at.loops += 1
                 yield from _indent(self._block(node.body))
                 at.conditional -= 1
+                at.loops -= 1
                 yield "}"
             case ast.Break():
                 yield "break;"
@@ -251,7 +253,9 @@ class Function:
             declared, end = f"{declared}, {limit} = {end.text}", Value(limit, WHOLE)
         after = {1: f"{i}++", -1: f"{i}--"}.get(step, f"{i} += {step}")
         yield f"for ({declared}; {i} {'<' if step > 0 else '>'} {end.within(CALL)}; {after}) {{"
+        at.loops += 1
         yield from _indent(self._block(node.body))
+        at.loops -= 1
         yield "}"
 
     def _is_stable(self, last: ast.expr, loop: ast.For) -> bool:

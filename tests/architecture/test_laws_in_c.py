@@ -224,6 +224,8 @@ def test_loops_rows_slices_and_calls_do_the_same_to_a_memory(
         ("for a in range(3): b = 2.0", "the argument a as the variable of a loop"),
         ("c = 1 if len(m) and b > 0.0 else 2", "the number len(m) beside and, or"),
         ("c = 2 ** -len(m)", "a power of a whole number: 2 ** (-len(m))"),
+        ("for k in range(3): c = np.zeros(k)", "an array whose size is not known within a loop"),
+        ("for k in range(3): c = m.copy()", "an array whose size is not known within a loop"),
         ("c = unknown", "the name unknown"),
     ],
 )
