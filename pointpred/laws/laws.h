@@ -638,7 +638,7 @@ typedef struct {
 } predictors_kep_Memory;
 typedef struct {
   double learned_most;
-  double library;
+  double templates_given;
   double longest;
   double shortest_px;
   double half[22];

@@ -424,7 +424,7 @@ int64_t predictors_ktm_samples_of(double longest_s) {
 /* The settings and the kernel, without a library. */
 void predictors_ktm_fill(Vector values, predictors_ktm_Settings * settings) {
   settings->learned_most = values.p[predictors_ktm_TEMPLATES_OF];
-  settings->library = 0.0;
+  settings->templates_given = 0.0;
   settings->longest = predictors_ktm_samples_of(values.p[predictors_ktm_LONGEST_OF]);
   settings->shortest_px = values.p[predictors_ktm_SHORTEST_OF];
   for (int64_t k = 0; k < predictors_ktm_TAPS; k++) {
@@ -451,14 +451,14 @@ int64_t predictors_ktm_place_of_template(predictors_ktm_Settings * settings, int
 
 /* Place of what is learned: after the last template. */
 int64_t predictors_ktm_place_of_learned(predictors_ktm_Settings * settings) {
-  return predictors_ktm_place_of_template(settings, (int64_t)settings->library + (int64_t)settings->learned_most);
+  return predictors_ktm_place_of_template(settings, (int64_t)settings->templates_given + (int64_t)settings->learned_most);
 }
 
 /* How many templates there are to compare with. */
 int64_t predictors_ktm_template_count(predictors_ktm_Memory * memory) {
   predictors_ktm_Learned * learned;
   learned = (predictors_ktm_Learned *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(&memory->settings));
-  return (int64_t)memory->settings.library + (int64_t)learned->count;
+  return (int64_t)memory->settings.templates_given + (int64_t)learned->count;
 }
 
 /* One template's mean absolute smoothed difference over samples 0 to n. */
@@ -547,7 +547,7 @@ void predictors_ktm_keep(predictors_ktm_Memory * memory, predictors_ktm_State * 
     return;
   }
   learned = (predictors_ktm_Learned *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_learned(settings));
-  template = (predictors_ktm_Template *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_template(settings, (int64_t)settings->library + (int64_t)learned->next));
+  template = (predictors_ktm_Template *)((Vector){memory->rest, -1}.p + predictors_ktm_place_of_template(settings, (int64_t)settings->templates_given + (int64_t)learned->next));
   template->samples = samples;
   template->distance = distance;
   for (int64_t k = 0, end_1 = (int64_t)settings->longest; k < end_1; k++) {
@@ -561,7 +561,7 @@ void predictors_ktm_keep(predictors_ktm_Memory * memory, predictors_ktm_State * 
 void predictors_ktm_forget(predictors_ktm_Settings * settings, predictors_ktm_State * s) {
   int64_t matches;
   memset(&s->samples, 0, sizeof(predictors_ktm_Samples));
-  matches = (int64_t)settings->library + (int64_t)settings->learned_most;
+  matches = (int64_t)settings->templates_given + (int64_t)settings->learned_most;
   fill((Vector){(Vector){s->rest, -1}.p, (int64_t)settings->longest + matches * 25}, 0.0);
 }
 

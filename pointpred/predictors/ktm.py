@@ -38,7 +38,7 @@ class Settings(Layout):
     """Most templates to learn and those of the library, samples of the longest, the shortest; the kernel."""
 
     learned_most: float
-    library: float
+    templates_given: float
     longest: float
     shortest_px: float
     half: Annotated[FloatArray, TAPS]
@@ -106,7 +106,7 @@ def samples_of(longest_s: float) -> int:
 @law
 def fill(values: FloatArray, settings: Settings) -> None:
     """The settings and the kernel, without a library."""
-    settings.learned_most, settings.library = values[TEMPLATES_OF], 0.0
+    settings.learned_most, settings.templates_given = values[TEMPLATES_OF], 0.0
     settings.longest, settings.shortest_px = samples_of(values[LONGEST_OF]), values[SHORTEST_OF]
     for k in range(TAPS):
         settings.half[k] = KERNEL[k]
@@ -131,14 +131,14 @@ def place_of_template(settings: Settings, k: int) -> int:
 @law
 def place_of_learned(settings: Settings) -> int:
     """Place of what is learned: after the last template."""
-    return place_of_template(settings, int(settings.library) + int(settings.learned_most))
+    return place_of_template(settings, int(settings.templates_given) + int(settings.learned_most))
 
 
 @law
 def template_count(memory: Memory) -> int:
     """How many templates there are to compare with."""
     learned = Learned(memory.rest, place_of_learned(memory.settings))
-    return int(memory.settings.library) + int(learned.count)
+    return int(memory.settings.templates_given) + int(learned.count)
 
 
 @law
@@ -201,7 +201,9 @@ def keep(memory: Memory, s: State, distance: float) -> None:
     if not distance >= settings.shortest_px:
         return
     learned = Learned(memory.rest, place_of_learned(settings))
-    template = Template(memory.rest, place_of_template(settings, int(settings.library) + int(learned.next)))
+    template = Template(
+        memory.rest, place_of_template(settings, int(settings.templates_given) + int(learned.next))
+    )
     template.samples, template.distance = samples, distance
     for k in range(int(settings.longest)):
         template.speeds[k] = s.rest[k]  # zeros behind the last sample
@@ -213,7 +215,7 @@ def keep(memory: Memory, s: State, distance: float) -> None:
 def forget(settings: Settings, s: State) -> None:
     """Nothing is known of the movement but what all predictors know."""
     clear(s.samples)
-    matches = int(settings.library) + int(settings.learned_most)
+    matches = int(settings.templates_given) + int(settings.learned_most)
     s.rest[: int(settings.longest) + matches * Match.length] = 0.0
 
 
@@ -357,7 +359,7 @@ class TemplatePredictor(Predictor):
         count, self.learned, states = sizes(self.values())
         self.states = states + len(library) * Match.length
         settings = self.filled(count)
-        Settings(settings).library = len(library)
+        Settings(settings).templates_given = len(library)
         return np.concatenate([settings, wide.ravel()])
 
     def template_table(self) -> FloatArray:
