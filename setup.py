@@ -4,8 +4,8 @@ The rest of a distribution is in its ``pyproject.toml``. Building it asks for ``
 PyPI, only where no other is found. Where nothing compiles, the distribution is installed without the
 extension, and its laws run as plain Python, as with ``POINTPRED_COMPILED=0``, which asks for no compiler.
 
-``python setup.py build_ext --inplace`` compiles the files that changed, with ``--force`` all of them, as
-after another ``CC`` or ``CFLAGS``. ``bdist_wheel --plat-name NAME`` compiles with zig for one of ``TARGETS``.
+``python setup.py build_ext --inplace`` compiles the files that changed, all of them with ``--force``
+or after another ``CC`` or ``CFLAGS``. ``bdist_wheel --plat-name NAME`` compiles with zig for one of ``TARGETS``.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import subprocess
 import sys
 import sysconfig
 from concurrent.futures import ThreadPoolExecutor
+from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -109,10 +110,12 @@ class Compile(build_ext):
 
     def compile_and_link(self, ext: Extension, command: list[str], platform: str) -> None:
         """Compile the files that are older than their object, then link."""
-        folder = Path(self.build_temp, ext.name)
-        folder.mkdir(parents=True, exist_ok=True)
         headers = max((Path(header).stat().st_mtime for header in ext.depends), default=0.0)
         flags = [*FLAGS, *shlex.split(os.environ.get("CFLAGS", ""))]
+        # Of each compiler and its flags apart: objects of two that are linked together differ in last bits.
+        made_by = sha256(shlex.join([*command, *flags]).encode()).hexdigest()[:12]
+        folder = Path(self.build_temp, ext.name, made_by)
+        folder.mkdir(parents=True, exist_ok=True)
 
         def compiled(source: str) -> Path:
             file, made = Path(source), folder / f"{Path(source).stem}.o"

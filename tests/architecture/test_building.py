@@ -108,7 +108,7 @@ def test_a_compiler_that_fails_is_named_and_leaves_nothing_old(source: Path, fol
 def test_only_what_changed_is_compiled(source: Path) -> None:
     def compile_laws() -> dict[str, int]:
         run(source, "setup.py", "build_ext", "--inplace", PATH=os.environ["PATH"], CFLAGS="-O0")
-        return {path.name: path.stat().st_mtime_ns for path in source.glob("build/temp*/*/*.o")}
+        return {path.name: path.stat().st_mtime_ns for path in source.glob("build/temp*/*/*/*.o")}
 
     laws = source / "pointpred" / "laws"
     first = compile_laws()

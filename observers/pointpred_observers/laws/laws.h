@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* gcc compiles laws of loops in loops for the wide registers of newer processors, too, which changes no bit;
-   clang's would: kinematic then differs in its last bits. */
+/* gcc compiles laws of loops in loops for the wide registers of newer processors, too, which changes no bit.
+   Not zig's clang: choosing one when it is loaded links zig's runtime, whose exp and log have other last bits. */
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
 #else
