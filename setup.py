@@ -5,7 +5,8 @@ PyPI, only where no other is found. Where nothing compiles, the distribution is 
 extension, and its laws run as plain Python, as with ``POINTPRED_COMPILED=0``, which asks for no compiler.
 
 ``python setup.py build_ext --inplace`` compiles the files that changed, all of them with ``--force``
-or after another ``CC`` or ``CFLAGS``. ``bdist_wheel --plat-name NAME`` compiles with zig for one of ``TARGETS``.
+or after another ``CC`` or ``CFLAGS``. ``bdist_wheel --plat-name NAME`` compiles with zig for one of
+``TARGETS``.
 """
 
 from __future__ import annotations

@@ -39,7 +39,8 @@ for folder, name in (one.split("=") for one in sys.argv[1].split(":")):
     import_module(name).__path__.insert(0, folder)
     assert import_module(name + "._laws").__file__.startswith(folder)
 import pytest
-sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", *sys.argv[2:]]))
+# What a sanitizer reports goes to the file of the process, which pytest would else take.
+sys.exit(pytest.main(["-q", "--capture=sys", "-p", "no:cacheprovider", *sys.argv[2:]]))
 """
 
 
