@@ -40,7 +40,7 @@ class Limits(Struct, frozen=True):
     """What a session may do."""
 
     max_frame_bytes: int = 65536
-    max_events_per_frame: int = 1024
+    max_events_per_frame: int = 64
     max_events_per_s: int = 20000
     max_targets: int = 1000
     max_sessions: int = 64

@@ -6,12 +6,12 @@ from typing import Any
 
 import msgspec
 from fastapi import Request, Response
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
-from pointpred_server.access import admits_origin, has_token, header, origin_advice
-from pointpred_server.endpoints import TOKEN_NEEDED
+from pointpred_server.access import HOST_REFUSED, TOKEN_NEEDED
 from pointpred_server.uploads.refusals import refusal_of
 
 SECURITY_HEADERS = {
@@ -50,19 +50,24 @@ def error_response(
     return Response(encode(error), status, media_type="application/json")
 
 
+def crosses_sites(headers: Headers) -> bool:
+    """Whether another site's page asks; somebody who follows its link to our page does not."""
+    return headers.get("sec-fetch-site") == "cross-site" and headers.get("sec-fetch-mode") != "navigate"
+
+
 async def guard(request: Request, forward: Any) -> Response:
-    """Check the token, and the origin of a page that posts; add the headers."""
-    service = request.app.state.service
-    token, allowed = service.settings.token, service.settings.allow_origin
-    if not request.url.path.startswith(OPEN) and not has_token(request.scope, token):
-        service.metrics.connections_refused.labels("unauthorized").inc()
+    """Check the host name, the site that asks, and the token; add the headers."""
+    service, path = request.app.state.service, request.url.path
+    if not service.hosts.admits(request.scope):
+        response = error_response("unauthorized", HOST_REFUSED, 403)
+    elif crosses_sites(request.headers) and not path.startswith(CLIENT):
+        response = error_response("unauthorized", "pages of another site may not ask for this", 403)
+    elif not path.startswith(OPEN) and not service.has_token(request.scope):
         response = error_response("unauthorized", TOKEN_NEEDED, 401)
-    elif request.method not in READ and not admits_origin(request.scope, allowed):
-        origin = header(request.scope, b"origin")
-        service.refuse_origin(origin)
-        response = error_response("unauthorized", origin_advice(origin), 403)
     else:
         response = await forward(request)
+    if response.status_code in (401, 403):
+        service.count_refusal("unauthorized")
     response.headers.update(
         SECURITY_HEADERS | SHARED_HEADERS if request.url.path.startswith(CLIENT) else SECURITY_HEADERS
     )

@@ -28,9 +28,9 @@ class Error(BaseModel):
 
 
 class Readiness(BaseModel):
-    """Whether sessions are served at once."""
+    """Whether sessions are served."""
 
-    ready: bool = Field(description="Every worker has started, and the service does not stop.")
+    ready: bool = Field(description="False while the service stops.")
     stopping: bool
 
 
@@ -58,9 +58,6 @@ class Health(BaseModel):
     status: Literal["ok"]
     version: str
 
-
-METRICS = "text/plain; version=0.0.4; charset=utf-8"
-"""As Prometheus reads them."""
 
 Responses = dict[int | str, dict[str, Any]]
 
@@ -106,9 +103,6 @@ def text_response(kind: str) -> Responses:
 
 
 NOT_READY: Responses = {503: {"model": Readiness, "description": "Not yet, or no more."}}
-NO_METRICS: Responses = {
-    503: {"model": Error, "description": "The metrics of all workers did not come in time."}
-}
 PARQUET = "application/vnd.apache.parquet"
 UPLOAD: dict[str, Any] = {
     "parameters": TABLE_PARAMETERS,
