@@ -11,6 +11,7 @@ import logging
 import socket
 from collections.abc import Callable
 from http import HTTPStatus
+from time import perf_counter
 from typing import Any
 from urllib.parse import unquote
 
@@ -47,6 +48,11 @@ LINGER_S = 5.0
 PING_S, PONG_S = 20.0, 20.0
 """A client that sends nothing for so long is asked whether it is there, and is gone where nothing comes."""
 
+WHOLE = MASKED = 0x80
+"""In the first byte of a frame: a message ends with it. In the second: it is masked, as a client must."""
+TEXT, BINARY = WHOLE + Opcode.TEXT, WHOLE + Opcode.BINARY
+SHORT_BYTES, HEAD_BYTES = 125, 6
+"""Payloads up to this have their length in the second byte; then the mask and the payload follow."""
 STOPS = "the server stops"
 """What clients are told at the end."""
 PATHS = ("/v1/stream", "/v1/live")
@@ -70,6 +76,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._connections = server_state.connections
         self._frames = ServerProtocol(max_size=MESSAGE_BYTES, select_subprotocol=_subprotocol)
         self._buffer = memoryview(bytearray(READ_BYTES))
+        self._partial = 0  # bytes of a frame that has not ended
         self._pieces: list[bytes] = []  # of a message that has not ended
         self._text = False  # whether that is a text
         self._can_write = True
@@ -78,7 +85,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._closing: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """uvicorn hands the connection over."""
+        """Uvicorn hands the connection over."""
         self._transport = transport
         self._loop = asyncio.get_running_loop()
         self._connections.add(self)  # type: ignore[arg-type]
@@ -161,42 +168,73 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         return self._buffer
 
     def buffer_updated(self, nbytes: int) -> None:
-        """Take in the frames of what was read."""
+        """Take in the messages of what was read."""
         self._heard_at = at = now()
-        self._pinged = False
+        message = None if self._partial or self._pieces else self._short_message(nbytes)
+        if message is not None:
+            self._receive(message, at)
+            return
         frames = self._frames
         frames.receive_data(self._buffer[:nbytes].tobytes())
+        self._partial += nbytes
         for frame in frames.events_received():
             assert isinstance(frame, Frame)
+            self._partial -= len(frame.data) + _head_bytes(len(frame.data))
             self._take(frame, at)
         self._send()
-        session = self.session
-        if session is not None and frames.state is not State.OPEN and session.close is None:
+        if frames.state is not State.OPEN and self.session is not None:
             ended = frames.close_rcvd or frames.close_sent  # it left, or broke a rule of WebSockets
             if ended is not None:
-                session.end(ended.code, ended.reason)
+                self.session.end(ended.code, ended.reason)
+
+    def _short_message(self, nbytes: int) -> str | bytes | None:
+        """What was read where that is one short message in one frame: a fifth of the time of all checks.
+
+        ``None`` for everything else, and for what breaks a rule: ``websockets`` says which.
+        """
+        read = self._buffer
+        first, size = read[0], nbytes - HEAD_BYTES
+        if read[1] != MASKED + size or size > SHORT_BYTES or (first != BINARY and first != TEXT):
+            return None
+        mask = int.from_bytes((read[2:6].tobytes() * SHORT_BYTES)[:size])
+        payload = (int.from_bytes(read[HEAD_BYTES:nbytes]) ^ mask).to_bytes(size)
+        if first == BINARY:
+            return payload
+        try:
+            return payload.decode()
+        except UnicodeDecodeError:
+            return None
 
     def _take(self, frame: Frame, at: Instant) -> None:
-        """Give the message of a frame to the session, and send what it answers."""
-        session, data = self.session, frame.data
-        if session is None or session.close is not None or frame.opcode is Opcode.CLOSE:
+        """Take in one frame: a message, a piece of one, or a ping."""
+        session, opcode = self.session, frame.opcode
+        if session is None or session.close is not None or opcode is Opcode.CLOSE:
             return
-        text = frame.opcode is Opcode.TEXT
-        if (not text and frame.opcode is not Opcode.BINARY) or not frame.fin:
+        if opcode is Opcode.PING or opcode is Opcode.PONG:
             session.receive_piece(at)
-            if frame.opcode in (Opcode.PING, Opcode.PONG):
-                return
-            if frame.opcode is not Opcode.CONT:
-                self._text = text
-            self._pieces.append(bytes(data))
+            return
+        data = bytes(frame.data)
+        if not frame.fin or self._pieces:
+            session.receive_piece(at)
+            self._text = opcode is Opcode.TEXT if not self._pieces else self._text
+            self._pieces.append(data)
             if not frame.fin:
                 return
-            data, text = b"".join(self._pieces), self._text
+            data = b"".join(self._pieces)
             self._pieces.clear()
+        else:
+            self._text = opcode is Opcode.TEXT
         try:
-            message = str(data, "utf-8") if text else bytes(data)
+            message = data.decode() if self._text else data
         except UnicodeDecodeError as error:
             self._frames.fail(1007, f"a text must be UTF-8: {error.reason} at byte {error.start}")
+        else:
+            self._receive(message, at)
+
+    def _receive(self, message: str | bytes, at: Instant) -> None:
+        """Give a message to the session, and send what it answers."""
+        session = self.session
+        if session is None:
             return
         self.messages += 1
         predictions = session.outbox.predictions
@@ -206,7 +244,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
             self._fail(error)
         self.flush()
         if session.outbox.predictions != predictions:
-            self._service.metrics.delays.observe(now().since(at))
+            self._service.metrics.delays.observe(perf_counter() - at.s)
 
     def _fail(self, error: Exception) -> None:
         """Something broke on this side: the session ends, the process and other sessions go on."""
@@ -229,9 +267,12 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
             self._close(session.close.code, session.close.reason)
 
     def _write(self, answer: str | bytes) -> None:
-        text = isinstance(answer, str)
-        payload = answer.encode() if isinstance(answer, str) else answer
-        self._transport.write(Frame(Opcode.TEXT if text else Opcode.BINARY, payload).serialize(mask=False))
+        first, payload = (TEXT, answer.encode()) if isinstance(answer, str) else (BINARY, answer)
+        size = len(payload)
+        if size <= SHORT_BYTES:
+            self._transport.write(bytes((first, size)) + payload)
+        else:
+            self._transport.write(Frame(Opcode(first - WHOLE), payload).serialize(mask=False))
 
     def _close(self, code: int, reason: str) -> None:
         """Send why the connection ends, unless the client has closed it."""
@@ -288,7 +329,9 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         silent_s = at.since(self._heard_at)
         if silent_s >= PING_S + PONG_S:
             session.end(1011, "nothing comes, not even the answer to a ping")
-        elif silent_s >= PING_S and not self._pinged and self._can_write:
+        elif silent_s < PING_S:
+            self._pinged = False
+        elif not self._pinged and self._can_write:
             self._pinged = True
             self._frames.send_ping(b"")
             self._send()
@@ -323,6 +366,11 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         else:
             self.session.stop(STOPS)
             self.flush()
+
+
+def _head_bytes(size: int) -> int:
+    """Bytes of a client's frame before a payload of so many."""
+    return HEAD_BYTES + (0 if size <= SHORT_BYTES else 2 if size < 2**16 else 8)
 
 
 def _subprotocol(frames: ServerProtocol, offered: Any) -> Any:

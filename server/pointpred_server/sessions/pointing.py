@@ -21,7 +21,7 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.decoding import decode_client_message, table_of_bytes, table_of_rows
+from pointpred.protocol.decoding import decode_client_message, rows_of_bytes, rows_of_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import (
     KnownPerson,
@@ -73,7 +73,7 @@ class PointingSession(Session):
 
     def _receive(self, frame: str | bytes, now: Instant) -> None:
         if isinstance(frame, bytes):
-            table = table_of_bytes(frame)
+            rows = rows_of_bytes(frame)
         else:
             try:
                 message = decode_client_message(frame)
@@ -83,10 +83,10 @@ class PointingSession(Session):
             if not isinstance(message, Events):
                 self._handle(message, len(frame), now)
                 return
-            table = table_of_rows(message.events)
-        self._quota.take_events(len(table), now)
-        error, dropped = self.stream.push(table)
-        if len(table):
+            rows = rows_of_message(message)
+        self._quota.take_events(len(rows), now)
+        error, dropped = self.stream.push(rows)
+        if rows:
             self.state = State.STREAMING
         if error is not None:
             self.refuse(error, dropped)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -16,9 +16,9 @@ from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle, cpi_of, dpi_of
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import prediction_frames
+from pointpred.protocol.frames import prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Score
-from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns, refusal
+from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns, Row, refusal
 from pointpred_server.sessions.assistance import Assistance
 from pointpred_server.sessions.outbox import Outbox
 from pointpred_server.sessions.pipelines import NO_COEFFICIENTS, pipeline_of
@@ -74,41 +74,59 @@ class PredictionStream:
         self._window: Enter | None = None
         self._last_t = NEVER
         self._trial = TrialBuffer()
+        self._answer_as(self.hello)
 
-    def push(self, table: FloatArray) -> tuple[ErrorMessage | None, int]:
-        """Predict, and answer; events before the last one are dropped, the rest of the table is used.
+    def _answer_as(self, hello: Hello) -> None:
+        """Answer as a hello asks from now on."""
+        self.hello = hello
+        self._encode = row_encoder(binary=hello.encoding == "binary")
+        self._all_wanted = hello.reply == "event" or hello.places or self.assistance is not None
+
+    def push(self, rows: Sequence[Row]) -> tuple[ErrorMessage | None, int]:
+        """Predict from rows of events, and answer; those before the last one are dropped, the rest is used.
 
         Returns the error for those that were dropped, and how many they are. Raises ProtocolError or
         EventError, nothing changed, where a number cannot be used.
         """
-        if not len(table):
+        if not rows:
             return None, 0
         try:
-            self._take_in(table)
+            self._take_in(rows)
         except EventError:  # the pipeline finds that something is wrong, the protocol says where
+            table = np.array(rows)
             check_numbers(table)
             error, used = self._in_order(table)
             if len(used):
-                self._take_in(used)
+                self._take_in(used.tolist())
             return error, len(table) - len(used)
         return None, 0
 
-    def _take_in(self, table: FloatArray) -> None:
+    def _take_in(self, rows: Sequence[Row]) -> None:
         """Predict from events in order, and answer; raises as ``push``, nothing changed."""
-        each = self.hello.reply == "event"
+        if not (self._all_wanted or self.observer or self.tracker or self._trial.running):  # most frames
+            if len(rows) == 1:
+                answer = self.pipeline.advance(rows[0])
+                if answer[0] != answer[0]:
+                    raise refusal(rows[0], answer)
+            else:
+                answer = self.pipeline.push(np.array(rows), want="last")
+            self.events += len(rows)
+            self._last_t = rows[-1][0]
+            self._outbox.predict([self._encode(answer)], 1)
+            return
+        table = np.array(rows)
         seen: list[tuple[Place, ...]] | None = None
         if self.assistance or self.hello.places:
             table, predictions, seen = self._predict_one_by_one(table)
-        elif each or self.observer or self.tracker:
-            predictions = self.pipeline.push(table)
         else:
-            predictions = self.pipeline.push(table, want="last")
-        self.events += len(table)
-        self._last_t = float(table[-1, 0])
-        self._trial.add(table)
+            predictions = self.pipeline.push(table)
+        self.events += len(rows)
+        self._last_t = rows[-1][0]
+        if self._trial.running:
+            self._trial.add(table)
         if self.observer:
             self.observer.events(EventColumns(table), PredictionColumns(predictions))
-        likely = None
+        each, likely = self.hello.reply == "event", None
         if self.tracker:
             likely = self.tracker.follow(table, predictions, seen, each=each)
         elif seen is not None:
@@ -185,7 +203,7 @@ class PredictionStream:
                 restore(pipeline.predictor, self.pipeline.person)
             self.pipeline = pipeline
             self._forget()
-        self.hello = hello
+        self._answer_as(hello)
         if not hello.places:
             self._leave_places()
         if message.precision is not None:

@@ -35,11 +35,10 @@ class TrialBuffer:
         self.running = True
 
     def add(self, table: FloatArray) -> None:
-        """Add events while a trial runs."""
-        if self.running:
-            self.count += len(table)
-            if self.count <= MOST_EVENTS:
-                self._numbers.frombytes(table.tobytes())
+        """Add events of the trial that runs."""
+        self.count += len(table)
+        if self.count <= MOST_EVENTS:
+            self._numbers.frombytes(table.tobytes())
 
     def end(
         self,
