@@ -205,9 +205,9 @@ def _samples() -> Response:
     return json_response(samples.listing())
 
 
-async def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
-    """One trial with the predictions of the predictors named, separated by commas."""
-    return json_response(await asyncio.to_thread(samples.trial, name, _names(predictors)))
+async def _sample(name: str) -> Response:
+    """The events of one trial, as columns."""
+    return json_response(await asyncio.to_thread(samples.trial, name))
 
 
 def _live(request: Request) -> Response:
