@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -15,7 +14,7 @@ from starlette.exceptions import HTTPException
 from starlette.routing import Route, WebSocketRoute
 
 import pointpred
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import ParameterError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred_server import samples
 from pointpred_server.access import HostGuard, HostRule, admits_origin, header, origin_advice
@@ -28,13 +27,11 @@ from pointpred_server.http_responses import (
     http_error,
     json_response,
     server_error,
-    upload_error,
 )
 from pointpred_server.openapi import (
     METRICS,
     NO_METRICS,
     NOT_READY,
-    UPLOAD,
     Compiled,
     Health,
     Origin,
@@ -44,10 +41,6 @@ from pointpred_server.openapi import (
 )
 from pointpred_server.page import WEB, page
 from pointpred_server.service import Service
-from pointpred_server.uploads.process import Task
-from pointpred_server.uploads.receiving import UploadError, received_body, while_connected
-
-log = logging.getLogger("pointpred.service")
 
 SCRIPT = "text/javascript"
 CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
@@ -71,8 +64,6 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     count = serving.metrics.connections_refused.labels("unauthorized").inc
     app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SECURITY_HEADERS, on_refusal=count)
     app.exception_handler(ParameterError)(bad_request)
-    app.exception_handler(RecordingError)(bad_request)
-    app.exception_handler(UploadError)(upload_error)
     app.exception_handler(Exception)(server_error)
     app.exception_handler(HTTPException)(http_error)
     app.exception_handler(RequestValidationError)(bad_request)
@@ -98,15 +89,6 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled, deprecated=True)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
-    for path, call in (("/v1/score", _score), ("/v1/recording", _recording)):
-        app.add_api_route(
-            path,
-            call,
-            methods=["POST"],
-            summary=_summary(call),
-            responses=error_responses(400, 401, 403, 408, 413, 422, 503),
-            openapi_extra=UPLOAD,
-        )
     stream = StreamEndpoint(serving)
     app.router.routes.append(WebSocketRoute("/v1/stream", stream))
     app.router.routes.append(
@@ -216,33 +198,3 @@ def _live(request: Request) -> Response:
     if (feed := service.live) is None:
         return json_response({"version": 1, "attached": None, "message": NO_DEVICE})
     return json_response({"version": 1, "attached": feed.attached, "message": feed.attached.words})
-
-
-async def _score(request: Request, predictors: str = "") -> Response:
-    """The scores of a recording: the body is a file of text or Parquet; nothing is kept."""
-    return await _process(request, "score", _names(predictors))
-
-
-async def _recording(request: Request) -> Response:
-    """The movements of a recording in any format of text, or Parquet, as rows; nothing is kept."""
-    return await _process(request, "open", ())
-
-
-async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Response:
-    """Have an upload opened or scored by another process."""
-    service: Service = request.app.state.service
-    async with received_body(request, service) as body:
-        await while_connected(request, service.scoring.acquire())  # one at a time: sessions go first
-        try:
-            query = dict(request.query_params)
-            outcome, response = await asyncio.to_thread(service.upload_process.run, task, body, names, query)
-        finally:
-            service.scoring.release()
-    if outcome.failed is not None:
-        log.error("an upload failed", extra={"error": outcome.failed})
-        return error_response("internal", "the server failed", 500)
-    return Response(response, outcome.status, media_type="application/json")
-
-
-def _names(text: str) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))

@@ -28,7 +28,6 @@ from pointpred_server.sessions.observer import SessionObserver
 from pointpred_server.sessions.pointing import PointingSession
 from pointpred_server.sessions.viewing import ViewingSession
 from pointpred_server.settings import Settings, is_loopback
-from pointpred_server.uploads.process import UploadProcess
 from pointpred_server.work_threads import WorkThreads
 
 log = logging.getLogger("pointpred.service")
@@ -40,8 +39,6 @@ LOST = 1006
 
 STOP_TOTAL_S = 8.0
 """Seconds in which everything has ended after the stop, recordings included; the process ends within ten."""
-END_UPLOADS_S = 1.0
-"""Seconds of them that the process of uploads may take."""
 WRITE_S = 5.0
 """Seconds of them that recordings may take to be written."""
 STOPS = "the server stops"
@@ -74,16 +71,10 @@ class Service:
         self.recorder = Recorder(self.settings.record) if self.settings.record else None
         self.origins = RefusedOrigins()
         self.stopping = False
-        self.scoring = asyncio.Semaphore(1)
-        """Recordings are scored one at a time."""
-        self.uploads = 0
-        """Recordings that are received, wait to be scored or are scored."""
         self.arrivals = Arrivals()
         """How busy the event loop is, which all connections share."""
         self.work_threads = WorkThreads()
         """Do what takes sessions long, beside the event loop."""
-        self.upload_process = UploadProcess()
-        """Opens and scores recordings."""
         self.live: LiveFeed | None = None
         """The attached device, where there is one."""
         self.peers: Peers | None = None
@@ -216,7 +207,6 @@ class Service:
         """Write what is recorded, and end the threads; once."""
         if self._shut_down:
             return
-        self.upload_process.end(self.left_s(END_UPLOADS_S))
         self.work_threads.shut_down()
         if self.recorder is not None:
             self.recorder.close(self.left_s(WRITE_S))

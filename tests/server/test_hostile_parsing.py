@@ -16,8 +16,7 @@ from tests.server.running import HELLO, running
 from tests.server.test_hostile_connections import half, refused
 from tests.server.test_hostile_requests import LINE, TOKEN, UPGRADE, answer, answer_or_reset
 
-CHUNKED = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n"
-UNWANTED = CHUNKED.replace(b"/v1/score", b"/healthz")
+CHUNKED = b"POST /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n"
 CHUNK = b"1\r\nx\r\n"
 LAST = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
 
@@ -57,7 +56,7 @@ def test_what_costs_the_parser_much_is_refused(
 
 def test_a_body_of_many_chunks_is_read() -> None:
     """The empty one at its end is one of them."""
-    with running() as here, half(here, UNWANTED + CHUNK * (CHUNKS - 1) + b"0\r\n\r\n" + LAST) as opened:
+    with running() as here, half(here, CHUNKED + CHUNK * (CHUNKS - 1) + b"0\r\n\r\n" + LAST) as opened:
         assert answer(opened).count(b"HTTP/1.1 200 ") == 1
 
 
@@ -91,7 +90,7 @@ def pieces(monkeypatch: pytest.MonkeyPatch) -> type[PiecewiseParser]:
 def test_others_have_their_turn_while_much_is_parsed(pieces: type[PiecewiseParser]) -> None:
     words = b"x" * 1000
     body = b"%x\r\n%b\r\n" % (len(words), words) * 1000
-    sent = UNWANTED + body + b"0\r\n\r\n" + LAST
+    sent = CHUNKED + body + b"0\r\n\r\n" + LAST
     with running() as here, half(here, sent) as opened:
         assert answer(opened).count(b"HTTP/1.1 200 ") == 1
     assert sum(pieces.lengths) == len(sent)
@@ -102,7 +101,7 @@ def test_others_have_their_turn_while_much_is_parsed(pieces: type[PiecewiseParse
 
 def test_a_body_of_a_given_length_is_not_cut_into_pieces(pieces: type[PiecewiseParser]) -> None:
     """It costs the parser the same as a short one."""
-    head = UNWANTED.replace(b"Transfer-Encoding: chunked", b"Content-Length: 4000000")
+    head = CHUNKED.replace(b"Transfer-Encoding: chunked", b"Content-Length: 4000000")
     sent = head + b"x" * 4_000_000 + LAST
     with running() as here, half(here, sent) as opened:
         assert answer(opened).count(b"HTTP/1.1 200 ") == 1
@@ -112,7 +111,7 @@ def test_a_body_of_a_given_length_is_not_cut_into_pieces(pieces: type[PiecewiseP
 
 
 def test_what_follows_a_body_is_cut_into_pieces(pieces: type[PiecewiseParser]) -> None:
-    head = UNWANTED.replace(b"Transfer-Encoding: chunked", b"Content-Length: 100000")
+    head = CHUNKED.replace(b"Transfer-Encoding: chunked", b"Content-Length: 100000")
     sent = head + b"x" * 100_000 + b"GET / HTTP/1.1\r\n" + b"a:\r\n" * 20_000
     with running() as here, half(here, sent) as opened:
         answer_or_reset(opened)
