@@ -32,7 +32,6 @@ from pointpred_server.openapi import (
     METRICS,
     NO_METRICS,
     NOT_READY,
-    Compiled,
     Health,
     Origin,
     Readiness,
@@ -86,7 +85,6 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
-    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled, deprecated=True)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     stream = StreamEndpoint(serving)
@@ -131,12 +129,6 @@ def _ready(request: Request) -> Response:
     return json_response(
         {"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503
     )
-
-
-def _compiling() -> dict[str, Any]:
-    """Every predictor is ready at once: nothing is compiled at a start any more."""
-    names = list(REGISTRY)
-    return {"done": len(names), "of": len(names), "next": None, "ready": names, "recommended": RECOMMENDED}
 
 
 async def _metrics(request: Request) -> Response:

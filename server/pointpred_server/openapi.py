@@ -28,16 +28,6 @@ class Readiness(BaseModel):
     stopping: bool
 
 
-class Compiled(BaseModel):
-    """Every predictor is ready; earlier versions said here what their first start had compiled."""
-
-    done: int = Field(description="All predictors.")
-    of: int = Field(description="All predictors.")
-    next: str | None = Field(description="Always null.")
-    ready: list[str] = Field(description="The names of all predictors.")
-    recommended: str = Field(description="The name of the recommended predictor.")
-
-
 class Origin(BaseModel):
     """Whether the page that asks may connect."""
 

@@ -9,7 +9,6 @@ from fastapi.testclient import TestClient
 
 from pointpred import __version__
 from pointpred.datasets import sample
-from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred_server.access import HostRule
 from pointpred_server.app import create_app
 from pointpred_server.page import WEB
@@ -22,17 +21,6 @@ def client() -> TestClient:
 
 def test_health(client: TestClient) -> None:
     assert client.get("/healthz").json() == {"status": "ok", "version": __version__}
-
-
-def test_every_predictor_is_ready(client: TestClient) -> None:
-    count, ready = len(REGISTRY), list(REGISTRY)
-    assert client.get("/v1/compiling").json() == {
-        "done": count,
-        "of": count,
-        "next": None,
-        "ready": ready,
-        "recommended": RECOMMENDED,
-    }
 
 
 class References(HTMLParser):
