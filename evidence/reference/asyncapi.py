@@ -98,7 +98,6 @@ CODES = {
     "unauthorized": "no valid token; the session ends",
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",
-    "columns": "the columns of an uploaded table are not certain; sent over HTTP only",
 }
 NEEDED = "Needed where one is set; one is generated for an address that is not loopback."
 SECURITY = {

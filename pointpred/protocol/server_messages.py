@@ -27,7 +27,6 @@ Code = Literal[
     "unauthorized",
     "stopping",
     "internal",
-    "columns",
 ]
 ReceivedCode = Annotated[str, Meta(extra_json_schema={"enum": sorted(get_args(Code))})]
 """A code as a client reads it: a newer service may send further ones."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -15,7 +14,7 @@ from starlette.exceptions import HTTPException
 from starlette.routing import Route
 
 import pointpred
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import ParameterError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred_server import samples
 from pointpred_server.access import admits_origin, header, origin_advice
@@ -28,7 +27,6 @@ from pointpred_server.http_responses import (
 )
 from pointpred_server.openapi import (
     NOT_READY,
-    Compiled,
     Health,
     Origin,
     Readiness,
@@ -38,8 +36,6 @@ from pointpred_server.openapi import (
 from pointpred_server.page import WEB, page
 from pointpred_server.service import Service
 from pointpred_server.websocket_protocol import NO_DEVICE
-
-log = logging.getLogger("pointpred.service")
 
 SCRIPT = "text/javascript"
 UPGRADE = "This path speaks WebSocket, subprotocol pointpred.v1.\n"
@@ -71,7 +67,6 @@ def create_app(service: Service | None = None, announce: Callable[[], None] = la
     app.state.service = serving
     app.middleware("http")(guard)
     app.exception_handler(ParameterError)(bad_request)
-    app.exception_handler(RecordingError)(bad_request)
     app.exception_handler(Exception)(server_error)
     app.exception_handler(HTTPException)(http_error)
     app.exception_handler(RequestValidationError)(bad_request)
@@ -87,7 +82,6 @@ def create_app(service: Service | None = None, announce: Callable[[], None] = la
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
-    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled, deprecated=True)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     app.router.routes.append(Route("/v1/stream", _stream, include_in_schema=False))
@@ -121,12 +115,6 @@ def _ready(request: Request) -> Response:
 def _stream(request: Request) -> Response:
     """What is asked for without a WebSocket."""
     return Response(UPGRADE, 426, {"Connection": "upgrade", "Upgrade": "websocket"}, "text/plain")
-
-
-def _compiling() -> dict[str, Any]:
-    """Every predictor is ready at once: nothing is compiled at a start any more."""
-    names = list(REGISTRY)
-    return {"done": len(names), "of": len(names), "next": None, "ready": names, "recommended": RECOMMENDED}
 
 
 def _page() -> Response:
@@ -167,9 +155,9 @@ def _samples() -> Response:
     return json_response(samples.listing())
 
 
-async def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
-    """One trial with the predictions of the predictors named, separated by commas."""
-    return json_response(await asyncio.to_thread(samples.trial, name, _names(predictors)))
+async def _sample(name: str) -> Response:
+    """The events of one trial, as columns."""
+    return json_response(await asyncio.to_thread(samples.trial, name))
 
 
 def _live(request: Request) -> Response:
@@ -178,7 +166,3 @@ def _live(request: Request) -> Response:
     if (feed := service.live) is None:
         return json_response({"version": 1, "attached": None, "message": NO_DEVICE})
     return json_response({"version": 1, "attached": feed.attached, "message": feed.attached.words})
-
-
-def _names(text: str) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))

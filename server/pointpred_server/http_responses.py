@@ -12,7 +12,6 @@ from starlette.exceptions import HTTPException
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
 from pointpred_server.access import HOST_REFUSED, TOKEN_NEEDED
-from pointpred_server.uploads.refusals import refusal_of
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
@@ -83,9 +82,8 @@ async def server_error(request: Request, error: Exception) -> Response:
 
 async def bad_request(request: Request, error: Exception) -> Response:
     """422 for what cannot be used; 404 where a sample of that name is not there."""
-    status, body = refusal_of(error)
     missing = request.url.path.startswith("/v1/samples/")
-    return Response(body, 404 if missing else status, media_type="application/json")
+    return error_response("bad_field", str(error), 404 if missing else 422)
 
 
 async def http_error(request: Request, error: Exception) -> Response:
@@ -104,13 +102,4 @@ async def http_error(request: Request, error: Exception) -> Response:
     else:
         response = error_response("bad_field", str(error.detail), error.status_code)
     response.headers.update(headers)
-    return response
-
-
-async def upload_error(request: Request, error: Exception) -> Response:
-    """An upload that is refused; the rest of its body is not read."""
-    status, body = refusal_of(error)
-    response = Response(body, status, media_type="application/json")
-    if status == 408:
-        response.headers["Connection"] = "close"
     return response
