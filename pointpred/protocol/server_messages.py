@@ -174,8 +174,7 @@ class ErrorMessage(ServerMessage, tag="error"):
     """What was wrong, where, and whether the session goes on.
 
     ``field``: the name of the field or parameter that is wrong; ``value``: what was received there, cut short
-    where it is a long text. Both are absent where they are not known. ``behind_s``: how long frames wait for
-    the service before they are used, in a ``slow`` that says so.
+    where it is a long text. Both are absent where they are not known.
     """
 
     code: ReceivedCode
@@ -184,7 +183,6 @@ class ErrorMessage(ServerMessage, tag="error"):
     recoverable: bool = True
     field: str | UnsetType = UNSET
     value: Scalar | UnsetType = UNSET
-    behind_s: float | UnsetType = UNSET
 
 
 SERVER_MESSAGES: tuple[type[Struct], ...] = (*ServerMessage.__subclasses__(), Bye)

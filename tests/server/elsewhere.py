@@ -114,13 +114,12 @@ def served(folder: Path) -> dict[str, Any]:
     """A session with predictions, recorded to disk; and the page."""
     from pointpred import PointerEvent
     from pointpred.client import connect
-    from pointpred_server.access import HostRule
     from pointpred_server.listening import address, listen, make_server
     from pointpred_server.service import Service
     from pointpred_server.settings import Settings
 
     opened, up = listen("127.0.0.1", 0), threading.Event()
-    server = make_server(HostRule(), Service(Settings(record=folder)), up.set)
+    server = make_server(Service(Settings(record=folder)), up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     try:

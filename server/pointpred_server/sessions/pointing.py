@@ -94,7 +94,8 @@ class PointingSession(Session):
     def _handle(self, message: ClientMessage, size: int, now: Instant) -> None:
         """Act on a message that is not events."""
         kind = type(message)
-        self._quota.take_message(now, size, BUILDING if kind in self.building else 1)
+        if kind is not Bye:
+            self._quota.take_message(now, size, BUILDING if kind in self.building else 1)
         if kind is not Hello and kind is not Bye and self._stream is None:
             received = message.__struct_config__.tag
             raise ProtocolError("out_of_place", f"expected 'hello' first, received {received!r}")
