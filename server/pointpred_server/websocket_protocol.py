@@ -17,7 +17,7 @@ from urllib.parse import unquote
 
 from uvicorn.config import Config
 from uvicorn.server import ServerState
-from websockets.frames import Frame, Opcode
+from websockets.frames import CloseCode, Frame, Opcode
 from websockets.http11 import Request, Response
 from websockets.protocol import State
 from websockets.server import ServerProtocol
@@ -177,15 +177,28 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         frames = self._frames
         frames.receive_data(self._buffer[:nbytes].tobytes())
         self._partial += nbytes
+        if frames.state is State.OPEN:
+            self._send()  # pongs; a close frame goes after the answers to what came before
         for frame in frames.events_received():
             assert isinstance(frame, Frame)
             self._partial -= len(frame.data) + _head_bytes(len(frame.data))
             self._take(frame, at)
+        if frames.state is not State.OPEN:
+            self._end_as(frames)
         self._send()
-        if frames.state is not State.OPEN and self.session is not None:
-            ended = frames.close_rcvd or frames.close_sent  # it left, or broke a rule of WebSockets
-            if ended is not None:
-                self.session.end(ended.code, ended.reason)
+
+    def _end_as(self, frames: ServerProtocol) -> None:
+        """End the session where its client has left, or has broken a rule of WebSockets."""
+        session, left, sent = self.session, frames.close_rcvd, frames.close_sent
+        if session is None or session.close is not None:
+            return
+        if left is not None:
+            session.end(left.code, left.reason)
+        elif sent is not None and sent.code == CloseCode.MESSAGE_TOO_BIG:
+            session.fail("too_large", f"a message holds at most {MESSAGE_BYTES} bytes", sent.code)
+        elif sent is not None:
+            session.end(sent.code, sent.reason)
+        self.flush()
 
     def _short_message(self, nbytes: int) -> str | bytes | None:
         """What was read where that is one short message in one frame: a fifth of the time of all checks.
@@ -227,7 +240,9 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         try:
             message = data.decode() if self._text else data
         except UnicodeDecodeError as error:
-            self._frames.fail(1007, f"a text must be UTF-8: {error.reason} at byte {error.start}")
+            self._frames.fail(
+                CloseCode.INVALID_DATA, f"a text must be UTF-8: {error.reason} at byte {error.start}"
+            )
         else:
             self._receive(message, at)
 

@@ -9,9 +9,10 @@ from fastapi.testclient import TestClient
 
 from pointpred import __version__
 from pointpred.datasets import sample
-from pointpred_server.access import HostRule
 from pointpred_server.app import create_app
 from pointpred_server.page import WEB
+from pointpred_server.service import Service
+from pointpred_server.settings import Settings
 
 
 @pytest.fixture(scope="module")
@@ -99,8 +100,10 @@ def test_an_unknown_name_is_404_and_said(client: TestClient) -> None:
     ],
 )
 def test_foreign_hosts_are_refused(bound: str, header: str, admitted: bool) -> None:
-    rule = HostRule(bound, ["lab.example"] if bound != "127.0.0.1" else [])
-    with TestClient(create_app(rule), base_url="http://127.0.0.1") as client:
+    further = ["lab.example"] if bound != "127.0.0.1" else []
+    service = Service(Settings(host=bound, allow_host=further, token="open-sesame-9"))
+    shown = {"Authorization": "Bearer open-sesame-9"}
+    with TestClient(create_app(service), base_url="http://127.0.0.1", headers=shown) as client:
         for path in ("/", "/healthz", "/v1/samples", "/web/page.js"):
             answer = client.get(path, headers={"Host": header})
             assert answer.status_code == (200 if admitted else 403)

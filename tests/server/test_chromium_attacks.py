@@ -67,7 +67,7 @@ def test_another_sites_socket_is_refused_before_the_upgrade(service: Running, ev
     assert not service.service._open
 
 
-@pytest.mark.parametrize("path", ["/", "/v1/predictors", "/v1/samples", "/metrics", "/readyz", "/v1/live"])
+@pytest.mark.parametrize("path", ["/", "/v1/predictors", "/v1/samples", "/readyz", "/v1/live"])
 def test_another_site_reads_nothing(service: Running, evil: Page, path: str) -> None:
     assert fetched(evil, f"{service.url}{path}") == "refused"
 
@@ -107,7 +107,7 @@ def test_a_request_of_another_site_that_asks_first_is_not_allowed(service: Runni
 
 def test_a_rebound_name_gets_nothing(service: Running, rebound: Page) -> None:
     assert "not served here" in rebound.evaluate("document.body.textContent")
-    for path in ("/v1/predictors", "/metrics", "/healthz", "/pointpred.js"):
+    for path in ("/v1/predictors", "/healthz", "/pointpred.js"):
         kind, status, text = fetched(rebound, path)
         assert (kind, status) == ("basic", 403)
         assert "not served here" in text
@@ -135,7 +135,7 @@ def test_another_site_that_opens_the_page_has_no_hold_on_it(service: Running, ev
     soon(lambda: evil.evaluate("opened.closed"), "the page is cut off from the one that opened it")
 
 
-@pytest.mark.parametrize("path", ["/healthz", "/v1/samples", "/metrics", "/"])
+@pytest.mark.parametrize("path", ["/healthz", "/v1/samples", "/"])
 def test_what_is_no_script_is_not_run_as_one(service: Running, evil: Page, path: str) -> None:
     loading = f"""new Promise((resolve) => {{
       const script = document.createElement("script");

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from pointpred.client import ServiceError, connect, connect_async
 from pointpred.client.session import ClientSession, hello_message
+from pointpred.clock import Instant
 from pointpred.protocol.server_messages import Limits, Welcome
 from pointpred_server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
@@ -26,12 +27,12 @@ class Pair:
 
     def __init__(self, **hello: Any) -> None:
         self.client = ClientSession(hello_message(predictor="hold", **hello))
-        self.session = PointingSession("here", Limits(), 0.0)
+        self.session = PointingSession("here", Limits(), Instant(0.0))
         self.tell(self.client.hello_frame())
         assert self.hear() == []
 
     def tell(self, frame: str | bytes) -> None:
-        self.session.receive(frame, 0.0)
+        self.session.receive(frame, Instant(0.0))
 
     def send(self, rows: Rows) -> None:
         for frame in self.client.event_frames(rows):

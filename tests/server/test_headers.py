@@ -29,7 +29,6 @@ def client() -> TestClient:
         ("/healthz", "application/json"),
         ("/v1/predictors", "application/json"),
         ("/v1/samples/nobody", "application/json"),
-        ("/metrics", "text/plain; version=0.0.4; charset=utf-8"),
     ],
 )
 def test_every_answer_says_what_it_is_and_what_a_page_may_do(
@@ -65,7 +64,7 @@ def test_any_page_may_load_the_client_and_nothing_else(client: TestClient) -> No
         shared = client.get(path, headers=FOREIGN).headers
         assert shared["access-control-allow-origin"] == "*"
         assert shared["cross-origin-resource-policy"] == "cross-origin"
-    for path in ("/", "/v1/samples", "/metrics", "/readyz"):
+    for path in ("/", "/v1/samples", "/readyz"):
         own = client.get(path, headers=FOREIGN).headers
         assert "access-control-allow-origin" not in own
         assert "cross-origin-resource-policy" not in own

@@ -34,7 +34,7 @@ def test_pages_ask_for_the_token_but_health_does_not() -> None:
         assert get(f"{here.url}/?token=open%20sesame", timeout=PATIENCE_S).status_code == 200
         assert (
             get(
-                f"{here.url}/metrics", headers={"Authorization": "Bearer open sesame"}, timeout=PATIENCE_S
+                f"{here.url}/v1/samples", headers={"Authorization": "Bearer open sesame"}, timeout=PATIENCE_S
             ).status_code
             == 200
         )

@@ -7,7 +7,6 @@ import json
 import logging
 import os
 import re
-import threading
 from functools import partial
 from pathlib import Path
 
@@ -23,6 +22,12 @@ from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
 
+def metrics(service: Service) -> str:
+    """What Prometheus reads, at a port of this machine's own."""
+    port = service.metrics.serve(0)
+    return str(get(f"http://127.0.0.1:{port}/metrics", timeout=PATIENCE_S).text)
+
+
 def test_metrics_and_readiness() -> None:
     with running() as here:
         with here.greeted() as socket:
@@ -30,33 +35,14 @@ def test_metrics_and_readiness() -> None:
             assert '"prediction"' in str(socket.recv(PATIENCE_S))
             socket.send("{oops")
             assert '"bad_json"' in str(socket.recv(PATIENCE_S))
-            text = get(f"{here.url}/metrics", timeout=PATIENCE_S).text
+            soon(lambda: "pointpred_frames_total 3.0" in metrics(here.service), "counted within a second")
+            text = metrics(here.service)
         assert "pointpred_event_to_prediction_seconds_count 1.0" in text
         assert 'pointpred_refused_total{code="bad_json"} 1.0' in text
         assert "pointpred_recordings_failed_total 0.0" in text  # told where nothing is recorded, too
         assert get(f"{here.url}/readyz", timeout=PATIENCE_S).json() == {"ready": True, "stopping": False}
-
-
-def test_sessions_are_counted_by_the_thread_that_opens_and_closes_them(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Read from another thread, the sessions change while they are counted."""
-    threads: dict[str, int] = {}
-    settle, open_one = Service.update_metrics, Service.open_session
-
-    def settled(self: Service) -> None:
-        threads["counts"] = threading.get_ident()
-        settle(self)
-
-    def opened(self: Service, now: float) -> object:
-        threads["opens"] = threading.get_ident()
-        return open_one(self, now)
-
-    monkeypatch.setattr(Service, "update_metrics", settled)
-    monkeypatch.setattr(Service, "open_session", opened)
-    with running() as here, here.greeted():
-        assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
-    assert threads["counts"] == threads["opens"]
+        for path in ("/metrics", "/metrics%0a", "/%6detrics"):
+            assert get(f"{here.url}{path}", timeout=PATIENCE_S).status_code == 404, "on a port of their own"
 
 
 def test_what_the_recorder_lost_and_where_it_failed_is_counted(
@@ -68,7 +54,7 @@ def test_what_the_recorder_lost_and_where_it_failed_is_counted(
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     def counted() -> dict[str, str]:
-        lines = get(f"{here.url}/metrics", timeout=PATIENCE_S).text.splitlines()
+        lines = metrics(here.service).splitlines()
         return dict(
             line.rsplit(" ", 1) for line in lines if re.match("pointpred_record.*(total|waiting) ", line)
         )

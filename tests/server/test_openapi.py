@@ -65,7 +65,7 @@ def test_every_refusal_is_described_in_the_one_shape(document: dict[str, Any]) -
                 assert said["content"]["application/json"]["schema"] == ERROR, (way, path, status)
 
 
-@pytest.mark.parametrize("path", ["/", *OPEN, "/metrics", "/v1/samples"])
+@pytest.mark.parametrize("path", ["/", *OPEN, "/v1/samples"])
 def test_answers_are_of_the_type_that_is_described(
     client: TestClient, document: dict[str, Any], path: str
 ) -> None:

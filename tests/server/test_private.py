@@ -123,7 +123,7 @@ def ask(base: str) -> None:
     assert (
         get(f"{base}/?token={TOKEN}", headers={"Host": "made-up-name"}, timeout=PATIENCE_S).status_code == 403
     )
-    assert get(f"{base}/metrics?token={TOKEN}", timeout=PATIENCE_S).status_code == 200
+    assert get(f"{base}/v1/samples?token={TOKEN}", timeout=PATIENCE_S).status_code == 200
 
 
 def test_a_real_process_writes_no_movement_and_no_token(process: tuple[subprocess.Popen[str], str]) -> None:

@@ -80,7 +80,22 @@ def test_hosts_are_names_or_addresses(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POINTPRED_ALLOW_HOST", ",".join(hosts))
     assert Settings().allow_host == hosts
     rule = HostRule("127.0.0.1", hosts)
-    assert all(rule.admits(header) for header in (*hosts[:3], "lab.example:8000", "[fe80::1]:80", "pc_7.lab"))
+    for header in (*hosts[:3], "lab.example:8000", "[fe80::1]:80", "pc_7.lab"):
+        assert rule.admits({"headers": [(b"host", header.encode())]}), header
+
+
+def test_a_variable_that_nobody_reads_is_refused_with_the_nearest_name(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A misspelt token would leave a service open."""
+    for name, near in (("POINTPRED_TOKN", "POINTPRED_TOKEN"), ("pointpred_max_session", "MAX_SESSIONS")):
+        with monkeypatch.context() as patch:
+            patch.setenv(name, "open-sesame-9")
+            with pytest.raises(ValidationError, match=f"unknown variable {name} .*{near}"):
+                Settings()
+    wrong = serve(POINTPRED_TOKN="open-sesame-9")
+    assert wrong.returncode == 2
+    assert "unknown variable POINTPRED_TOKN" in wrong.stderr
 
 
 def test_a_wrong_setting_is_one_line_that_names_flag_and_variable() -> None:
