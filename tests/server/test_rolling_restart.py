@@ -1,7 +1,7 @@
 """Two services behind a proxy restart one by one, or one is killed: every client goes on at the other one.
 
-Half of the clients are those of Python, with the example of the guide, half those of a browser. Each makes
-one movement after another, and is told along every one what a pipeline says that nobody interrupts.
+Some clients are those of a browser, the others those of Python, with the example of the guide. Each makes one
+movement after another, and is told along every one what a pipeline says that nobody interrupts.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
-from functools import partial
+from itertools import cycle
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -39,13 +39,14 @@ from tests.server.test_proxies import KINDS, PERSON, TOKEN, movements, without_a
 
 pytestmark = browser.needed
 
-OF_A_KIND = 33
+BROWSERS, PYTHONS = 8, 58
+"""Clients of each kind. Chromium lets a page with many more wait for up to 5 s before each of them."""
 PAUSE_S = 0.8
 """Between two movements of a client."""
 SETTLED_S = 2.5
 """Until most clients have moved several times."""
-PYTHON_ADDRESS = "127.0.0.2"
-"""That of the Python clients: a proxy admits 50 connections of one address."""
+PYTHON_ADDRESSES = ("127.0.0.2", "127.0.0.3")
+"""Those of the Python clients: a proxy admits 50 connections of one address."""
 REFUSED = 2
 """Attempts of a client that may fail in all: they meet a service just as it ends."""
 
@@ -104,7 +105,7 @@ class Restarted:
     def start(self) -> None:
         """Start it and wait until it is ready."""
         options = {"port": self.port, "max-targets": self.number, "trust-proxy": "127.0.0.1"}
-        options |= {"max-sessions": 2 * OF_A_KIND, "log-format": "json"}
+        options |= {"max-sessions": BROWSERS + PYTHONS, "log-format": "json"}
         words = [f"--{name}={value}" for name, value in options.items()]
         self.process = subprocess.Popen(
             [sys.executable, "-m", "pointpred", "serve", *words],
@@ -200,12 +201,12 @@ class Crowd:
         self._page = page
         rows = [[[t, x, y, None, None, 0] for t, x, y in part.table[:, :3].tolist()] for part in parts]
         options = {"token": TOKEN, "predictor": PERSON, "reply": "event", "pointer": False}
-        filled = {"PARTS": rows, "COUNT": OF_A_KIND, "OPTIONS": options, "PAUSE": 1000 * PAUSE_S}
+        filled = {"PARTS": rows, "COUNT": BROWSERS, "OPTIONS": options, "PAUSE": 1000 * PAUSE_S}
         script = WALK
         for name, value in filled.items():
             script = script.replace(name, json.dumps(value))
         page.evaluate(script)
-        self._python = [PythonClient(url, parts) for _ in range(OF_A_KIND)]
+        self._python = [PythonClient(url, parts) for _ in range(PYTHONS)]
 
     def clients(self) -> list[Client]:
         """Everybody, as of now; those of the browser first."""
@@ -252,8 +253,12 @@ def crowded(
     name: str, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[tuple[list[Restarted], Crowd, list[EventColumns]]]:
     """Two services behind a proxy, and clients of both kinds that move."""
-    dial = partial(pointpred.client.connection.dial, source_address=(PYTHON_ADDRESS, 0))
-    monkeypatch.setattr(pointpred.client.connection, "dial", dial)
+    dial, addresses = pointpred.client.connection.dial, cycle(PYTHON_ADDRESSES)
+    monkeypatch.setattr(
+        pointpred.client.connection,
+        "dial",
+        lambda url, **options: dial(url, source_address=(next(addresses), 0), **options),
+    )
     monkeypatch.setenv("SSL_CERT_FILE", str(folder / "lab.crt"))
     parts = movements(200)
     with ExitStack() as stack:
@@ -274,7 +279,7 @@ def crowded(
 def report(name: str, clients: list[Client]) -> None:
     """What `pytest -s` shows."""
     lost = sum(len(one.opened) <= len(one.lost) for one in clients)
-    for kind, some in (("browser", clients[:OF_A_KIND]), ("Python", clients[OF_A_KIND:])):
+    for kind, some in (("browser", clients[:BROWSERS]), ("Python", clients[BROWSERS:])):
         waits = sorted(wait for one in some for wait in one.without_s)
         print(
             f"\n{name}: {lost} of {len(clients)} sessions lost; {kind}: {len(waits)} interruptions,"
