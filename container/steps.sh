@@ -2,7 +2,7 @@
 # The steps of the Dockerfile, one a function. The Dockerfile runs them one by one; where no Docker engine
 # runs, `container/steps.sh rehearse` runs all of them in a temporary folder, starts the service as the image
 # would (another user, nothing writable, nothing but the installed folder), asks its health check, and lets
-# it score the sample.
+# it predict a movement.
 set -eu
 
 PYTHON="${PYTHON:-python3.11}"
@@ -53,7 +53,7 @@ rehearse() { # every step, then what the image does: serve, and the health check
         sleep 0.1
     done
     echo "healthy after $((($(date +%s%N) - begun) / 1000000)) ms"
-    POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" "$APP/bin/python" -I "$SOURCE/container/scores.py"
+    POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" "$APP/bin/python" -I "$SOURCE/container/predicts.py"
     kill -TERM "$served"
     wait "$served" && code=0 || code=$?
     echo "left with $code after SIGTERM"

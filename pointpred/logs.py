@@ -14,7 +14,6 @@ from typing import Any
 
 OWN = "pointpred"
 FIELDS = {
-    "worker": "the number of the worker that wrote it, where there are several",
     "session": "the random name of the session, which its recording has too; tells nothing of who it was",
     "code": "why a session was closed (the close code) or a request refused (the error code)",
     "events": "how many events the session has sent, when it closes",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 from math import nan
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, overload
 
 import numpy as np
 
@@ -110,6 +110,7 @@ class Pipeline:
         self.differentiator = differentiator
         self.predictor = predictor
         self._joint: Callable[..., TenFloats] | None = None
+        self._last: Callable[..., TenFloats] | None = None
 
     def update(self, event: PointerEvent, /) -> Prediction | None:
         """Consume one event; ``None`` where nothing is justified now.
@@ -128,15 +129,26 @@ class Pipeline:
 
         The first is NaN where the event is refused: nothing has changed then; ``records.refusal`` says why.
         """
-        joint = self._joint or self._bind()
+        joint = self._joint or self._bind()[0]
         return joint(self.differentiator._memory, self.predictor._memory, row, *self.predictor.shared)
+
+    @overload
+    def push(self, events: EventColumns | FloatArray, want: Literal["last"]) -> TenFloats: ...
+
+    @overload
+    def push(
+        self,
+        events: EventColumns | FloatArray,
+        want: Literal["all"] = "all",
+        motions: FloatArray | None = None,
+    ) -> FloatArray: ...
 
     def push(
         self,
         events: EventColumns | FloatArray,
         want: Literal["last", "all"] = "all",
         motions: FloatArray | None = None,
-    ) -> FloatArray:
+    ) -> FloatArray | TenFloats:
         """Consume events and return the rows of their predictions, or only the last one of at least one.
 
         ``events``: columns, where a row marked ``begin`` resets first, or their table, where none does.
@@ -145,16 +157,15 @@ class Pipeline:
         and the phase where ``update`` gives ``None``. Raises EventOrderError or EventError naming the row;
         nothing is then consumed.
         """
-        if isinstance(events, EventColumns):
-            table, begin = events.table, events.begin
-        else:
+        if isinstance(events, np.ndarray):
+            if want == "last":
+                last, predictor = self._last or self._bind()[1], self.predictor
+                answer = last(self.differentiator._memory, predictor._memory, events, *predictor.shared)
+                if answer[0] == answer[0]:
+                    return answer
             table, begin = events, np.zeros(len(events), np.bool_)
-        if want == "last" and events is table:
-            laws = type(self.differentiator).step, type(self.predictor).step, type(self.predictor).follow
-            memories = self.differentiator._memory, self.predictor._memory
-            answer = last_of(*laws)(*memories, table, *self.predictor.shared)
-            if answer[0] == answer[0]:
-                return np.array([answer])
+        else:
+            table, begin = events.table, events.begin
         before = self.differentiator.remembered()
         answers: FloatArray | None = None
         try:
@@ -164,16 +175,18 @@ class Pipeline:
         finally:
             if answers is None:
                 self.differentiator.recall(before)
-        return answers[-1:] if want == "last" else answers
+        return tuple(answers[-1].tolist()) if want == "last" else answers
 
-    def _bind(self) -> Callable[..., TenFloats]:
-        """The joint law; not before an event comes: one for tables only has none."""
-        self._joint = joint_of(type(self.differentiator).step, type(self.predictor).step)
-        return self._joint
+    def _bind(self) -> tuple[Callable[..., TenFloats], Callable[..., TenFloats]]:
+        """The joint law and that of a table's last answer; not before an event comes."""
+        first, second = type(self.differentiator), type(self.predictor)
+        self._joint = joint_of(first.step, second.step)
+        self._last = last_of(first.step, second.step, second.follow)
+        return self._joint, self._last
 
     def __getstate__(self) -> dict[str, Any]:
-        """Everything but the compiled law, which is made again."""
-        return {**self.__dict__, "_joint": None}
+        """Everything but the compiled laws, which are made again."""
+        return {**self.__dict__, "_joint": None, "_last": None}
 
     @property
     def learns(self) -> bool:

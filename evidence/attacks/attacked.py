@@ -8,7 +8,6 @@ memory. It ends where an attack fails or does nothing. Linux only.
 
 from __future__ import annotations
 
-import gzip
 import multiprocessing
 import re
 import resource
@@ -120,29 +119,6 @@ def long_queries(port: int, until: float) -> int:
     return again(port, until, ask)
 
 
-def endless(port: int, until: float, first: bytes, piece: bytes) -> int:
-    """Chunked uploads that go on with the same piece for as long as the service takes it."""
-
-    def send(one: socket.socket) -> None:
-        one.sendall(
-            b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n" + first
-        )
-        while time.monotonic() < until:
-            one.sendall(piece)
-
-    return again(port, until, send)
-
-
-def small_chunks(port: int, until: float) -> int:
-    """Uploads in chunks of one byte."""
-    return endless(port, until, b"", b"1\r\nx\r\n" * 20_000)
-
-
-def trailers(port: int, until: float) -> int:
-    """Uploads whose end has headers of its own, without end."""
-    return endless(port, until, b"0\r\n", b"a:b\r\n" * 20_000)
-
-
 def handshakes(port: int, until: float) -> int:
     """One upgrade after another, each left at once."""
 
@@ -222,30 +198,12 @@ def refused_targets(port: int, until: float) -> int:
     return flood(port, until, text(b'{"type":"targets","targets":[' + many + b"]}"))
 
 
-def bombs(port: int, until: float) -> int:
-    """Uploads that unpack to 2 GB."""
-    packed = gzip.compress(bytes(2**20), 9) * 2000
-    head = (
-        b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nContent-Length: %d\r\n\r\n"
-        % len(packed)
-    )
-
-    def send(one: socket.socket) -> None:
-        one.sendall(head + packed)
-        while one.recv(65536):
-            pass
-
-    return again(port, until, send)
-
-
 Attack = Callable[[int, float], int]
 ATTACKS: tuple[Attack, ...] = (
     silent,
     slow_headers,
     unread,
     long_queries,
-    small_chunks,
-    trailers,
     handshakes,
     requests,
     pings,
@@ -254,7 +212,6 @@ ATTACKS: tuple[Attack, ...] = (
     unknown,
     fragments,
     refused_targets,
-    bombs,
 )
 
 

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 
 from evidence.data import Table, Tables, file_of, read, stored
-from pointpred_server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S
 from tests.fuzz.corpus import corpus
 
 COLUMNS = (
@@ -37,8 +36,7 @@ class Run(msgspec.Struct, frozen=True):
 def context() -> dict[str, Any]:
     """Every table of the page, and the limits that it names."""
     parts = ("conformance", "attacked")
-    requests = {"at_once": REQUESTS_AT_ONCE, "a_second": REQUESTS_PER_S}
-    return {"fuzz": fuzzed(), "requests": requests, **{part: stored("attacks", part) for part in parts}}
+    return {"fuzz": fuzzed(), **{part: stored("attacks", part) for part in parts}}
 
 
 def fuzzed() -> Tables:

@@ -23,7 +23,7 @@ import time
 from pathlib import Path
 from types import CodeType, FrameType, SimpleNamespace
 from typing import Any
-from urllib.error import HTTPError, URLError
+from urllib.error import URLError
 from urllib.request import urlopen
 
 from measure import module_of, room_of
@@ -126,7 +126,7 @@ def service(tree: Tree) -> dict[str, Any]:
 
     def talk() -> None:
         try:
-            wait_until_ready(f"http://127.0.0.1:{port}/v1/compiling")
+            wait_until_ready(f"http://127.0.0.1:{port}/readyz")
             stream = f"ws://127.0.0.1:{port}/v1/stream"
             with connect(stream, subprotocols=[Subprotocol("pointpred.v1")], compression=None) as client:
                 for message in (HELLO, *(events(i / 100, 5.0 * i, 3.0 * i) for i in range(10))):
@@ -156,15 +156,11 @@ def service(tree: Tree) -> dict[str, Any]:
 
 
 def wait_until_ready(url: str) -> None:
-    """Wait until a service answers and has nothing left to compile, or does not say what it compiles."""
+    """Wait until a service is ready."""
     until = time.monotonic() + WAIT_S
     while time.monotonic() < until:
-        with contextlib.suppress(URLError):  # nobody listens yet
-            try:
-                if json.load(urlopen(url))["next"] is None:
-                    return
-            except HTTPError:
-                return
+        with contextlib.suppress(URLError), urlopen(url):  # nobody listens yet, or it is not ready
+            return
         time.sleep(0.1)
 
 

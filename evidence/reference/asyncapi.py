@@ -53,7 +53,7 @@ from pointpred.records import PHASES
 from pointpred.registry import RECOMMENDED
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
-from pointpred_server.endpoints import NO_DEVICE
+from pointpred_server.websocket_protocol import NO_DEVICE
 from pointpred_server.sessions.pointing import PointingSession
 
 ABOUT = f"""One pointing session over a WebSocket: pointer events in, predictions of the endpoint out.
@@ -63,8 +63,7 @@ else before it is answered by an error. Every JSON message is one object with `t
 fields are errors. With `encoding: binary` in `hello`, events and predictions go as binary frames of packed
 records instead; everything else stays JSON. Positions are px with y growing downwards, times are seconds on
 the client's clock. A client that reads slowly gets the newest prediction only, and the number of those
-dropped. While the service is behind, frames that have waited are answered once, and `slow` has `behind_s` at
-most once a second. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to
+dropped. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to
 be read, the client gets a summary: the end of the proposal it was sent, and the current one.
 
 With `assist` in `hello` the service moves the cursor: events carry counts, the first one has the position of
@@ -93,12 +92,10 @@ CODES = {
     "too_fast": "too many events or other messages a second; the session ends",
     "too_many": "too many targets (the set stays as it was) or sessions (the session ends)",
     "idle": "no hello in time, or nothing was heard; the session ends",
-    "slow": "predictions or choices gave way to newer ones; with behind_s: the service is behind; "
-    "not recoverable: nothing is read",
+    "slow": "predictions or choices gave way to newer ones; not recoverable: nothing is read",
     "unauthorized": "no valid token; the session ends",
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",
-    "columns": "the columns of an uploaded table are not certain; sent over HTTP only",
 }
 NEEDED = "Needed where one is set; one is generated for an address that is not loopback."
 SECURITY = {
@@ -180,9 +177,7 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
             value=9,
         ),
         ErrorMessage("idle", "expected 'hello' within 10 s", recoverable=False),
-        ErrorMessage(
-            "slow", "the service is behind: what is sent waits for 0.12 s before it is used", behind_s=0.12
-        ),
+        ErrorMessage("slow", "12 predictions gave way to newer ones because they were not read in time"),
     ),
     "goodbye": (Bye("the server stops"),),
 }

@@ -33,9 +33,9 @@ from pointpred_server.app import create_app
 from pointpred_server.logs import EVERY_ENTRY
 from pointpred_server.metrics import Metrics
 from pointpred_server.settings import Settings
-from pointpred_server.workers.families import OF_PROCESS
-from pointpred_server.workers.supervisor import SupervisorMetrics
 
+OF_PROCESS = "process_", "python_"
+"""The beginnings of the names of metrics that are not of pointpred."""
 UNITS = {"_seconds": "s", "_bytes": "bytes", "_info": ""}
 """Of a metric, by the end of its name; other metrics count."""
 IN_README = ("hold", "minimum-jerk", "switched", "kinematic", RECOMMENDED)
@@ -161,11 +161,9 @@ def _labels(family: Metric) -> tuple[str, ...]:
 
 def monitoring_page() -> dict[str, Any]:
     """Every metric and every log field of the service."""
-    service = {row.name: row for row in metric_rows(Metrics().registry)}
-    supervisor = {row.name: row for row in metric_rows(SupervisorMetrics().registry)}
+    metrics = metric_rows(Metrics(1).registry)
     return {
-        "service": sorted(service.values(), key=lambda row: row.name.startswith(OF_PROCESS)),
-        "supervisor": [row for name, row in supervisor.items() if name not in service],
+        "metrics": sorted(metrics, key=lambda row: row.name.startswith(OF_PROCESS)),
         "every_entry": EVERY_ENTRY,
         "some_entries": FIELDS,
     }

@@ -97,8 +97,7 @@ class ClientSession:
         self.greeting: Welcome | None = None
         """The newest welcome of the service; ``None`` before the first."""
         self.notices: deque[ErrorMessage] = deque(maxlen=KEPT_NOTICES)
-        """The newest messages about predictions that newer ones replaced, or, with ``behind_s``, about a
-        service that is behind; they break nothing."""
+        """The newest messages about predictions that newer ones replaced; they break nothing."""
         self.noticed = 0
         """How many of them there were."""
         self.cursor: Cursor | None = None

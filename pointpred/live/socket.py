@@ -14,6 +14,7 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.client import Connection, connect
+from pointpred.clock import now
 from pointpred.live.playback import Pacing, PlayedTrial, playable_trials
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
@@ -124,7 +125,7 @@ class _Player:
         self.pipeline = pipeline
         self.speed = speed
         most = SHARE * connection.limits.max_events_per_s
-        self._rate = TokenBucket(most, time.monotonic())
+        self._rate = TokenBucket(most, now())
 
     def play(self, one: PlayedTrial, local: Score) -> ReplayedTrial:
         """Play one trial, marked, and compare the answers with those of the batch."""
@@ -155,7 +156,7 @@ class _Player:
         """Every prediction; at infinite speed a frame waits for the answers to the last one."""
         parts, pacing = [], Pacing(events.t, self.speed)
         while due := pacing.take():
-            while not self._rate.take(len(due), time.monotonic()):
+            while not self._rate.take(len(due), now()):
                 time.sleep(len(due) / self._rate.most)
             self.connection.send(events.rows(due.start, due.stop))
             parts.append(self.connection.columns() if math.isinf(self.speed) else self.connection.poll())

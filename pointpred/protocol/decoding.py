@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from functools import reduce
 from itertools import islice
 from operator import or_
@@ -13,11 +12,11 @@ import msgspec
 import numpy as np
 from msgspec import Meta, Struct
 
-from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
+from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.frames import EVENT, NONE, unpack_event, unpack_events
+from pointpred.protocol.frames import EVENT, NONE, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
-from pointpred.records import EVENT_FIELDS, FloatArray, SixFloats
+from pointpred.records import EVENT_FIELDS, FloatArray, Row
 
 
 def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
@@ -26,7 +25,6 @@ def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
 
 
 _from_client = msgspec.json.Decoder(_any_of(CLIENT_MESSAGES))
-_events = msgspec.json.Decoder(Events)
 _from_server = msgspec.json.Decoder(_any_of(SERVER_MESSAGES))
 # At the end of a number, an exponent of three digits, or a positive one of two.
 _wide = re.compile(r"[eE](?<=[\d.][eE])([-+]?0*[1-9]\d\d|\+?0*[1-9]\d)\d*(?=[\s,\]}])", re.A)
@@ -34,8 +32,6 @@ EXTREME_MOST = 128
 """Numbers above 1e10 or below 1e-99 in one message: decoding one may take 8 us, and others take 20 ns."""
 SHORT = 1024
 """Characters of a message that may hold any numbers."""
-ONE_EVENT = 256
-"""Characters of a text with one event, and within the bytes that any service takes in one frame."""
 _most = tuple(field.high for field in EVENT_FIELDS[:3])
 
 
@@ -83,26 +79,16 @@ def decode_server_message(text: str) -> Struct | None:
     return message
 
 
-def decode_event(frame: str | bytes) -> SixFloats | None:
-    """The event of a frame that holds one and no mistake; ``None`` for every other frame."""
-    if isinstance(frame, bytes):
-        return unpack_event(frame) if len(frame) == EVENT.itemsize else None
-    if len(frame) > ONE_EVENT or frame.count("[") != 2:
-        return None
-    try:
-        ((t, x, y, dx, dy, buttons),) = _events.decode(frame).events
-    except ValueError:  # of msgspec, and for text that is no UTF-8
-        return None
-    return t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, float(buttons)
+def rows_of_message(message: Events) -> list[Row]:
+    """The rows of an ``events`` message, as ``EventColumns`` has them."""
+    return [
+        (t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, buttons)
+        for t, x, y, dx, dy, buttons in message.events
+    ]
 
 
-def table_of_rows(rows: Sequence[EventRow]) -> FloatArray:
-    """The table from the rows of an ``events`` message."""
-    return np.array(rows, dtype=np.float64).reshape(-1, 6)  # null becomes NaN
-
-
-def table_of_bytes(frame: bytes) -> FloatArray:
-    """The table of a frame of packed events; raises ProtocolError."""
+def rows_of_bytes(frame: bytes) -> list[Row]:
+    """The rows of a frame of packed events; raises ProtocolError."""
     if len(frame) % EVENT.itemsize:
         sentence = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
         raise ProtocolError("bad_field", sentence, "$")

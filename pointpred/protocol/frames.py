@@ -19,10 +19,9 @@ from pointpred.records import (
     EVENT_FIELDS,
     PHASES,
     EventColumns,
-    EventRow,
     FloatArray,
     PredictionColumns,
-    SixFloats,
+    Row,
 )
 
 EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
@@ -39,21 +38,12 @@ _one_prediction = Struct("<dddddddBd")
 Frame = str | bytes
 
 
-def unpack_events(frame: bytes) -> FloatArray:
-    """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
-    records = np.frombuffer(frame, EVENT)
-    table = np.column_stack([records[name].astype(np.float64) for name in EventRow._fields])
-    counts = table[:, 3:5]
-    counts[(counts == NO_COUNTS).any(axis=1)] = np.nan
-    return table
-
-
-def unpack_event(frame: bytes) -> SixFloats:
-    """The only event of a frame, as a row of the same table."""
-    t, x, y, dx, dy, buttons = _one_event.unpack(frame)
-    if dx == NO_COUNTS or dy == NO_COUNTS:
-        return t, x, y, NONE, NONE, float(buttons)
-    return t, x, y, float(dx), float(dy), float(buttons)
+def unpack_events(frame: bytes) -> list[Row]:
+    """The events of a frame as rows of ``EventColumns``; the frame holds whole records."""
+    return [
+        (t, x, y, NONE, NONE, buttons) if dx == NO_COUNTS or dy == NO_COUNTS else (t, x, y, dx, dy, buttons)
+        for t, x, y, dx, dy, buttons in _one_event.iter_unpack(frame)
+    ]
 
 
 def pack_events(table: FloatArray) -> bytes:

@@ -27,7 +27,6 @@ Code = Literal[
     "unauthorized",
     "stopping",
     "internal",
-    "columns",
 ]
 ReceivedCode = Annotated[str, Meta(extra_json_schema={"enum": sorted(get_args(Code))})]
 """A code as a client reads it: a newer service may send further ones."""
@@ -40,7 +39,7 @@ class Limits(Struct, frozen=True):
     """What a session may do."""
 
     max_frame_bytes: int = 65536
-    max_events_per_frame: int = 1024
+    max_events_per_frame: int = 64
     max_events_per_s: int = 20000
     max_targets: int = 1000
     max_sessions: int = 64
@@ -175,8 +174,7 @@ class ErrorMessage(ServerMessage, tag="error"):
     """What was wrong, where, and whether the session goes on.
 
     ``field``: the name of the field or parameter that is wrong; ``value``: what was received there, cut short
-    where it is a long text. Both are absent where they are not known. ``behind_s``: how long frames wait for
-    the service before they are used, in a ``slow`` that says so.
+    where it is a long text. Both are absent where they are not known.
     """
 
     code: ReceivedCode
@@ -185,7 +183,6 @@ class ErrorMessage(ServerMessage, tag="error"):
     recoverable: bool = True
     field: str | UnsetType = UNSET
     value: Scalar | UnsetType = UNSET
-    behind_s: float | UnsetType = UNSET
 
 
 SERVER_MESSAGES: tuple[type[Struct], ...] = (*ServerMessage.__subclasses__(), Bye)

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, MutableMapping
-from ipaddress import IPv4Address, IPv6Address, IPv6Network, ip_address
+from collections.abc import Collection, Iterable, MutableMapping
+from ipaddress import IPv4Address, IPv6Address, IPv6Network, ip_address, ip_network
 from secrets import compare_digest
 from typing import Any
 from urllib.parse import parse_qs
-
-from pointpred.protocol.server_messages import ErrorMessage, encode
 
 log = logging.getLogger("pointpred.service")
 
@@ -23,7 +21,8 @@ WILDCARDS = frozenset({"0.0.0.0", "::"})
 MAPPED = "::ffff:"
 """Before an IPv4 address on a socket for both kinds."""
 HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
-HOST_REFUSED = encode(ErrorMessage("unauthorized", "this host name is not served here"))
+HOST_REFUSED = "this host name is not served here"
+TOKEN_NEEDED = "show the token as ?token= or Authorization: Bearer"
 ORIGIN = re.compile(r"https?://[a-z0-9._~%:\[\]-]{1,300}")
 ORIGIN_FLAG = "--allow-origin"
 MOST_ORIGINS = 64
@@ -31,9 +30,7 @@ MOST_ORIGINS = 64
 FILE_PAGE = "a page opened as a file has no origin that could be allowed: serve it over http"
 
 Scope = MutableMapping[str, Any]
-Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
-Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
-Application = Callable[[Scope, Receive, Send], Awaitable[None]]
+"""A request as ASGI has it; only its headers, query, scheme and client are read."""
 
 
 class HostRule:
@@ -46,45 +43,11 @@ class HostRule:
         self.names = LOOPBACK | {bound.lower()} | {name.lower() for name in further}
         self.any_address = bound in WILDCARDS
 
-    def admits(self, header: str) -> bool:
-        """Whether a request with this ``Host`` header is answered."""
-        name = _without_port(header.strip(" \t").lower())
+    def admits(self, scope: Scope) -> bool:
+        """Whether a request is answered: it has one ``Host`` header, with a name that is served."""
+        match = HOST.fullmatch((header(scope, b"host") or "").strip(" \t").lower())
+        name = (match[1] or match[2]) if match else ""
         return name in self.names or (self.any_address and is_address(name))
-
-
-class HostGuard:
-    """ASGI middleware: 403 for a ``Host`` header the rule does not admit, before anything else runs."""
-
-    def __init__(
-        self,
-        app: Application,
-        rule: HostRule,
-        headers: Mapping[str, str] | None = None,
-        on_refusal: Callable[[], None] = lambda: None,
-    ) -> None:
-        """``headers`` are sent with every refusal, and ``on_refusal`` is called for it."""
-        self.app = app
-        self.on_refusal = on_refusal
-        self.headers = [(name.lower().encode(), text.encode()) for name, text in (headers or {}).items()]
-        self.rule = rule
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass the request on, or refuse it."""
-        if scope["type"] not in ("http", "websocket"):
-            await self.app(scope, receive, send)
-            return
-        hosts = [value.decode("latin-1") for key, value in scope["headers"] if key == b"host"]
-        if len(hosts) == 1 and self.rule.admits(hosts[0]):
-            await self.app(scope, receive, send)
-            return
-        self.on_refusal()
-        if scope["type"] == "websocket":
-            await receive()
-            await send({"type": "websocket.close", "code": 1008})
-        else:
-            headers = [(b"content-type", b"application/json"), *self.headers]
-            await send({"type": "http.response.start", "status": 403, "headers": headers})
-            await send({"type": "http.response.body", "body": HOST_REFUSED})
 
 
 def header(scope: Scope, name: bytes) -> str | None:
@@ -93,15 +56,24 @@ def header(scope: Scope, name: bytes) -> str | None:
     return ", ".join(values) if values else None
 
 
-def _without_port(host: str) -> str:
-    """The name or address in a ``Host`` header; empty, which no rule admits, where it is malformed."""
-    match = HOST.fullmatch(host)
-    return (match.group(1) or match.group(2)) if match else ""
+def believe_proxy(scope: Scope, proxies: Iterable[str]) -> None:
+    """Take the client and the scheme from the headers of a proxy, where it is among those that are trusted.
 
+    The client is the last address that no trusted proxy has, as the nearest of them wrote it.
+    """
+    client = scope["client"]
+    trusted = [ip_network(proxy) for proxy in proxies]
 
-def usual_address(client: tuple[str, int] | None) -> tuple[str, int] | None:
-    """The address and port of a client; an IPv4 address as such, also on a socket for both kinds."""
-    return None if client is None else (client[0].removeprefix(MAPPED), client[1])
+    def trusts(address: str) -> bool:
+        return is_address(address) and any(ip_address(address) in proxy for proxy in trusted)
+
+    if client is None or not trusts(client[0]):
+        return
+    if (scheme := header(scope, b"x-forwarded-proto")) in ("http", "https", "ws", "wss"):
+        scope["scheme"] = scheme
+    hops = [hop.strip() for hop in (header(scope, b"x-forwarded-for") or "").split(",") if hop.strip()]
+    if hops:
+        scope["client"] = next((hop for hop in reversed(hops) if not trusts(hop)), hops[0]), 0
 
 
 def network_of(address: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -12,30 +11,22 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
-from starlette.routing import Route, WebSocketRoute
+from starlette.routing import Route
 
 import pointpred
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import ParameterError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred_server import samples
-from pointpred_server.access import HostGuard, HostRule, admits_origin, header, origin_advice
-from pointpred_server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
+from pointpred_server.access import admits_origin, header, origin_advice
 from pointpred_server.http_responses import (
-    SECURITY_HEADERS,
     bad_request,
-    error_response,
     guard,
     http_error,
     json_response,
     server_error,
-    upload_error,
 )
 from pointpred_server.openapi import (
-    METRICS,
-    NO_METRICS,
     NOT_READY,
-    UPLOAD,
-    Compiled,
     Health,
     Origin,
     Readiness,
@@ -44,47 +35,43 @@ from pointpred_server.openapi import (
 )
 from pointpred_server.page import WEB, page
 from pointpred_server.service import Service
-from pointpred_server.uploads.process import Task
-from pointpred_server.uploads.receiving import UploadError, received_body, while_connected
-
-log = logging.getLogger("pointpred.service")
+from pointpred_server.websocket_protocol import NO_DEVICE
 
 SCRIPT = "text/javascript"
+UPGRADE = "This path speaks WebSocket, subprotocol pointpred.v1.\n"
 CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
 """The short address of the client; its parts lie beside the module itself, wherever that is served from."""
 OPEN, GUARDED = error_responses(403), error_responses(401, 403)
 
 
-def create_app(hosts: HostRule | None = None, service: Service | None = None) -> FastAPI:
-    """The application; ``hosts`` says which ``Host`` headers are answered, the loopback names by default."""
+def create_app(service: Service | None = None, announce: Callable[[], None] = lambda: None) -> FastAPI:
+    """The application of a service; ``announce`` is called when it begins to answer."""
     serving = service or Service()
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        """Write what is recorded at the end."""
+        serving.start()
+        announce()
+        yield
+        await asyncio.to_thread(serving.shut_down)
+
     app = FastAPI(
         title="pointpred",
         version=pointpred.__version__,
         docs_url=None,
         redoc_url=None,
-        lifespan=_lifespan,
+        lifespan=lifespan,
         generate_unique_id_function=lambda route: route.name.strip("_"),
     )
     app.state.service = serving
     app.middleware("http")(guard)
-    count = serving.metrics.connections_refused.labels("unauthorized").inc
-    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SECURITY_HEADERS, on_refusal=count)
     app.exception_handler(ParameterError)(bad_request)
-    app.exception_handler(RecordingError)(bad_request)
-    app.exception_handler(UploadError)(upload_error)
     app.exception_handler(Exception)(server_error)
     app.exception_handler(HTTPException)(http_error)
     app.exception_handler(RequestValidationError)(bad_request)
     _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
     _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
-    _add_read(
-        app,
-        "/metrics",
-        _metrics,
-        responses=GUARDED | NO_METRICS | text_response(METRICS),
-        response_class=Response,
-    )
     _add_read(app, "/", _page, responses=GUARDED | text_response("text/html"), response_class=Response)
     _add_read(
         app,
@@ -95,25 +82,10 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
-    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled, deprecated=True)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
-    for path, call in (("/v1/score", _score), ("/v1/recording", _recording)):
-        app.add_api_route(
-            path,
-            call,
-            methods=["POST"],
-            summary=_summary(call),
-            responses=error_responses(400, 401, 403, 408, 413, 422, 503),
-            openapi_extra=UPLOAD,
-        )
-    stream = StreamEndpoint(serving)
-    app.router.routes.append(WebSocketRoute("/v1/stream", stream))
-    app.router.routes.append(
-        Route("/v1/stream", stream, include_in_schema=False)
-    )  # answers that it speaks WebSocket
+    app.router.routes.append(Route("/v1/stream", _stream, include_in_schema=False))
     _add_read(app, "/v1/live", _live, responses=GUARDED)
-    app.router.routes.append(WebSocketRoute("/v1/live", LiveEndpoint(serving)))
     app.mount("/web", StaticFiles(directory=WEB))
     return app
 
@@ -128,43 +100,21 @@ def _summary(call: Callable[..., Any]) -> str:
     return (call.__doc__ or "").partition("\n")[0]
 
 
-@contextlib.asynccontextmanager
-async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Write what is recorded at the end."""
-    service: Service = app.state.service
-    service.start()
-    yield
-    service.stop()
-    await asyncio.to_thread(service.shut_down)
-
-
 def _health() -> dict[str, str]:
     """The process answers."""
     return {"status": "ok", "version": pointpred.__version__}
 
 
 def _ready(request: Request) -> Response:
-    """Sessions are served: 200; while workers start, or the service stops, 503."""
+    """Sessions are served: 200; while the service stops, 503."""
     service: Service = request.app.state.service
-    return json_response(
-        {"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503
-    )
+    ready = not service.stopping
+    return json_response({"ready": ready, "stopping": service.stopping}, 200 if ready else 503)
 
 
-def _compiling() -> dict[str, Any]:
-    """Every predictor is ready at once: nothing is compiled at a start any more."""
-    names = list(REGISTRY)
-    return {"done": len(names), "of": len(names), "next": None, "ready": names, "recommended": RECOMMENDED}
-
-
-async def _metrics(request: Request) -> Response:
-    """Counters and histograms for Prometheus."""
-    service: Service = request.app.state.service
-    try:
-        text = await service.metrics_text()  # on the loop: sessions come and go
-    except TimeoutError:
-        return error_response("slow", "the metrics of all workers did not come in time: ask again", 503)
-    return Response(text, media_type=METRICS)
+def _stream(request: Request) -> Response:
+    """What is asked for without a WebSocket."""
+    return Response(UPGRADE, 426, {"Connection": "upgrade", "Upgrade": "websocket"}, "text/plain")
 
 
 def _page() -> Response:
@@ -205,9 +155,9 @@ def _samples() -> Response:
     return json_response(samples.listing())
 
 
-async def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
-    """One trial with the predictions of the predictors named, separated by commas."""
-    return json_response(await asyncio.to_thread(samples.trial, name, _names(predictors)))
+async def _sample(name: str) -> Response:
+    """The events of one trial, as columns."""
+    return json_response(await asyncio.to_thread(samples.trial, name))
 
 
 def _live(request: Request) -> Response:
@@ -216,33 +166,3 @@ def _live(request: Request) -> Response:
     if (feed := service.live) is None:
         return json_response({"version": 1, "attached": None, "message": NO_DEVICE})
     return json_response({"version": 1, "attached": feed.attached, "message": feed.attached.words})
-
-
-async def _score(request: Request, predictors: str = "") -> Response:
-    """The scores of a recording: the body is a file of text or Parquet; nothing is kept."""
-    return await _process(request, "score", _names(predictors))
-
-
-async def _recording(request: Request) -> Response:
-    """The movements of a recording in any format of text, or Parquet, as rows; nothing is kept."""
-    return await _process(request, "open", ())
-
-
-async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Response:
-    """Have an upload opened or scored by another process."""
-    service: Service = request.app.state.service
-    async with received_body(request, service) as body:
-        await while_connected(request, service.scoring.acquire())  # one at a time: sessions go first
-        try:
-            query = dict(request.query_params)
-            outcome, response = await asyncio.to_thread(service.upload_process.run, task, body, names, query)
-        finally:
-            service.scoring.release()
-    if outcome.failed is not None:
-        log.error("an upload failed", extra={"error": outcome.failed})
-        return error_response("internal", "the server failed", 500)
-    return Response(response, outcome.status, media_type="application/json")
-
-
-def _names(text: str) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))

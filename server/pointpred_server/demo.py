@@ -33,7 +33,7 @@ def _write_samples(folder: Path) -> None:
     listing["samples"] = listing["samples"][:MOVEMENTS]
     (folder / "index.json").write_bytes(msgspec.json.encode(listing))
     for one in listing["samples"]:
-        (folder / f"{one['name']}.json").write_bytes(msgspec.json.encode(samples.trial(one["name"], ())))
+        (folder / f"{one['name']}.json").write_bytes(msgspec.json.encode(samples.trial(one["name"])))
     whole = sample()
     rows = [whole.rows(i) for i in range(MOVEMENTS)]
     part = Recording.of(whole.name, rows, whole.trials[:MOVEMENTS], provenance=whole.provenance)

@@ -6,13 +6,12 @@ from typing import Any
 
 import msgspec
 from fastapi import Request, Response
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
-from pointpred_server.access import admits_origin, has_token, header, origin_advice
-from pointpred_server.endpoints import TOKEN_NEEDED
-from pointpred_server.uploads.refusals import refusal_of
+from pointpred_server.access import HOST_REFUSED, TOKEN_NEEDED
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
@@ -50,19 +49,24 @@ def error_response(
     return Response(encode(error), status, media_type="application/json")
 
 
+def crosses_sites(headers: Headers) -> bool:
+    """Whether another site's page asks; somebody who follows its link to our page does not."""
+    return headers.get("sec-fetch-site") == "cross-site" and headers.get("sec-fetch-mode") != "navigate"
+
+
 async def guard(request: Request, forward: Any) -> Response:
-    """Check the token, and the origin of a page that posts; add the headers."""
-    service = request.app.state.service
-    token, allowed = service.settings.token, service.settings.allow_origin
-    if not request.url.path.startswith(OPEN) and not has_token(request.scope, token):
-        service.metrics.connections_refused.labels("unauthorized").inc()
+    """Check the host name, the site that asks, and the token; add the headers."""
+    service, path = request.app.state.service, request.url.path
+    if not service.hosts.admits(request.scope):
+        response = error_response("unauthorized", HOST_REFUSED, 403)
+    elif crosses_sites(request.headers) and not path.startswith(CLIENT):
+        response = error_response("unauthorized", "pages of another site may not ask for this", 403)
+    elif not path.startswith(OPEN) and not service.has_token(request.scope):
         response = error_response("unauthorized", TOKEN_NEEDED, 401)
-    elif request.method not in READ and not admits_origin(request.scope, allowed):
-        origin = header(request.scope, b"origin")
-        service.refuse_origin(origin)
-        response = error_response("unauthorized", origin_advice(origin), 403)
     else:
         response = await forward(request)
+    if response.status_code in (401, 403):
+        service.count_refusal("unauthorized")
     response.headers.update(
         SECURITY_HEADERS | SHARED_HEADERS if request.url.path.startswith(CLIENT) else SECURITY_HEADERS
     )
@@ -78,9 +82,8 @@ async def server_error(request: Request, error: Exception) -> Response:
 
 async def bad_request(request: Request, error: Exception) -> Response:
     """422 for what cannot be used; 404 where a sample of that name is not there."""
-    status, body = refusal_of(error)
     missing = request.url.path.startswith("/v1/samples/")
-    return Response(body, 404 if missing else status, media_type="application/json")
+    return error_response("bad_field", str(error), 404 if missing else 422)
 
 
 async def http_error(request: Request, error: Exception) -> Response:
@@ -99,13 +102,4 @@ async def http_error(request: Request, error: Exception) -> Response:
     else:
         response = error_response("bad_field", str(error.detail), error.status_code)
     response.headers.update(headers)
-    return response
-
-
-async def upload_error(request: Request, error: Exception) -> Response:
-    """An upload that is refused; the rest of its body is not read."""
-    status, body = refusal_of(error)
-    response = Response(body, status, media_type="application/json")
-    if status == 408:
-        response.headers["Connection"] = "close"
     return response

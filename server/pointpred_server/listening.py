@@ -2,48 +2,37 @@
 
 from __future__ import annotations
 
-import asyncio
 import errno
 import http.client
-import logging
 import signal
 import socket
-import threading
-import time
 from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 import msgspec
 import uvicorn
 
 from pointpred.errors import SourceError
-from pointpred.garbage import tune_collector
-from pointpred_server.access import WILDCARDS, HostRule
-from pointpred_server.allocator import bound_free_memory
+from pointpred_server.access import WILDCARDS
 from pointpred_server.app import create_app
-from pointpred_server.http_protocol import counting
-from pointpred_server.request_rates import RequestRates
 from pointpred_server.service import Service
-from pointpred_server.websocket_protocol import BoundedWebSocketProtocol
+from pointpred_server.websocket_protocol import WebSocketProtocol
 
-FRAME_BYTES = 2**20
-"""The framework's own limit lies above every limit of ours, so that our error goes out first."""
+HEADER_BYTES = 2**16
+"""Longest header of a request."""
+REQUESTS_MOST = 256
+"""Connections beside those of sessions; a request on one more is answered with 503."""
 SEND_BUFFER_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be old predictions."""
-CLOSE_S = 2.0
-"""Seconds that clients have to close: closing earlier would reset the connection, and lose the ``bye``."""
-REQUESTS_END_S = 3
-"""Seconds that requests have to finish when the service stops."""
+END_S = 6
+"""Seconds that requests and sessions have to end when the service stops."""
 PROBE_S = 1.0
 """Seconds that the process on a port has to say whether it is pointpred."""
 HEALTH_BYTES = 1024
 """Longest answer that is read from it."""
-CANCEL_S = 1.0
-"""Seconds that cancelled requests have to end."""
-
 REUSE = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
 """Take a port that a closed service held. On Windows SO_REUSEADDR would also take one that is in use."""
-
-log = logging.getLogger("pointpred.service")
 
 
 def listen(host: str, port: int, tries: int = 1) -> socket.socket:
@@ -100,101 +89,36 @@ def address(host: str, opened: socket.socket) -> str:
     return f"http://{f'[{name}]' if ':' in name else name}:{opened.getsockname()[1]}/"
 
 
-class _Cancellations(logging.Filter):
-    """Counts what uvicorn logs of requests that it cancels, and drops those entries: we log one instead."""
+def make_server(service: Service, announce: Callable[[], None]) -> uvicorn.Server:
+    """The web server, ready to run on a listening socket.
 
-    requests = 0
-
-    def filter(self, record: logging.LogRecord) -> bool:
-        """Whether an entry is about something else."""
-        if str(record.msg).startswith("Cancel %s running task") and isinstance(record.args, tuple):
-            self.requests = int(str(record.args[0]))
-            return False
-        return record.exc_info is None or not isinstance(record.exc_info[1], asyncio.CancelledError)
-
-
-class PointpredServer(uvicorn.Server):
-    """uvicorn that announces when it has begun to answer, and stops the sessions when it is asked to stop."""
-
-    announce: Callable[[], None]
-    service: Service
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Begin to answer, and announce it."""
-        await super().startup(sockets)
-        if self.started:
-            self.announce()
-
-    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        """End the sessions, then everything else; whoever connects meanwhile is refused."""
-        for listening in (*self.servers, *(sockets or ())):
-            listening.close()
-        self.service.stop()
-        until = time.monotonic() + self.service.left_s(CLOSE_S)
-        while self._has_websockets() and time.monotonic() < until:
-            await asyncio.sleep(0.01)
-        cancellations = _Cancellations()
-        library = logging.getLogger("uvicorn.error")
-        library.addFilter(cancellations)
-        try:
-            await super().shutdown(sockets)
-            if cancelled := list(self.server_state.tasks):
-                await asyncio.wait(cancelled, timeout=self.service.left_s(CANCEL_S))
-        finally:
-            library.removeFilter(cancellations)
-        if cancellations.requests:
-            log.warning(
-                "%d requests were cancelled: they had not ended %d s after the stop",
-                cancellations.requests,
-                REQUESTS_END_S,
-            )
-
-    def _has_websockets(self) -> bool:
-        """Whether a WebSocket is still open."""
-        return any(isinstance(one, BoundedWebSocketProtocol) for one in self.server_state.connections)
-
-
-def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> PointpredServer:
-    """The web server, ready to run on a listening socket."""
-    server = PointpredServer(web_config(hosts, service))
-    server.announce, server.service = announce, service
-    return server
-
-
-def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
-    """How uvicorn serves the application."""
-    return uvicorn.Config(
-        create_app(hosts, service),
+    ``announce`` is called when the page can be opened: connections wait in the socket until then.
+    """
+    websocket: Any = partial(WebSocketProtocol, service)
+    config = uvicorn.Config(
+        create_app(service, announce),
         log_config=None,
         log_level="warning",
         access_log=False,
-        http=counting(
-            service.refuse_request, RequestRates(service.settings.trust_proxy)
-        ),  # httptools, bounded
-        ws=BoundedWebSocketProtocol,  # websockets-sansio, with bounds
-        ws_max_size=FRAME_BYTES,
-        ws_per_message_deflate=False,
+        http="h11",
+        h11_max_incomplete_event_size=HEADER_BYTES,
+        ws=websocket,
+        limit_concurrency=service.settings.max_sessions + REQUESTS_MOST,
         server_header=False,
         proxy_headers=bool(service.settings.trust_proxy),
         forwarded_allow_ips=list(service.settings.trust_proxy),  # else uvicorn asks the environment
-        timeout_graceful_shutdown=REQUESTS_END_S,
+        timeout_graceful_shutdown=END_S,
     )
+    return uvicorn.Server(config)
 
 
-def _stop_at_hangup(server: PointpredServer) -> None:
-    """Stop at SIGHUP, which a terminal that is closed sends, as at SIGTERM; ``nohup`` has it ignored."""
-    hangup = getattr(signal, "SIGHUP", None)
-    in_main_thread = threading.current_thread() is threading.main_thread()
-    if hangup is not None and in_main_thread and signal.getsignal(hangup) is signal.SIG_DFL:
-        signal.signal(hangup, server.handle_exit)
-
-
-def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
+def serve(opened: socket.socket, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
-    server = make_server(hosts, service, announce)
-    tune_collector()
-    bound_free_memory()
-    _stop_at_hangup(server)
+    server = make_server(service, announce)
+    hangup = getattr(signal, "SIGHUP", None)
+    if hangup is not None and signal.getsignal(hangup) is signal.SIG_DFL:
+        # A terminal that is closed sends it; ``nohup`` has it ignored.
+        signal.signal(hangup, server.handle_exit)
     try:
         with opened:
             server.run([opened])

@@ -12,7 +12,7 @@ from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Attached, Curve, EndpointLaw, PredictionMessage, Status, encode
 from pointpred.records import Pair, PointerEvent, Prediction
-from pointpred_server.sessions.viewing import ViewingSession
+from pointpred_server.sessions.lifecycle import Session
 
 FRAME_S = 1 / 120
 """Viewers get one frame in this time: the events since the last one, with the newest prediction."""
@@ -36,7 +36,7 @@ class LiveFeed:
         """The newest transfer function; replaced whole, from any thread."""
         self.skipped = 0
         """Events that no viewer got because the event loop was late."""
-        self._viewers: dict[ViewingSession, Callable[[], None]] = {}
+        self._viewers: dict[Session, Callable[[], None]] = {}
         self._waiting: deque[Pair] = deque()
         self._lock = threading.Lock()
         self._due = False
@@ -52,13 +52,11 @@ class LiveFeed:
         """Send to viewers from now on, from this loop."""
         self._loop = loop
 
-    def join(self, viewer: ViewingSession, wake: Callable[[], None]) -> None:
+    def join(self, viewer: Session, wake: Callable[[], None]) -> None:
         """Send to one more viewer; ``wake`` sends what its outbox holds."""
         self._viewers[viewer] = wake
-        viewer.show(self)
-        wake()
 
-    def leave(self, viewer: ViewingSession) -> None:
+    def leave(self, viewer: Session) -> None:
         """Send nothing more to it."""
         self._viewers.pop(viewer, None)
 

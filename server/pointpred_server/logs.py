@@ -9,7 +9,6 @@ from datetime import UTC, datetime
 from typing import Literal
 
 from pointpred.logs import OWN, PlainLines, fields_of, message_of
-from pointpred_server.log_repeats import RepeatLimit
 
 EVERY_ENTRY = {
     "time": "when it was written: UTC, ISO 8601, to the millisecond",
@@ -34,29 +33,13 @@ class JsonLines(logging.Formatter):
         return json.dumps(entry | fields_of(record))
 
 
-class _OfWorker(logging.Filter):
-    """Adds the number of this process's worker to each entry."""
-
-    def __init__(self, worker: int) -> None:
-        super().__init__()
-        self.worker = worker
-
-    def filter(self, record: logging.LogRecord) -> bool:
-        record.worker = self.worker
-        return True
-
-
-def set_up(style: Literal["json", "text"] | None = None, worker: int | None = None) -> None:
+def set_up(style: Literal["json", "text"] | None = None) -> None:
     """Send every entry of this process to stderr: ours from info on, others' from warning on.
 
-    Without a style it is text where stderr is a terminal, JSON elsewhere. ``worker``: the number of this
-    process among several.
+    Without a style it is text where stderr is a terminal, JSON elsewhere.
     """
     style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(JsonLines() if style == "json" else PlainLines())
-    handler.addFilter(RepeatLimit())
-    if worker is not None:
-        handler.addFilter(_OfWorker(worker))
     logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
     logging.getLogger(OWN).setLevel(logging.INFO)

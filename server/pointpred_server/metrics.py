@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Iterator
 from itertools import accumulate
 
-from prometheus_client import CollectorRegistry, Counter, Gauge, generate_latest
+from prometheus_client import CollectorRegistry, Counter, Gauge, start_http_server
 from prometheus_client.core import HistogramMetricFamily
 from prometheus_client.platform_collector import PlatformCollector
 from prometheus_client.process_collector import ProcessCollector
@@ -18,55 +18,43 @@ BUCKETS = (5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.5,
 
 
 class Delays(Collector):
-    """Two histograms of the delay of predictions, for one thread: in a fifth of the library's own time."""
+    """A histogram of the delay of predictions, for one thread: in a fifth of the library's own time."""
 
     def __init__(self) -> None:
-        self._taken, self._arrived = ([0] * (len(BUCKETS) + 1) for _ in range(2))
-        self._taken_s = self._arrived_s = 0.0
+        self._counts = [0] * (len(BUCKETS) + 1)
+        self._total_s = 0.0
 
-    def observe(self, taken_s: float, arrived_s: float) -> None:
-        """Count a prediction: how long since its frame was taken in, and since that can have come."""
-        self._taken[bisect_left(BUCKETS, taken_s)] += 1
-        self._taken_s += taken_s
-        self._arrived[bisect_left(BUCKETS, arrived_s)] += 1
-        self._arrived_s += arrived_s
+    def observe(self, delay_s: float) -> None:
+        """Count a prediction."""
+        self._counts[bisect_left(BUCKETS, delay_s)] += 1
+        self._total_s += delay_s
 
     def collect(self) -> Iterator[HistogramMetricFamily]:
-        """Both, with the counts up to each bound."""
-        yield _histogram(
+        """The counts up to each bound."""
+        bounds = [*map(str, BUCKETS), "+Inf"]
+        yield HistogramMetricFamily(
             "pointpred_event_to_prediction_seconds",
-            "From the newest frame, as the session takes it, to its prediction handed to the socket; "
-            "the time that a frame waits before is not in it",
-            self._taken,
-            self._taken_s,
+            "From the time that a frame was read to its prediction handed to the socket; the time that it "
+            "waited to be read is not in it",
+            list(zip(bounds, accumulate(self._counts), strict=True)),
+            self._total_s,
         )
-        yield _histogram(
-            "pointpred_arrival_to_prediction_seconds",
-            "From the earliest time at which the oldest frame answered can have come, to the prediction "
-            "handed to the socket: an upper bound",
-            self._arrived,
-            self._arrived_s,
-        )
-
-
-def _histogram(name: str, meaning: str, counts: list[int], total_s: float) -> HistogramMetricFamily:
-    bounds = [*map(str, BUCKETS), "+Inf"]
-    return HistogramMetricFamily(name, meaning, list(zip(bounds, accumulate(counts), strict=True)), total_s)
 
 
 class Metrics:
-    """Counters of one service, in a registry of their own."""
+    """Counters of one service, in a registry of their own; any thread may read them."""
 
-    def __init__(self) -> None:
+    def __init__(self, max_sessions: int) -> None:
         self.registry = CollectorRegistry()
         ProcessCollector(registry=self.registry)
         PlatformCollector(registry=self.registry)
         self.delays = Delays()
         self.registry.register(self.delays)
         self.sessions = Gauge("pointpred_sessions", "Sessions now", registry=self.registry)
-        self.sessions_limit = Gauge(
+        limit = Gauge(
             "pointpred_sessions_limit", "Sessions that may be open at a time", registry=self.registry
         )
+        limit.set(max_sessions)
         self.ended = Counter(
             "pointpred_sessions_ended",
             "Sessions that ended, by close code; 1006: the connection was lost",
@@ -86,8 +74,7 @@ class Metrics:
         self.connections_refused = Counter(
             "pointpred_connections_refused",
             "Connections and requests refused before anything was read, by error code: a foreign host or "
-            "origin, no token, too many sessions or requests, a header or query that is too large, what is "
-            "no request, a response that is not read",
+            "origin, no token, too many sessions, a path where there is no WebSocket",
             ["code"],
             registry=self.registry,
         )
@@ -132,9 +119,10 @@ class Metrics:
             self.refused.labels(code).inc(count - counts.refused.get(code, 0))
             counts.refused[code] = count
 
-    def text(self) -> bytes:
-        """The exposition format."""
-        return generate_latest(self.registry)
+    def serve(self, port: int) -> int:
+        """Answer Prometheus on a port of this machine's own, 0 for any free one; the port. Raises OSError."""
+        server, _ = start_http_server(port, addr="127.0.0.1", registry=self.registry)
+        return server.server_port
 
 
 class SessionCounts:

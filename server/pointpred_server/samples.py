@@ -1,4 +1,4 @@
-"""The embedded sample for the replay view: one trial and the predictions along it, as columns."""
+"""The embedded sample for the page: its trials by name, and the events of one as columns."""
 
 from __future__ import annotations
 
@@ -9,10 +9,7 @@ import numpy as np
 
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
-from pointpred.pipeline import run
 from pointpred.recording import Recording
-from pointpred.records import FloatArray
-from pointpred.registry import REGISTRY, build
 
 
 @cache
@@ -27,14 +24,12 @@ def _numbers() -> dict[str, int]:
 
 
 def listing() -> dict[str, Any]:
-    """Every trial of the embedded sample by name, and the predictors that can be shown along it."""
+    """Every trial of the embedded sample by name."""
     recording = _recording()
-    shown = [{"name": entry.name, "title": entry.title} for entry in REGISTRY.values()]
     return {
         "version": 1,
         "recording": recording.name,
         "simulated": True,
-        "predictors": shown,
         "samples": [
             {"name": name, "user": recording.trials[i].user, "events": len(recording.rows(i))}
             for name, i in _numbers().items()
@@ -42,8 +37,8 @@ def listing() -> dict[str, Any]:
     }
 
 
-def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
-    """One trial with the predictions of some predictors; raises ParameterError for an unknown name."""
+def trial(name: str) -> dict[str, Any]:
+    """The events of one trial, times in s from its first event; raises ParameterError for an unknown name."""
     number = _numbers().get(name)
     if number is None:
         raise ParameterError(f"unknown sample {name!r}; GET /v1/samples lists the names")
@@ -62,35 +57,8 @@ def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
         "dx": events.dx.tolist(),
         "dy": events.dy.tolist(),
         "buttons": events.buttons.tolist(),
-        "predictions": {which: _predict(which, recording, number) for which in predictors},
-    }
-
-
-def _predict(predictor: str, recording: Recording, number: int) -> dict[str, Any]:
-    """Predictions after each event; NaN, which JSON shows as null, where nothing was justified.
-
-    ``region``: the numbers of a region as columns; ``None`` where none is claimed at any event.
-    """
-    origin = recording.provenance
-    predicted = run(build(predictor, cpi=origin.cpi, dpi=origin.dpi), recording.rows(number))
-    scale = {name: _significant(getattr(predicted, name)) for name in ("sxx", "sxy", "syy", "tail")}
-    claimed = bool(np.isfinite(predicted.sxx).any())
-    return {
-        "x": _column(predicted.x, 2),
-        "y": _column(predicted.y, 2),
-        "region": scale if claimed else None,
     }
 
 
 def _target(x: float, y: float, width: float) -> dict[str, float] | None:
     return None if np.isnan(x) or np.isnan(y) else {"x": x, "y": y, "width": width}
-
-
-def _column(values: FloatArray, digits: int) -> list[float]:
-    rounded: list[float] = np.round(values, digits).tolist()
-    return rounded
-
-
-def _significant(values: FloatArray) -> list[float]:
-    """Matrices need the same digits at every size: a thin one is lost to rounding."""
-    return [float(f"{value:.9g}") for value in values.tolist()]

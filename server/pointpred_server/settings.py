@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import secrets
 from collections.abc import Iterable
+from difflib import get_close_matches
 from ipaddress import ip_address, ip_network
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, PrivateAttr, field_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.predictors.kinematic import coefficient_file
@@ -50,6 +52,10 @@ def _files(value: Any) -> Any:
 Files = Annotated[dict[str, Path], NoDecode, BeforeValidator(_files)]
 
 
+ELSEWHERE = frozenset({"COMPILED", "RECORDINGS", "DEBUG"})
+"""What else the environment may say to pointpred, after ``POINTPRED_``."""
+
+
 class Settings(BaseSettings):
     """What a service is started with."""
 
@@ -62,7 +68,12 @@ class Settings(BaseSettings):
         le=65535,
         description="Port; 0 takes any free one. Not given: the first free from 8765.",
     )
-    workers: int = Field(default=1, ge=1, le=256, description="Processes that share the sessions.")
+    metrics_port: int | None = Field(
+        default=None,
+        ge=0,
+        le=65535,
+        description="Port of 127.0.0.1 with metrics for Prometheus; 0 takes any free one. Not given: none.",
+    )
     allow_host: Words = Field(default=(), description="Other host names this service answers to.")
     allow_origin: Words = Field(default=(), description="Origins of other sites' pages that may connect.")
     trust_proxy: Words = Field(
@@ -146,6 +157,19 @@ class Settings(BaseSettings):
             coefficient_file.read(file)
             coefficient_file.sets(file)
         return {name: file.absolute() for name, file in files.items()}
+
+    @model_validator(mode="after")
+    def _environment(self) -> Settings:
+        """A misspelt token would leave a service open: what nobody reads is an error."""
+        names = {name.upper() for name in type(self).model_fields}
+        for variable in os.environ:
+            prefix, _, name = variable.partition("_")
+            if prefix.upper() == "POINTPRED" and name.upper() not in names | ELSEWHERE:
+                near = get_close_matches(name.upper(), names, 1, 0.0)[0]
+                raise ValueError(
+                    f"unknown variable {variable} in the environment; the nearest is POINTPRED_{near}"
+                )
+        return self
 
     @property
     def limits(self) -> Limits:

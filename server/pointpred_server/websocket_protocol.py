@@ -1,393 +1,378 @@
-"""uvicorn's WebSocket protocol, with bounds on what a client may do below the messages of a session.
+"""A WebSocket: the request to open it, then its frames into a session and the answers back.
 
-Sessions do not see frames that are too long, messages in too many fragments, floods of pings, and last frames
-that nobody reads: they are bounded here. A session that attaches itself gets its messages, and sends its
-answers, by plain calls instead of ASGI's ``receive`` and ``send``, which cost more than a prediction.
+uvicorn reads the request and hands the connection over; the sans-I/O protocol of ``websockets`` reads and
+checks frames. Everything else that happens between a socket and a session is in this file.
 """
 
 from __future__ import annotations
 
 import asyncio
+import logging
 import socket
-from asyncio.transports import BaseTransport
+from collections.abc import Callable
 from http import HTTPStatus
 from time import perf_counter
+from typing import Any
+from urllib.parse import unquote
 
-from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+from uvicorn.config import Config
+from uvicorn.server import ServerState
 from websockets.frames import Frame, Opcode
-from websockets.http11 import Request
+from websockets.http11 import Request, Response
 from websockets.protocol import State
+from websockets.server import ServerProtocol
 
-from pointpred.protocol.frames import Frame as Message
-from pointpred.protocol.server_messages import Code, ErrorMessage, encode
-from pointpred.protocol.token_bucket import TokenBucket
-from pointpred_server.access import usual_address
-from pointpred_server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Violation
-from pointpred_server.sessions.lifecycle import STANDSTILL_S
-from pointpred_server.upgrade import FrameReader
-from pointpred_server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
+from pointpred.clock import Instant, now
+from pointpred.logs import place_of
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.server_messages import Code, ErrorMessage, ServerMessage, encode
+from pointpred_server.access import HOST_REFUSED, Scope, admits_origin, believe_proxy, header, origin_advice
+from pointpred_server.service import Refusal, Service
+from pointpred_server.sessions.lifecycle import SLOW, STANDSTILL_S, Session
 
-UPGRADE_S = 10.0
-"""So long the application may take to accept or refuse a connection."""
-LINGER_S = 5.0
-"""So long a client may take to read its last frames and close."""
+log = logging.getLogger("pointpred.service")
+
+READ_BYTES = 2**12
+"""So much is read of one client before others have their turn."""
+RECEIVE_BUFFER_BYTES = 2**16
+"""What the kernel may hold unread of a client: one whose events come faster than they are used has to wait
+with more. Less than a packet of the loopback interface would stop a client again and again."""
 WAITING_BYTES = 2**15
 """With more than this unsent, answers wait in the session's outbox, where newer predictions replace them."""
-READ_BYTES = 2**14
-"""Received data is parsed in pieces of this size: others have their turn in between, and little is parsed
-after the end of a session."""
-RECEIVE_BUFFER_BYTES = 2**16
-"""What the kernel may hold unread of a session's events; it takes twice as much for its own records. A
-client whose events come faster than they are used has to wait with more. Less than a packet of the loopback
-interface would stop a client again and again."""
-FRAGMENTS_MOST = 64
-"""Fragments of one message; our own clients send one."""
-FRAGMENTS_PER_S = 5000
-"""Fragments of all messages: parsing one takes 4 us. Messages in one frame are not counted."""
-CONTROL_FRAMES_PER_S = 100
-"""Pings and pongs together."""
-PONG = bytes([0x80 | Opcode.PONG])
+MESSAGE_BYTES = 2**20
+"""Longest message that is read: above every limit of a session, which says more."""
+STUCK_S = 10.0
+"""A session ends whose client has read too little for so long, although answers wait."""
+LINGER_S = 5.0
+"""So long a client may take to read its last frames and close."""
+PING_S, PONG_S = 20.0, 20.0
+"""A client that sends nothing for so long is asked whether it is there, and is gone where nothing comes."""
+
+WHOLE = MASKED = 0x80
+"""In the first byte of a frame: a message ends with it. In the second: it is masked, as a client must."""
+TEXT, BINARY = WHOLE + Opcode.TEXT, WHOLE + Opcode.BINARY
+SHORT_BYTES, HEAD_BYTES = 125, 6
+"""Payloads up to this have their length in the second byte; then the mask and the payload follow."""
+STOPS = "the server stops"
+"""What clients are told at the end."""
+PATHS = ("/v1/stream", "/v1/live")
+NO_REQUEST = b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
+NO_DEVICE = (
+    "no device is attached; to show a mouse here, run 'pointpred live --serve' "
+    "on the machine it is plugged into"
+)
 
 
-class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
-    """A connection that ends where the client exceeds a bound, and is aborted where it does not close.
+class WebSocketProtocol(asyncio.BufferedProtocol):
+    """One connection, from the request on; uvicorn's class for WebSockets, without its application."""
 
-    Without the abort, a client that stops reading keeps its connection, and the memory of it, although its
-    session has ended.
-    """
+    def __init__(
+        self, service: Service, config: Config, server_state: ServerState, app_state: dict[str, Any]
+    ) -> None:
+        self.session: Session | None = None
+        self.messages = 0
+        """Messages received."""
+        self._service = service
+        self._connections = server_state.connections
+        self._frames = ServerProtocol(max_size=MESSAGE_BYTES, select_subprotocol=_subprotocol)
+        self._buffer = memoryview(bytearray(READ_BYTES))
+        self._partial = 0  # bytes of a frame that has not ended
+        self._pieces: list[bytes] = []  # of a message that has not ended
+        self._text = False  # whether that is a text
+        self._can_write = True
+        self._paused_at = self._heard_at = now()
+        self._pinged = False
+        self._closing: asyncio.TimerHandle | None = None
 
-    _upgrade_timer: asyncio.TimerHandle | None = None  # runs from the request on
-    _abort_timer: asyncio.TimerHandle | None = None
-    _heard = True  # whether anything has come since the last ping
-    _ended = False  # whether the client has been told why it ends: nothing more is received
-    _pong: bytes | None = None  # the newest answer to a ping that has to wait
-    _receiver: Receiver | None = None
-    _detached = False  # whether there was a receiver, which takes nothing more
-    _held = False  # whether the receiver takes nothing for now
-    _unparsed = b""  # the beginning of a frame, or what waits for its turn
-    _read_at = 0.0  # when the first of it was read
-    _turn: asyncio.Handle | None = None  # when that is parsed
-    _parser_bytes = 0  # so many more bytes belong to the parser: it has begun to read a frame
-    can_write = True
-
-    async def run_asgi(self) -> None:
-        """Run the session, then abort the connection where it does not close in time."""
-        self.scope["extensions"][FRAMES] = {"socket": self}
-        await super().run_asgi()
-        self._linger()
-
-    def attach(self, receiver: Receiver) -> None:
-        """Give messages to a receiver from now on; ASGI's ``receive`` gives none any more."""
-        self._receiver = receiver
-        kernel = self.transport.get_extra_info("socket")
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Uvicorn hands the connection over."""
+        self._transport = transport
+        self._loop = asyncio.get_running_loop()
+        self._connections.add(self)  # type: ignore[arg-type]
+        transport.set_write_buffer_limits(high=WAITING_BYTES)
+        kernel = transport.get_extra_info("socket")
         kernel.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER_BYTES)
-        while not self.queue.empty():
-            early = self.queue.get_nowait()
-            if early["type"] == "websocket.receive":
-                receiver.receive([early.get("text") or early.get("bytes") or b""])
-            elif early["type"] == "websocket.disconnect":
-                receiver.disconnect(None)
-        self._read_on()
-
-    def detach(self) -> None:
-        """Drop what comes from the client from now on; only its close frame has a meaning."""
-        self._receiver, self._detached = None, True
-        self.resume_frames()
-
-    def write(self, frame: Message) -> None:
-        """Send a message, unless the connection has ended or is about to."""
-        if self.conn.state is State.OPEN and not self.disconnected and not self.transport.is_closing():
-            self.transport.write(framed(frame))
-
-    def pause_frames(self) -> None:
-        """Read nothing more from the client."""
-        self._held = True
-        self._pause_reading()
-
-    def resume_frames(self) -> None:
-        """Read again."""
-        if self._held:
-            self._held = False
-            self._begin_turn()
-
-    def connection_made(self, transport: BaseTransport) -> None:
-        """Begin, with a bound on unsent data."""
-        super().connection_made(transport)
-        self.client = usual_address(self.client)
-        self.transport.set_write_buffer_limits(high=WAITING_BYTES)
-        self._control_frames = TokenBucket(CONTROL_FRAMES_PER_S, self.loop.time())
-        self._fragments = TokenBucket(FRAGMENTS_PER_S, self.loop.time())
-
-    def open(self, request: Request) -> bool:
-        """Answer a request that has been parsed; False where its headers do not ask for a WebSocket."""
-        self.conn = FrameReader(max_size=self.config.ws_max_size, logger=self.logger)
-        self._upgrade_timer = self.loop.call_later(UPGRADE_S, self._end_upgrade)
-        self.handle_connect(request)
-        return self.response.status_code == HTTPStatus.SWITCHING_PROTOCOLS
-
-    def shutdown(self) -> None:
-        """The service stops; a connection that has already failed has nobody to tell."""
-        if self.handshake_complete or not self.conn.eof_sent:
-            super().shutdown()
-        else:
-            self.transport.abort()
-
-    def _end_upgrade(self) -> None:
-        if not self.handshake_complete:
-            self.transport.abort()
-
-    def connection_lost(self, exc: Exception | None) -> None:
-        """What came before is still given on, in turns; nothing is left to abort."""
-        if self._unparsed and not self._ended:
-            self._held = False  # the receiver may hold it again at each turn
-            self._take_turn()
-            if self._turn is not None:
-                self._turn.cancel()
-                self._turn = self.loop.call_soon(self.connection_lost, exc)
-                return
-        if self._upgrade_timer is not None:
-            self._upgrade_timer.cancel()
-        if self._abort_timer is not None:
-            self._abort_timer.cancel()
-        self.can_write = True
-        super().connection_lost(exc)
-        if self._receiver is not None:
-            self._receiver.disconnect(None)
 
     def data_received(self, data: bytes) -> None:
-        """Take in received data, no further than to the end of the session."""
-        self._heard = True
-        if self._unparsed:
-            data = self._unparsed + data
+        """The request, as uvicorn writes it out; frames come in the buffer."""
+        self._frames.receive_data(data)
+        request = next(iter(self._frames.events_received()), None)
+        if not isinstance(request, Request):
+            self._transport.write(NO_REQUEST)
+            self._transport.close()
+            return
+        scope = self._scope(request)
+        refused = self._refuse_request(scope)
+        response = refused or self._frames.accept(request)
+        self._frames.send_response(response)
+        self._send()
+        if response.status_code != HTTPStatus.SWITCHING_PROTOCOLS:
+            self._service.count_refusal("unauthorized" if response.status_code == 403 else "bad_field")
+            self._linger()
+            return
+        opened = self._service.open_session(scope, self)
+        if isinstance(opened, Refusal):
+            self._write(encode(ErrorMessage(opened.code, opened.message, recoverable=False)).decode())
+            self._close(opened.close, opened.message)
         else:
-            self._read_at = perf_counter()
-        if self._held or self._turn is not None:
-            self._unparsed = data
-        else:
-            self._parse(data)
+            self.session = opened
+            opened.run_aside = self._run_aside
+            self.flush()
+        # uvicorn sets this protocol next; only from then on the transport may read into its buffer.
+        self._transport.pause_reading()
+        self._loop.call_soon(self._transport.resume_reading)
 
-    def _parse(self, data: bytes) -> None:
-        """Give on the messages in received data; of much data the rest waits until others had their turn."""
-        messages: list[Message] = []
-        at, size, most = 0, len(data), FRAMES_AT_ONCE
-        while at < size and not self._ended:
-            if at >= READ_BYTES or len(messages) >= most:
-                self._begin_turn()
-                break
-            end = at + self._parser_bytes if self._parser_bytes else frame_end(data, at)
-            message = None
-            if end == 0:
-                break  # the rest of its header has not come
-            if not self._parser_bytes and data[at] in WHOLE_MESSAGES and self.conn.current_size is None:
-                if size < end <= at + READ_BYTES:
-                    break  # the rest of the frame has not come
-                message = whole_message(data, at, end) if end <= size else None
-            if message is not None:
-                messages.append(message)
-                at = end
-                continue
-            self._deliver(messages)
-            messages, begin = [], at
-            at, count = self._end_of_others(data, at, end)
-            most -= count
-            self._parser_bytes = max(end - size, 0)
-            super().data_received(data[begin:at])
-            if self.conn.close_rcvd is not None:
-                at = size
-        self._unparsed = b"" if self._ended or at >= size else data[at:]
-        self._deliver(messages)
+    def _scope(self, request: Request) -> Scope:
+        """The request as ASGI has it; the client is the one that a trusted proxy names."""
+        path, _, query = request.path.partition("?")
+        peer = self._transport.get_extra_info("peername")
+        scope: Scope = {
+            "path": unquote(path),
+            "query_string": query.encode("latin-1", "replace"),
+            "headers": [
+                (name.lower().encode(), value.encode("latin-1", "replace"))
+                for name, value in request.headers.raw_items()
+            ],
+            "scheme": "ws",
+            "client": tuple(peer[:2]) if isinstance(peer, tuple) else None,
+        }
+        believe_proxy(scope, self._service.settings.trust_proxy)
+        return scope
 
-    def _end_of_others(self, data: bytes, begin: int, end: int) -> tuple[int, int]:
-        """Where the frames end that the parser reads together, such as fragments, and how many they are."""
-        size, count = len(data), 1
-        if data[begin] in WHOLE_MESSAGES and self.conn.current_size is None:
-            return min(end, size), count
-        while end < size and data[end] not in WHOLE_MESSAGES and count < FRAMES_AT_ONCE:
-            following = frame_end(data, end)
-            if not 0 < following <= min(size, begin + READ_BYTES):
-                break
-            end, count = following, count + 1
-        return min(end, size), count
+    def _refuse_request(self, scope: Scope) -> Response | None:
+        """Why no WebSocket is opened: another host name, another site's page, another path."""
+        service = self._service
+        if not service.hosts.admits(scope):
+            return self._response(HTTPStatus.FORBIDDEN, "unauthorized", HOST_REFUSED)
+        if not admits_origin(scope, service.settings.allow_origin):
+            origin = header(scope, b"origin")
+            service.origins.add(origin)
+            return self._response(HTTPStatus.FORBIDDEN, "unauthorized", origin_advice(origin))
+        if scope["path"] not in PATHS:
+            return self._response(
+                HTTPStatus.NOT_FOUND, "bad_field", f"a WebSocket is at {' or '.join(PATHS)}"
+            )
+        if scope["path"] == "/v1/live" and service.live is None and service.has_token(scope):
+            return self._response(HTTPStatus.NOT_FOUND, "out_of_place", NO_DEVICE)
+        return None
 
-    def _deliver(self, messages: list[Message]) -> None:
-        if not messages or self.close_sent or self._ended or self._detached:
+    def _response(self, status: HTTPStatus, code: Code, message: str) -> Response:
+        """An error in the shape that errors have everywhere."""
+        response = self._frames.reject(status, encode(ErrorMessage(code, message)).decode())
+        del response.headers["Content-Type"]
+        response.headers["Content-Type"] = "application/json"
+        return response
+
+    def get_buffer(self, sizehint: int) -> memoryview:
+        """Where the transport puts what it reads next."""
+        return self._buffer
+
+    def buffer_updated(self, nbytes: int) -> None:
+        """Take in the messages of what was read."""
+        self._heard_at = at = now()
+        message = None if self._partial or self._pieces else self._short_message(nbytes)
+        if message is not None:
+            self._receive(message, at)
             return
-        if self._receiver is not None:
-            self._receiver.receive(messages, self._read_at)
-            return
-        for message in messages:  # an application that uses ASGI's ``receive``
-            kind = "text" if isinstance(message, str) else "bytes"
-            self.queue.put_nowait({"type": "websocket.receive", kind: message})  # type: ignore[arg-type]
-        self._pause_reading()
+        frames = self._frames
+        frames.receive_data(self._buffer[:nbytes].tobytes())
+        self._partial += nbytes
+        for frame in frames.events_received():
+            assert isinstance(frame, Frame)
+            self._partial -= len(frame.data) + _head_bytes(len(frame.data))
+            self._take(frame, at)
+        self._send()
+        if frames.state is not State.OPEN and self.session is not None:
+            ended = frames.close_rcvd or frames.close_sent  # it left, or broke a rule of WebSockets
+            if ended is not None:
+                self.session.end(ended.code, ended.reason)
 
-    def send_receive_event_to_app(self) -> None:
-        """Give on a message that the parser has read."""
-        data, self.frames = b"".join(self.frames), []
-        if self.curr_msg_data_type == "bytes":
-            self._deliver([data])
-            return
+    def _short_message(self, nbytes: int) -> str | bytes | None:
+        """What was read where that is one short message in one frame: a fifth of the time of all checks.
+
+        ``None`` for everything else, and for what breaks a rule: ``websockets`` says which.
+        """
+        read = self._buffer
+        first, size = read[0], nbytes - HEAD_BYTES
+        if read[1] != MASKED + size or size > SHORT_BYTES or (first != BINARY and first != TEXT):
+            return None
+        mask = int.from_bytes((read[2:6].tobytes() * SHORT_BYTES)[:size])
+        payload = (int.from_bytes(read[HEAD_BYTES:nbytes]) ^ mask).to_bytes(size)
+        if first == BINARY:
+            return payload
         try:
-            text = data.decode()
-        except UnicodeDecodeError as error:
-            self._refuse(None, f"a text must be UTF-8: {error.reason} at byte {error.start}", 1007)
+            return payload.decode()
+        except UnicodeDecodeError:
+            return None
+
+    def _take(self, frame: Frame, at: Instant) -> None:
+        """Take in one frame: a message, a piece of one, or a ping."""
+        session, opcode = self.session, frame.opcode
+        if session is None or session.close is not None or opcode is Opcode.CLOSE:
+            return
+        if opcode is Opcode.PING or opcode is Opcode.PONG:
+            session.receive_piece(at)
+            return
+        data = bytes(frame.data)
+        if not frame.fin or self._pieces:
+            session.receive_piece(at)
+            self._text = opcode is Opcode.TEXT if not self._pieces else self._text
+            self._pieces.append(data)
+            if not frame.fin:
+                return
+            data = b"".join(self._pieces)
+            self._pieces.clear()
         else:
-            self._deliver([text])
+            self._text = opcode is Opcode.TEXT
+        try:
+            message = data.decode() if self._text else data
+        except UnicodeDecodeError as error:
+            self._frames.fail(1007, f"a text must be UTF-8: {error.reason} at byte {error.start}")
+        else:
+            self._receive(message, at)
 
-    def _begin_turn(self) -> None:
-        """Parse what is unparsed once others had their turn; nothing is read before."""
-        if self._turn is None:
-            self._turn = self.loop.call_soon(self._take_turn)
-            self._pause_reading()
+    def _receive(self, message: str | bytes, at: Instant) -> None:
+        """Give a message to the session, and send what it answers."""
+        session = self.session
+        if session is None:
+            return
+        self.messages += 1
+        predictions = session.outbox.predictions
+        try:
+            session.receive(message, at)
+        except Exception as error:
+            self._fail(error)
+        self.flush()
+        if session.outbox.predictions != predictions:
+            self._service.metrics.delays.observe(perf_counter() - at.s)
 
-    def _take_turn(self) -> None:
-        if self._turn is not None:
-            self._turn.cancel()
-            self._turn = None
-        if not self._held:
-            data, self._unparsed = self._unparsed, b""
-            self._parse(data)
-            self._read_on()
+    def _fail(self, error: Exception) -> None:
+        """Something broke on this side: the session ends, the process and other sessions go on."""
+        assert self.session is not None
+        # The message might quote an event: the entry names the place, not the values.
+        log.error("session failed", extra={"session": self.session.name, "error": place_of(error)})
+        self.session.fail()
 
-    def _pause_reading(self) -> None:
-        if not self.read_paused and not self.transport.is_closing():
-            self.read_paused = True
-            self.transport.pause_reading()
+    def flush(self) -> None:
+        """Send what can be sent now; the rest once the client reads again."""
+        session = self.session
+        if session is None or self._transport.is_closing():
+            return
+        while self._can_write and (answers := session.outbox.take()):
+            for answer in answers:
+                self._write(answer)
+        if session.close is not None and self._closing is None:
+            for answer in session.outbox.take():
+                self._write(answer)
+            self._close(session.close.code, session.close.reason)
 
-    def _read_on(self) -> None:
-        """Read again where nothing is against it."""
-        if self.read_paused and not self._held and self._turn is None and not self.transport.is_closing():
-            self.read_paused = False
-            self.transport.resume_reading()
+    def _write(self, answer: str | bytes) -> None:
+        first, payload = (TEXT, answer.encode()) if isinstance(answer, str) else (BINARY, answer)
+        size = len(payload)
+        if size <= SHORT_BYTES:
+            self._transport.write(bytes((first, size)) + payload)
+        else:
+            self._transport.write(Frame(Opcode(first - WHOLE), payload).serialize(mask=False))
+
+    def _close(self, code: int, reason: str) -> None:
+        """Send why the connection ends, unless the client has closed it."""
+        if self._frames.state is State.OPEN:
+            self._frames.send_close(code, reason)
+        self._send()
+        self._linger()
+
+    def _send(self) -> None:
+        """Send what ``websockets`` has to: pongs, close frames, the end."""
+        for data in self._frames.data_to_send():
+            if data:
+                self._transport.write(data)
+            elif self._transport.can_write_eof():
+                self._transport.write_eof()
+                self._linger()
+
+    def _linger(self) -> None:
+        """Abort the connection where the client does not close it in time."""
+        if self._closing is None:
+            self._closing = self._loop.call_later(LINGER_S, self._transport.abort)
+
+    def _run_aside(self, work: Callable[[], ServerMessage]) -> None:
+        """Have another thread do what takes long, and send what comes of it."""
+        done = self._loop.run_in_executor(self._service.aside, work)
+        done.add_done_callback(self._finish_aside)
+
+    def _finish_aside(self, done: asyncio.Future[ServerMessage]) -> None:
+        if self.session is None or self.session.close is not None or done.cancelled():
+            return
+        if (error := done.exception()) is not None:
+            assert isinstance(error, Exception)
+            self._fail(error)
+        else:
+            self.session.send(done.result())
+        self.flush()
+
+    def tick(self, at: Instant, late_s: float) -> None:
+        """A second has passed: end what is silent, or is not read; ask whether the client is there.
+
+        ``late_s``: as in ``Session.tick``.
+        """
+        session = self.session
+        if session is None or session.close is not None:
+            return
+        if late_s > STANDSTILL_S:
+            self._paused_at = self._heard_at = at
+        try:
+            session.tick(at, late_s)
+        except Exception as error:
+            self._fail(error)
+        if not self._can_write and at.since(self._paused_at) >= STUCK_S:
+            session.fail("slow", SLOW, 1013)
+        silent_s = at.since(self._heard_at)
+        if silent_s >= PING_S + PONG_S:
+            session.end(1011, "nothing comes, not even the answer to a ping")
+        elif silent_s < PING_S:
+            self._pinged = False
+        elif not self._pinged and self._can_write:
+            self._pinged = True
+            self._frames.send_ping(b"")
+            self._send()
+        self.flush()
 
     def pause_writing(self) -> None:
         """The client does not read."""
-        super().pause_writing()
-        self.can_write = False
+        self._can_write, self._paused_at = False, now()
 
     def resume_writing(self) -> None:
-        """The client reads again: it gets the answer to its newest ping, and what waits."""
-        super().resume_writing()
-        self.can_write = True
-        if self._pong is not None and not self._ended:
-            self.transport.write(self._pong)
-        self._pong = None
-        if self._receiver is not None:
-            self._receiver.flush()
+        """The client reads again."""
+        self._can_write = True
+        self.flush()
 
-    def handle_cont(self, event: Frame) -> None:
-        """A further fragment of a message."""
-        if self._ended:
-            return
-        # The second fragment counts for the first as well, which looks like a whole message.
-        count = 2 if len(self.frames) == 1 else 1
-        if len(self.frames) >= FRAGMENTS_MOST:
-            self._refuse("too_large", f"a message has at most {FRAGMENTS_MOST} fragments", 1009)
-        elif not self._fragments.take(count, self.loop.time()):
-            self._refuse("too_fast", f"at most {FRAGMENTS_PER_S} fragments of messages a second", 1008)
-        else:
-            super().handle_cont(event)
-
-    def handle_ping(self) -> None:
-        """Answer the newest of the pings that arrived together, as soon as the answer can be sent."""
-        if not self._count_control_frame():
-            return
-        parts = self.conn.data_to_send()
-        pongs = [part for part in parts if part.startswith(PONG)]
-        others = [part for part in parts if not part.startswith(PONG)]
-        if not self.handshake_complete:
-            return
-        if self.writable.is_set():
-            self.transport.write(b"".join([*pongs[-1:], *others]))
-        else:
-            self._pong = pongs[-1] if pongs else self._pong
-            self.transport.write(b"".join(others))
-
-    def handle_close(self, event: Frame) -> None:
-        """The client leaves, or answers our close frame."""
-        super().handle_close(event)
-        if self._receiver is not None:
-            self._receiver.disconnect(None)
-
-    def handle_pong(self, event: Frame) -> None:
-        """The answer to a ping of ours, or an unsolicited one."""
-        if self._count_control_frame():
-            super().handle_pong(event)
-
-    def handle_parser_exception(self) -> None:
-        """What was received is no frame, or a longer one than any session takes."""
-        close = self.conn.close_sent
-        if close is None:  # before the handshake, where there is nobody to tell
-            self.transport.abort()
-        elif close.code == 1009:
-            self._refuse("too_large", f"a message holds at most {self.config.ws_max_size} bytes", 1009)
-        else:
-            self._refuse(None, close.reason, close.code)
-
-    def send_keepalive_ping(self) -> None:
-        """From now on something must come."""
-        self._heard = False
-        super().send_keepalive_ping()
-
-    def keepalive_timeout(self) -> None:
-        """A client that leaves a ping unanswered and sends nothing else is gone.
-
-        The answer may be behind frames that wait; and where this process stood still it may have come and
-        not been read.
-        """
-        if self.close_sent:
-            return
-        now, patience_s = self.loop.time(), self.ping_timeout or 0.0
-        if self._heard or now - self.ping_sent_at > patience_s + STANDSTILL_S:
-            self._heard, self.ping_sent_at = False, now
-            self.pong_timer = self.loop.call_later(patience_s, self.keepalive_timeout)
-            return
-        super().keepalive_timeout()
-        self._end(1011, "keepalive ping timeout", None)
-
-    def _count_control_frame(self) -> bool:
-        """Whether one more ping or pong is allowed."""
-        if self._ended:
-            return False
-        if self._control_frames.take(1, self.loop.time()):
-            return True
-        self._refuse("too_fast", f"at most {CONTROL_FRAMES_PER_S} pings and pongs a second", 1008)
+    def eof_received(self) -> bool:
+        """The client sends nothing more: the transport closes once all is sent."""
         return False
 
-    def _refuse(self, code: Code | None, message: str, close: int) -> None:
-        """Send why the connection ends, end it, and let the client read that; its session is told, too."""
-        if self._ended or self.close_sent:
-            return
-        if not self.handshake_complete:
-            self.transport.abort()
-            return
-        if self.conn.state is State.OPEN:
-            self.conn.send_close(close, message[:120])
-        parts = [part for part in self.conn.data_to_send() if not part.startswith(PONG)]
-        if code is not None:  # ahead of the close frame, which the parser may have written already
-            error = encode(ErrorMessage(code, message, None, recoverable=False))
-            parts.insert(0, Frame(Opcode.TEXT, error).serialize(mask=False))
-        self.transport.write(b"".join(parts))
-        self.close_sent = True
-        self._end(close, message, code)
-        if self.transport.can_write_eof():
-            self.transport.write_eof()
-        if self.read_paused:  # data left unread would turn the close into a reset
-            self.read_paused = False
-            self.transport.resume_reading()
-        # The base class closes at once unless it waits for the client's close frame.
-        self.close_timer = self.loop.call_later(LINGER_S, self.transport.abort)
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Nothing comes or can be sent any more."""
+        self._connections.discard(self)
+        if self._closing is not None:
+            self._closing.cancel()
+        if self.session is not None:
+            self._service.close_session(self.session)
 
-    def _end(self, close: int, reason: str, refused: Code | None) -> None:
-        """Tell the session; whatever it still sends is dropped."""
-        self._ended, self.disconnected = True, True
-        self.frames, self._pong = [], None
-        self.stop_keepalive()
-        self.queue.put_nowait({"type": "websocket.disconnect", "code": close, "reason": reason})
-        if self._receiver is not None:
-            self._receiver.disconnect(Violation(refused, reason, close))
-        self._linger()
+    def shutdown(self) -> None:
+        """Uvicorn stops: tell the client."""
+        self._service.stopping = True
+        if self.session is None:
+            self._transport.close()
+        else:
+            self.session.stop(STOPS)
+            self.flush()
 
-    def _linger(self) -> None:
-        """Abort the connection where it does not close by itself in time."""
-        if self._abort_timer is None and self in self.connections:
-            self._abort_timer = self.loop.call_later(LINGER_S, self.transport.abort)
+
+def _head_bytes(size: int) -> int:
+    """Bytes of a client's frame before a payload of so many."""
+    return HEAD_BYTES + (0 if size <= SHORT_BYTES else 2 if size < 2**16 else 8)
+
+
+def _subprotocol(frames: ServerProtocol, offered: Any) -> Any:
+    """Ours where the client offers it; a client may go without one."""
+    return SUBPROTOCOL if SUBPROTOCOL in offered else None

@@ -10,7 +10,7 @@ from tests.architecture.tree import ROOT
 WEB = ROOT / "server" / "pointpred_server" / "web"
 ORDER = (
     *("vendor", "laws", "prediction", "client", "pointpred.js", "intent", "index.js", "page", "drawing"),
-    *("service", "results"),
+    "service",
     *("live", "circle", "replay", "assist", "device", "page.js", "example.js"),
 )
 """The folders, and the modules beside them, from the bottom up."""

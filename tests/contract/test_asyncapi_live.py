@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 from pointpred.protocol.server_messages import LIVE_MESSAGES, Attached, Curve, Status
-from pointpred_server.endpoints import NO_DEVICE
+from pointpred_server.websocket_protocol import NO_DEVICE
 from tests.contract.test_asyncapi import DOCUMENT, MESSAGES, OPERATIONS, at, refs
 from tests.server.live_attached import attached
 from tests.server.test_live_stream import hear, look

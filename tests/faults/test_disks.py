@@ -23,10 +23,6 @@ FAILED = "pointpred_recordings_failed_total"
 ROOM = "128k"
 """The size of the disk: some hundred events."""
 
-HALF_AN_UPLOAD = (
-    b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9\r\nExpect: 100-continue\r\n\r\n"
-)
-
 
 def on_a_small_disk(own_mounts: list[str], folder: Path) -> list[str]:
     """The command that runs a program with a small disk in a folder."""
@@ -122,7 +118,7 @@ def test_a_disk_that_hangs_or_fails_holds_up_no_session(faults: Faults, tmp_path
 
 
 @pytest.mark.slow
-def test_a_service_stops_within_ten_seconds_although_a_disk_a_client_and_a_request_hang(
+def test_a_service_stops_within_ten_seconds_although_a_disk_and_a_client_hang(
     faults: Faults, tmp_path: Path
 ) -> None:
     with ExitStack() as opened:
@@ -135,18 +131,14 @@ def test_a_service_stops_within_ten_seconds_although_a_disk_a_client_and_a_reque
         client.exchange(100)
         soon(lambda: faults.held_up, "the disk hangs")
         port = urlsplit(running.address).port or 0
-        for sent in (upgrade(port), HALF_AN_UPLOAD):
-            hanging = opened.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE_S))
-            hanging.sendall(sent)
-        assert hanging.recv(100).startswith(b"HTTP/1.1 100 "), "the body is expected"
+        hanging = opened.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE_S))
+        hanging.sendall(upgrade(port))
         begun = time.monotonic()
         assert running.stop() in {0, -15}
         took = time.monotonic() - begun
         assert took < 10.0
-        recorder, requests = sorted(running.errors()), running.log.read_text()
-        assert len(recorder) == 1
-        assert recorder[0].startswith("the recorder could not write everything within ")
-        assert "requests were cancelled" in requests
+        (error,) = running.errors()
+        assert error.startswith("the recorder could not write everything within ")
         assert len(client.recorded(running)) == 100
 
 

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import io
+import os
+import tempfile
 import warnings
 import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -15,12 +19,26 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recordings.encodings import head_of
 from pointpred.recordings.known_formats import Format, format_of
 from pointpred.recordings.reading import AS_IS
-from pointpred_server.uploads.recordings import as_file
 from tests.fuzz.inputs import check as check_recording
 from tests.fuzz.refusals import refused
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 DEFLATED = zipfile.ZIP_DEFLATED
+
+
+@contextmanager
+def as_file(data: bytes) -> Iterator[Path]:
+    """A path at which the bytes can be read until the block ends; in memory on Linux, which is fast."""
+    if hasattr(os, "memfd_create"):
+        with os.fdopen(os.memfd_create("input"), "wb") as file:
+            file.write(data)
+            file.flush()
+            yield Path(f"/proc/self/fd/{file.fileno()}")
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "input"
+        path.write_bytes(data)
+        yield path
 
 
 def check_source(form: Format, data: bytes) -> str:

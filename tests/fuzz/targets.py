@@ -1,7 +1,7 @@
 """Every parser that reads what others wrote, as a fuzzer gives it bytes: the one table of targets.
 
-A parser ends in a result or in a PointpredError with a message; settings in pydantic's error, an upload in an
-UploadError. Each ``check`` raises whatever else happens, and AssertionError where a result is not in order.
+A parser ends in a result or in a PointpredError with a message; settings in pydantic's error.
+Each ``check`` raises whatever else happens, and AssertionError where a result is not in order.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from functools import partial
 from typing import NamedTuple
 
 from pointpred.recordings.known_formats import FORMATS
-from tests.fuzz import designs, evdev, files, hid, person, session, settings, transfer, uploads
+from tests.fuzz import designs, evdev, files, hid, person, session, settings, transfer
 
 
 class Target(NamedTuple):
@@ -53,13 +53,6 @@ TARGETS = {
             settings.check,
             settings.seeds,
             ("pointpred_server.settings", "pointpred_server.access"),
-        ),
-        Target(
-            "uploads",
-            uploads.check,
-            uploads.seeds,
-            ("pointpred_server.uploads", "pointpred.recordings"),
-            8192,
         ),
         *(
             Target(

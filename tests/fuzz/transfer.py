@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.errors import PointpredError
 from pointpred.transfer.files import load_transfer, named_transfer
-from pointpred_server.uploads.recordings import as_file
+from tests.fuzz.files import as_file
 from tests.fuzz.refusals import refused
 
 SPEEDS = np.array([0.0, 0.01, 0.3, 5.0])

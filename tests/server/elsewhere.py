@@ -1,7 +1,8 @@
 """``python -X warn_default_encoding elsewhere.py FOLDER``: the package as Windows would give it to its users.
 
 The modules of pointpred, and no others, see an ``os``, a ``signal`` and so on without what only Unix has, and
-cannot import Unix's modules. Everything is imported, the service serves, records and scores. Prints JSON.
+cannot import Unix's modules. Everything is imported, the service serves and records, and the command line
+scores. Prints JSON.
 """
 
 from __future__ import annotations
@@ -110,16 +111,15 @@ def imported() -> int:
 
 
 def served(folder: Path) -> dict[str, Any]:
-    """A session with predictions, recorded to disk; the page, and an upload that is scored."""
+    """A session with predictions, recorded to disk; and the page."""
     from pointpred import PointerEvent
     from pointpred.client import connect
-    from pointpred_server.access import HostRule
     from pointpred_server.listening import address, listen, make_server
     from pointpred_server.service import Service
     from pointpred_server.settings import Settings
 
     opened, up = listen("127.0.0.1", 0), threading.Event()
-    server = make_server(HostRule(), Service(Settings(record=folder)), up.set)
+    server = make_server(Service(Settings(record=folder)), up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     try:
@@ -139,18 +139,15 @@ def served(folder: Path) -> dict[str, Any]:
 
 
 def scored(file: Path) -> dict[str, Any]:
-    """What the command line and the service's upload make of a recording."""
+    """What the command line makes of a recording."""
     from pointpred.cli import main
-    from pointpred_server.uploads.recordings import score_body
 
     target, code = file.with_suffix(".json"), None
     try:
         main(["score", str(file), "--predictors", "hold", "--json", str(target)])
     except SystemExit as end:
         code = end.code
-    trials = [json.loads(target.read_bytes())["sets"][0]["trials"]]
-    trials += [one.trials for one in score_body(file.read_bytes(), ("hold",)).sets]
-    return {"code": code, "trials": trials}
+    return {"code": code, "trials": json.loads(target.read_bytes())["sets"][0]["trials"]}
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ from websockets.http11 import Request, Response
 from websockets.sync.server import ServerConnection, serve
 from websockets.typing import Subprotocol
 
+from pointpred.clock import now
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.app import CLIENT_MODULE
@@ -96,13 +97,11 @@ class Listener:
 
     def _talk(self, connection: ServerConnection) -> None:
         self._open.add(connection)
-        session = PointingSession("here", self.limits, time.monotonic(), coefficients=self._coefficients)
+        session = PointingSession("here", self.limits, now(), coefficients=self._coefficients)
         try:
             for frame in connection:
                 self.frames.append(frame)
-                session.receive(frame, time.monotonic())
-                if session.work is not None:
-                    session.finish(session.work())
+                session.receive(frame, now())
                 with suppress(ConnectionClosed):  # what came before the client left is still heard
                     for answer in session.outbox.take():
                         connection.send(answer)

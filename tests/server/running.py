@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,9 +14,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred_server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred_server.access import HostRule
 from pointpred_server.listening import listen, make_server
 from pointpred_server.service import Service
 from pointpred_server.settings import Settings
@@ -80,20 +77,14 @@ class Running:
 def running(
     prepare: Callable[[Service], None] = lambda service: None, *, host: str = "127.0.0.1", **settings: Any
 ) -> Iterator[Running]:
-    """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins.
-
-    Where others use the processors the service is behind; here it answers each frame as if it were not.
-    """
+    """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins."""
     service = Service(Settings(host=host, **settings))
     prepare(service)
     opened = listen(host, 0)
     up = threading.Event()
-    server = make_server(HostRule(host, service.settings.allow_host), service, up.set)
+    server = make_server(service, up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
-    patch = pytest.MonkeyPatch()
-    patch.setattr(pointpred_server.connection, "TOGETHER_S", math.inf)
-    patch.setattr(pointpred_server.connection, "BEHIND_S", math.inf)
     try:
         assert up.wait(PATIENCE_S)
         yield Running(service, opened.getsockname()[1], server)
@@ -101,5 +92,4 @@ def running(
         server.should_exit = True
         thread.join(PATIENCE_S)
         opened.close()
-        patch.undo()
         assert not thread.is_alive()

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from html.parser import HTMLParser
 
 import pytest
 from fastapi.testclient import TestClient
 
-from pointpred import __version__, build
+from pointpred import __version__
 from pointpred.datasets import sample
-from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred_server.access import HostRule
 from pointpred_server.app import create_app
 from pointpred_server.page import WEB
@@ -23,17 +21,6 @@ def client() -> TestClient:
 
 def test_health(client: TestClient) -> None:
     assert client.get("/healthz").json() == {"status": "ok", "version": __version__}
-
-
-def test_every_predictor_is_ready(client: TestClient) -> None:
-    count, ready = len(REGISTRY), list(REGISTRY)
-    assert client.get("/v1/compiling").json() == {
-        "done": count,
-        "of": count,
-        "next": None,
-        "ready": ready,
-        "recommended": RECOMMENDED,
-    }
 
 
 class References(HTMLParser):
@@ -72,39 +59,20 @@ def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
 def test_samples_are_listed_and_each_can_be_read(client: TestClient) -> None:
     listing = client.get("/v1/samples").json()
     assert listing["simulated"] is True
-    assert [one["name"] for one in listing["predictors"]] == list(REGISTRY)
     assert len(listing["samples"]) == len(sample().trials)
     name = listing["samples"][-1]["name"]
-    assert client.get(f"/v1/samples/{name}").json()["name"] == name
+    shown = client.get(f"/v1/samples/{name}").json()
+    assert shown["name"] == name
+    events = sample().rows(len(sample().trials) - 1)
+    for field in ("x", "y", "dx", "dy", "buttons"):
+        assert shown[field] == getattr(events, field).tolist()
+    assert shown["t"] == (events.t - events.t[0]).tolist()
 
 
-@pytest.mark.parametrize("predictor", REGISTRY)
-def test_predictions_are_those_of_update(client: TestClient, predictor: str) -> None:
-    first = client.get("/v1/samples").json()["samples"][0]["name"]
-    shown = client.get(f"/v1/samples/{first}", params={"predictors": predictor}).json()
-    recording = sample()
-    pipeline = build(predictor, cpi=recording.provenance.cpi, dpi=recording.provenance.dpi)
-    column = shown["predictions"][predictor]
-    assert len(column["x"]) == len(column["y"]) == len(shown["t"]) == len(recording.rows(0))
-    for event, x, y in zip(recording.rows(0).events(), column["x"], column["y"], strict=True):
-        answer = pipeline.update(event)
-        assert (answer is None) == (x is None) == (y is None)
-        if answer is not None:
-            assert math.hypot(answer.x - x, answer.y - y) < 0.01
-
-
-@pytest.mark.parametrize(
-    ("path", "said"),
-    [
-        ("/v1/samples/nobody", "unknown sample 'nobody'"),
-        ("/v1/samples/{first}?predictors=hold,swiched", "unknown predictor 'swiched'"),
-    ],
-)
-def test_unknown_names_are_404_and_say_so(client: TestClient, path: str, said: str) -> None:
-    first = client.get("/v1/samples").json()["samples"][0]["name"]
-    answer = client.get(path.format(first=first))
+def test_an_unknown_name_is_404_and_said(client: TestClient) -> None:
+    answer = client.get("/v1/samples/nobody")
     assert answer.status_code == 404
-    assert said in answer.json()["message"]
+    assert "unknown sample 'nobody'" in answer.json()["message"]
 
 
 @pytest.mark.parametrize(

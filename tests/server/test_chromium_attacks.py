@@ -81,10 +81,9 @@ def test_another_site_reads_the_files_of_the_client_only(service: Running, evil:
 @pytest.mark.parametrize("mode", ["cors", "no-cors"])
 def test_another_sites_post_is_refused(service: Running, evil: Page, mode: str) -> None:
     before = refused(service)
-    answer = fetched(evil, f"{service.url}/v1/score", f'{{method: "POST", mode: "{mode}", body: "t,x,y"}}')
+    answer = fetched(evil, f"{service.url}/v1/samples", f'{{method: "POST", mode: "{mode}", body: "t,x,y"}}')
     assert answer in ("refused", ["opaque", 0, ""])
     assert refused(service) == before + 1
-    assert not service.service.uploads
 
 
 def test_another_sites_form_is_refused(service: Running, evil: Page) -> None:
@@ -92,7 +91,7 @@ def test_another_sites_form_is_refused(service: Running, evil: Page) -> None:
     with evil.expect_navigation():
         evil.evaluate(
             f"""document.body.innerHTML = '<form method=post enctype=text/plain'
-              + ' action="{service.url}/v1/score"><input name=t value=1></form>';
+              + ' action="{service.url}/v1/samples"><input name=t value=1></form>';
             document.forms[0].submit()"""
         )
     assert refused(service) == before + 1
@@ -102,7 +101,7 @@ def test_another_sites_form_is_refused(service: Running, evil: Page) -> None:
 def test_a_request_of_another_site_that_asks_first_is_not_allowed(service: Running, evil: Page) -> None:
     """The preflight of a request with a header of its own, as private network access sends one too."""
     options = '{method: "PUT", headers: {"X-Any": "1"}}'
-    assert fetched(evil, f"{service.url}/v1/score", options) == "refused"
+    assert fetched(evil, f"{service.url}/v1/samples", options) == "refused"
     assert fetched(evil, f"{service.url}/pointpred.js", '{headers: {"X-Any": "1"}}') == "refused"
 
 
@@ -112,7 +111,7 @@ def test_a_rebound_name_gets_nothing(service: Running, rebound: Page) -> None:
         kind, status, text = fetched(rebound, path)
         assert (kind, status) == ("basic", 403)
         assert "not served here" in text
-    assert fetched(rebound, "/v1/score", '{method: "POST", body: "t,x,y"}')[1] == 403
+    assert fetched(rebound, "/v1/samples", '{method: "POST", body: "t,x,y"}')[1] == 403
     assert rebound.evaluate(SOCKET.format(url=f"ws://{REBOUND}:{service.port}/v1/stream")) == "refused"
     assert not service.service._open
 

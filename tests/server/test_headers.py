@@ -74,14 +74,14 @@ def test_any_page_may_load_the_client_and_nothing_else(client: TestClient) -> No
 def test_another_sites_page_may_not_post() -> None:
     client = TestClient(create_app(), base_url=HERE)
     for origin in ("http://evil.example", "null", "http://127.0.0.1:9999"):
-        answer = client.post("/v1/score", content=b"nonsense", headers={"Origin": origin})
+        answer = client.post("/v1/samples", content=b"nonsense", headers={"Origin": origin})
         assert answer.status_code == 403, origin
         assert answer.json().keys() == SHAPE
         assert answer.json()["code"] == "unauthorized"
-    assert client.post("/v1/score", content=b"nonsense", headers={"Origin": HERE}).status_code == 422
+    assert client.post("/v1/samples", content=b"nonsense", headers={"Origin": HERE}).status_code == 405
     allowed = Service(Settings(allow_origin=["http://evil.example"]))
     client = TestClient(create_app(service=allowed), base_url=HERE)
-    assert client.post("/v1/score", content=b"nonsense", headers=FOREIGN).status_code == 422
+    assert client.post("/v1/samples", content=b"nonsense", headers=FOREIGN).status_code == 405
 
 
 def test_what_breaks_is_500_in_the_shape_of_errors_without_its_words(

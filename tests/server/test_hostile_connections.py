@@ -6,6 +6,7 @@ import asyncio
 import json
 import logging
 import socket as socket_module
+import threading
 from contextlib import ExitStack, suppress
 from typing import Any
 
@@ -215,14 +216,21 @@ def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitt
     assert answers == ["welcome"] * admitted + ["error"] * (3 - admitted)
 
 
-def test_an_endless_upload_is_cancelled_when_the_service_stops(
+def test_an_endless_request_is_cancelled_when_the_service_stops(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr("pointpred_server.listening.REQUESTS_END_S", 1)
-    head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
+    begun = threading.Event()
+
+    async def endless(self: Service) -> bytes:
+        begun.set()
+        await asyncio.sleep(PATIENCE_S)
+        return b""
+
+    monkeypatch.setattr(Service, "metrics_text", endless)
     with running() as here:
-        opened = half(here, head)
-        soon(lambda: here.service.uploads == 1, "it is under way")
+        opened = half(here, b"GET /metrics HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        assert begun.wait(PATIENCE_S), "it is under way"
     opened.close()
     (entry,) = (one for one in caplog.records if one.levelno >= logging.WARNING)
     assert entry.args == (1, 1), "requests that had not ended, seconds after the stop"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import json
 import os
 import re
 import signal
@@ -11,70 +10,22 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
 
-import msgspec
 import pytest
-from httpx2 import get, post
+from httpx2 import get
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
-from pointpred.recordings import read, write
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
-from pointpred.scoring import score, summarise
 from pointpred_server.cli.serve import serve
 from pointpred_server.settings import Settings
-from tests import building
 from tests.server.running import HELLO, PATIENCE_S, Running, running
-
-
-@pytest.fixture
-def recording(tmp_path: Path) -> Path:
-    """Three reaches of one person, as our CSV."""
-    parts = [building.reach((0.0, 0.0), (x, 90.0), rest_s=0.2) for x in (300.0, 500.0, -400.0)]
-    return write(building.recording(parts, "study"), tmp_path / "study_samples.csv")[0]
 
 
 def test_predictors_are_those_of_the_registry(service: Running) -> None:
     told = get(f"{service.url}/v1/predictors", timeout=PATIENCE_S).json()
     listed = [describe(name) for name in REGISTRY]
     assert told == {"version": 1, "recommended": RECOMMENDED, "coefficients": [], "predictors": listed}
-
-
-def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, recording: Path) -> None:
-    answer = post(
-        f"{service.url}/v1/score?predictors=hold,switched", content=recording.read_bytes(), timeout=PATIENCE_S
-    )
-    assert answer.status_code == 200
-    (told,) = answer.json()["sets"]
-    expected = json.loads(msgspec.json.encode(summarise(score([read(recording)], ["hold", "switched"])[0])))
-    for ours, theirs in zip(told["predictors"], expected["predictors"], strict=True):
-        assert ours["time_averaged"] == theirs["time_averaged"]
-        assert ours["by_path"] == theirs["by_path"]
-
-
-@pytest.mark.parametrize(
-    ("query", "body", "status", "words"),
-    [
-        ("", b"nonsense", 422, "the recording"),
-        ("", b"", 422, "the recording"),
-        ("?predictors=oracle", b"nonsense", 422, "unknown predictor 'oracle'"),
-    ],
-)
-def test_what_cannot_be_scored_is_answered(
-    service: Running, query: str, body: bytes, status: int, words: str
-) -> None:
-    answer = post(f"{service.url}/v1/score{query}", content=body, timeout=PATIENCE_S)
-    assert answer.status_code == status
-    told = answer.json()
-    assert told["type"] == "error"
-    assert words in told["message"]
-    assert "/tmp" not in told["message"]
-
-
-def test_too_large_a_recording_is_refused(service: Running) -> None:
-    answer = post(f"{service.url}/v1/score", content=b"0" * (17 * 2**20), timeout=PATIENCE_S)
-    assert (answer.status_code, answer.json()["code"]) == (413, "too_large")
 
 
 def test_pages_ask_for_the_token_but_health_does_not() -> None:

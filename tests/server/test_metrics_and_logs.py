@@ -7,6 +7,7 @@ import json
 import logging
 import os
 import re
+import threading
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from pointpred.logs import PlainLines
 from pointpred.recorder.writer import Recorder
 from pointpred_server.logs import JsonLines, set_up
 from pointpred_server.metrics import BUCKETS
+from pointpred_server.service import Service
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -33,6 +35,28 @@ def test_metrics_and_readiness() -> None:
         assert 'pointpred_refused_total{code="bad_json"} 1.0' in text
         assert "pointpred_recordings_failed_total 0.0" in text  # told where nothing is recorded, too
         assert get(f"{here.url}/readyz", timeout=PATIENCE_S).json() == {"ready": True, "stopping": False}
+
+
+def test_sessions_are_counted_by_the_thread_that_opens_and_closes_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Read from another thread, the sessions change while they are counted."""
+    threads: dict[str, int] = {}
+    settle, open_one = Service.update_metrics, Service.open_session
+
+    def settled(self: Service) -> None:
+        threads["counts"] = threading.get_ident()
+        settle(self)
+
+    def opened(self: Service, now: float) -> object:
+        threads["opens"] = threading.get_ident()
+        return open_one(self, now)
+
+    monkeypatch.setattr(Service, "update_metrics", settled)
+    monkeypatch.setattr(Service, "open_session", opened)
+    with running() as here, here.greeted():
+        assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
+    assert threads["counts"] == threads["opens"]
 
 
 def test_what_the_recorder_lost_and_where_it_failed_is_counted(

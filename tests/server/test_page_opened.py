@@ -28,9 +28,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     assert {address.split("/")[2] for address in one.asked() if "//" in address} == {url.split("/")[2]}
 
 
-def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
-    visitor: Visitor, tmp_path: Path
-) -> None:
+def test_an_opened_file_gets_the_predictions_of_the_package(visitor: Visitor, tmp_path: Path) -> None:
     whole = sample()
     parts = [whole.rows(i) for i in (3, 4, 5)]
     own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4, 5)], provenance=whole.provenance)
@@ -47,6 +45,3 @@ def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
     expected = run(build("switched", cpi=said.cpi, dpi=said.dpi), parts[1])
     for axis, column in (("x", expected.x), ("y", expected.y)):
         assert np.array_equal(np.array(predicted[axis], dtype=float), column, equal_nan=True)
-    visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
-    assert visitor.text("#replay-score-status").startswith("3 movements scored")
-    visitor.wait("document.querySelectorAll('#replay-scores tbody tr[data-px]').length > 1")

@@ -2,35 +2,21 @@
 
 from __future__ import annotations
 
-import json
-import signal
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
 
 import pytest
-from httpx2 import post
 
 from pointpred.datasets import sample
 from tests.server import browser
-from tests.server.listener import soon
 from tests.server.page_browser import Visitor
-from tests.server.running import PATIENCE_S, running
-from tests.server.test_uploads import CSV, stop_process
 
 pytestmark = browser.needed
 
-STATUS, READOUT, ROWS = "#circle-status", "#replay-readout", "#circle-scores tbody td"
+STATUS, READOUT = "#circle-status", "#replay-readout"
 STATE = f"document.querySelector('{STATUS}').dataset.state"
 TABLE = "user,trial,t_s,x_px,y_px\n" + "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
-UPLOAD = "void import('/web/service/http.js').then((http) => http.score('user,trial,t_s,x_px,y_px'))"
-SILENT = """
-window.WebSocket = class { close() {} };
-window.WebSocket.OPEN = 1;
-const plain = window.setTimeout;
-window.setTimeout = (act, ms = 0) => (ms < 10_000 ? plain(act, ms) : 0);
-"""
-"""A service that can be reached and never answers, and a page that waits for it as long as a test takes."""
+STALLED = "Blob.prototype.text = () => new Promise(() => {})"
+"""Files whose content never comes."""
 
 
 @pytest.fixture
@@ -71,16 +57,15 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
 
 
 def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> None:
-    visitor.open(f"{url}?by=service#replay")
+    visitor.open(f"{url}#replay")
     visitor.wait("!document.querySelector('#replay-play').disabled")
-    visitor.value(SILENT)
+    visitor.value(STALLED)
     visitor.give_files({"slow.csv": TABLE})
     visitor.wait("document.querySelector('#replay-source').dataset.state === 'reading'")
     press(visitor, "#replay-next")
     count = len(sample().trials)
     visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 2 of {count}')")
     assert visitor.value("document.querySelector('#replay-trials').options.length") == count
-    assert visitor.value("document.querySelector('#replay-result').hidden")
 
 
 def test_a_first_movement_that_did_not_come_can_be_asked_for_again(visitor: Visitor, url: str) -> None:
@@ -105,34 +90,6 @@ def test_a_run_whose_circle_no_longer_fits_is_stopped(visitor: Visitor, url: str
     visitor.resize(390, 844)
     visitor.wait(f"{STATE} === 'stopped'")
     assert visitor.text(STATUS) != "Stopped.", "the reason is given"
-
-
-def test_scores_that_did_not_come_are_asked_for_again(visitor: Visitor, url: str) -> None:
-    circle(visitor, url)
-    for name, value in (("targets", 3), ("blocks", 1)):
-        visitor.enter(name, value)
-    visitor.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
-    refuse(visitor, "*/v1/score")
-    press(visitor, "#circle-start")
-    left, top, *_ = visitor.corner("#circle-scene")
-    place = (left + 10.0, top + 10.0)
-    for number in range(4):
-        goal: dict[str, Any] = json.loads(
-            visitor.value("document.querySelector('#circle-scene').dataset.target")
-        )
-        end = (left + goal["x"] + 2 * number, top + goal["y"] + number)
-        visitor.reach(place, end, 0.2)
-        visitor.click(*end)
-        place = end
-    state = "document.querySelector('#circle-result').dataset.state"
-    visitor.wait(f"{state} === 'failed'")
-    cells = f"[...document.querySelectorAll('{ROWS}')].map((one) => one.textContent)"
-    assert "…" not in visitor.value(cells)
-    refuse(visitor)
-    press(visitor, "#circle-rescore")
-    visitor.wait(f"{state} === 'done'")
-    assert visitor.text("#circle-score-status").startswith("3 movements scored")
-    assert visitor.value("document.querySelector('#circle-rescore').disabled")
 
 
 def test_rows_and_words_do_not_move_what_stands_beside_them(visitor: Visitor, url: str) -> None:
@@ -196,18 +153,3 @@ def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: 
         "return [...body.rows].map((row) => row.cells[2].textContent); })"
     )
     assert texts == ["33.0", "–"]
-
-
-def test_a_page_that_is_left_gives_up_its_uploads(visitor: Visitor) -> None:
-    """Browsers keep a page for "back", and go on with its requests."""
-    with ThreadPoolExecutor(1) as other, running() as here:
-        process = stop_process(here)
-        answer = other.submit(post, f"{here.url}/v1/recording", content=CSV, timeout=PATIENCE_S)
-        soon(lambda: here.service.uploads == 1, "somebody else's recording is being opened")
-        visitor.open(f"{here.url}/#live")
-        visitor.value(UPLOAD)
-        soon(lambda: here.service.uploads == 2, "the page's recording waits")
-        visitor.page.goto("about:blank")
-        soon(lambda: here.service.uploads == 1, "the page has given up its place")
-        process.send_signal(signal.SIGCONT)
-        assert answer.result(PATIENCE_S).status_code == 200

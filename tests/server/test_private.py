@@ -70,7 +70,7 @@ LAST: tuple[str | bytes, ...] = (
 RAW = (
     b"7315.25 8264.75\r\n\r\n",
     b"GET /?made-up-name=7315.25 HTTP/9.9\r\n\r\n",
-    b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 7315.25\r\n\r\n",
+    b"POST /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 7315.25\r\n\r\n",
     b"GET /v1/stream?token=open-sesame-4711 HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\n"
     b"Connection: Upgrade\r\nSec-WebSocket-Key: 7315.25\r\nSec-WebSocket-Version: 13\r\n\r\n",
     b"GET /v1/stream?token=open-sesame-4711 HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\n"
@@ -115,12 +115,8 @@ def talk(address: str, *frames: str | bytes) -> list[str]:
 def ask(base: str) -> None:
     """Bad requests over HTTP."""
     shown = {"Authorization": f"Bearer {TOKEN}"}
-    csv = b"user,trial,t_s,x_px,y_px\nmade-up-name,1,8264.75,7315.25,x\n"
-    for body in (b"7315.25", csv, csv[:-3], b"PAR1 7315.25"):
-        assert post(f"{base}/v1/score?token={TOKEN}", content=body, timeout=PATIENCE_S).status_code in (
-            200,
-            422,
-        )
+    body = b"made-up-name,1,8264.75,7315.25,x\n"
+    assert post(f"{base}/v1/samples?token={TOKEN}", content=body, timeout=PATIENCE_S).status_code == 405
     assert get(f"{base}/v1/samples/made-up-name", headers=shown, timeout=PATIENCE_S).status_code == 404
     assert get(f"{base}/made-up-name?token={TOKEN}&at=7315.25", timeout=PATIENCE_S).status_code == 404
     assert get(f"{base}/?token={TOKEN}x", timeout=PATIENCE_S).status_code == 401

@@ -1,9 +1,8 @@
-"""One region everywhere: the package, both kinds of frames, both clients, the live feed and the samples."""
+"""One region everywhere: the package, both kinds of frames, both clients and the live feed."""
 
 from __future__ import annotations
 
 import json
-import urllib.request
 from typing import Any
 
 import msgspec
@@ -142,20 +141,3 @@ def test_what_viewers_of_a_device_are_told() -> None:
         _, text = frames_of([(event, pipeline.update(event))])
         found.append(ellipses(of_json(json.loads(text))))
     alike(found)
-
-
-def test_the_samples_have_the_regions_of_their_predictions(url: str) -> None:
-    def got(path: str) -> Any:
-        with urllib.request.urlopen(f"{url}v1/samples{path}", timeout=PATIENCE_S) as answer:
-            return json.load(answer)
-
-    name = got("")["samples"][0]["name"]
-    shown = got(f"/{name}?predictors={PREDICTOR},hold")["predictions"]
-    assert shown["hold"]["region"] is None
-    recording = sample()
-    said = recording.provenance
-    expected = run(build(PREDICTOR, cpi=said.cpi, dpi=said.dpi), recording.rows(0))
-    for key, values in shown[PREDICTOR]["region"].items():
-        own = [np.nan if value is None else value for value in values]
-        assert np.allclose(own, getattr(expected, key), rtol=1e-8, atol=0.0, equal_nan=True)
-    assert set(shown[PREDICTOR]["region"]) == {"sxx", "sxy", "syy", "tail"}

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from struct import Struct
 from typing import Any
 
+from pointpred.clock import Instant
 from pointpred.protocol.server_messages import Limits
 from pointpred_server.sessions.pointing import PointingSession
 
@@ -40,15 +41,13 @@ class Talk:
     """A client of a session, which has sent hello unless ``greet`` is False."""
 
     def __init__(self, *, greet: dict[str, Any] | bool | None = True, **limits: Any) -> None:
-        self.session = PointingSession("name", Limits(**limits), 0.0)
+        self.session = PointingSession("name", Limits(**limits), Instant(0.0))
         if greet:
             self.say(hello() if greet is True else greet)
 
     def say(self, frame: dict[str, Any] | str | bytes, now: float = 0.0) -> list[Any]:
         """Send a frame and read every answer."""
-        self.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, now)
-        if self.session.work is not None:
-            self.session.finish(self.session.work())
+        self.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, Instant(now))
         return self.hear()
 
     def hear(self) -> list[Any]:

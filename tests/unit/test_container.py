@@ -114,11 +114,11 @@ def test_the_health_check_asks_whether_it_is_ready(status: int, healthy: bool) -
     assert (left == 0) == healthy
 
 
-def test_the_rehearsal_lets_the_sample_be_scored() -> None:
-    assert "container/scores.py" in SCRIPT
-    script = [sys.executable, "-I", str(ROOT / "container/scores.py")]
+def test_the_rehearsal_lets_a_movement_be_predicted() -> None:
+    assert "container/predicts.py" in SCRIPT
+    script = [sys.executable, "-I", str(ROOT / "container/predicts.py")]
     with running(token="open-sesame-9") as here:
-        for token, said in (("open-sesame-9", "scored 240 trials"), ("another", "not scored: ")):
+        for token, said in (("open-sesame-9", "predicted a movement"), ("another", "not predicted: ")):
             environment = {**os.environ, "POINTPRED_PORT": str(here.port), "POINTPRED_TOKEN": token}
             told = subprocess.run(script, env=environment, capture_output=True, text=True)
             assert said in told.stdout + told.stderr

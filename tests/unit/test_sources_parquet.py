@@ -13,7 +13,6 @@ import pytest
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recordings import read_any, write
 from pointpred.recordings.known_formats import format_of
-from pointpred_server.uploads.recordings import open_body
 
 COUNT = 20
 X = [1.5 * i for i in range(COUNT)]
@@ -99,15 +98,6 @@ def test_a_damaged_file_is_an_error_that_names_it(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes()[:-9])
     with pytest.raises(RecordingError, match=r"study\.parquet"):
         read_any(path)
-
-
-def test_an_upload_is_mapped_or_refused_alike(tmp_path: Path) -> None:
-    body = parquet(tmp_path, at=[BEGIN + step for step in STEPS], across=X, up=Y).read_bytes()
-    with pytest.raises(ColumnsError, match="score FILE") as refusal:
-        open_body(body, {})
-    assert refusal.value.columns == ("at", "across", "up")
-    document = open_body(body, {"columns": "t=at,x=across,y=up"})
-    assert [row[1] for row in document["movements"][0]["rows"]] == X
 
 
 @pytest.mark.parametrize("kind", [pa.timestamp("us"), pa.timestamp("s"), pa.date32(), pa.duration("s")])

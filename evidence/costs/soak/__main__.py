@@ -17,13 +17,12 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from urllib.request import Request, urlopen
+from urllib.request import urlopen
 
 import msgspec
 
 from evidence.arguments import parse
 from evidence.costs.load.servers import wait_until_ready
-from evidence.costs.soak.players import recording
 from evidence.costs.soak.sessions import Plan, Report
 from evidence.costs.soak.verdicts import Second, Usage, Verdict, judge, percentile_ms, usage_of
 from evidence.data import Table, Tables, file_of, write
@@ -43,7 +42,7 @@ LOST = "pointpred_recorder_events_lost_total"
 
 @contextmanager
 def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str], int]]:
-    """A service that records, ready to answer and to open recordings; and its port."""
+    """A service that records, ready to answer; and its port."""
     command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--record", str(recordings)]
     with log.open("w", encoding="utf-8") as errors:
         process = subprocess.Popen(
@@ -55,8 +54,6 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             if not address:
                 raise SystemExit(f"the service did not start: {log.read_text(encoding='utf-8')[-500:]}")
             wait_until_ready(address)
-            with urlopen(Request(f"{address}v1/score?predictors=hold", recording())) as answer:
-                answer.read()  # starts the process that opens recordings
             yield process, int(address.rstrip("/").rpartition(":")[2])
         finally:
             process.terminate()
@@ -126,8 +123,7 @@ class Soak:
     def _tell(self, left_s: float) -> None:
         usage, recent = self.seconds[-1].usage, self.seconds[-int(PROGRESS_S) :]
         print(
-            f"{left_s / 60:5.1f} min left: memory {usage.memory_mb:.1f} and {usage.uploads_mb:.1f} MB, "
-            f"threads {usage.threads}, "
+            f"{left_s / 60:5.1f} min left: memory {usage.memory_mb:.1f} MB, threads {usage.threads}, "
             f"descriptors {usage.descriptors}, p99 {percentile_ms(recent, 99):.2f} ms, "
             f"{self.counts['sessions compared']} sessions compared, {self.counts['attacks']} attacks, "
             f"{len(self.wrong)} complaints",

@@ -472,27 +472,17 @@ TIMEOUT_S = 60.0
 REST_S = 0.5
 
 
-def recording() -> bytes:
-    """A small recording as CSV, for /v1/score."""
-    rows = events(3, 500.0, 0, 400)
-    lines = [f"{row[0]},{row[1]},{row[2]},{row[3]},{row[4]},{int(row[5])}" for row in rows.tolist()]
-    return "\n".join(["t_s,x_px,y_px,dx_counts,dy_counts,buttons", *lines, ""]).encode()
-
-
 def visit(plan: Plan, reporter: Reporter, number: int) -> None:
     """One visitor: a request after another, some on a connection of its own."""
-    chance, body = random.Random(plan.seed * 1000 + 900 + number), recording()
+    chance = random.Random(plan.seed * 1000 + 900 + number)
     connection = http.client.HTTPConnection("127.0.0.1", plan.port, timeout=TIMEOUT_S)
     while not reporter.stopping.is_set():
         try:
-            if chance.random() < 0.15:
-                connection.request("POST", "/v1/score?predictors=hold,linear", body)
-            else:
-                connection.request("GET", chance.choice(PATHS))
+            connection.request("GET", chance.choice(PATHS))
             answer = connection.getresponse()
             answer.read()
             reporter.counts["requests"] += 1
-            if answer.status not in {200, 503}:  # uploads of attackers may take all places
+            if answer.status != 200:
                 reporter.wrong.append(f"a visitor was answered with {answer.status}")
         except (OSError, http.client.HTTPException) as error:
             reporter.wrong.append(f"a visitor was cut: {type(error).__name__}: {error}")

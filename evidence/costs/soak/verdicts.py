@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from contextlib import suppress
 from pathlib import Path
 
 import msgspec
@@ -12,7 +11,7 @@ import numpy as np
 
 from evidence.costs.soak.players import VISITORS
 from evidence.costs.soak.sessions import delay_of
-from evidence.machine import family, processor_s
+from evidence.machine import processor_s
 
 MEMORY_MB, DELAY_SHARE = 2.0, 0.2
 WARM_S, WINDOW_S = 300.0, 300.0
@@ -25,31 +24,18 @@ class Usage(msgspec.Struct):
 
     at_s: float
     memory_mb: float
-    """Of the process that serves."""
-    uploads_mb: float
-    """Of the processes that it started: the one that opens recordings."""
     threads: int
-    """Of them all, as what follows."""
     descriptors: int
     processor_s: float
 
 
 def usage_of(pid: int, at_s: float) -> Usage:
     """Look now; raises OSError where the process has ended."""
-    serving = _process(pid)
-    started = []
-    with suppress(OSError):  # one of them ends while it is looked at
-        started = [_process(one) for one in family(pid)[1:]]
-    sums = [sum(numbers) for numbers in zip(serving, *started, strict=True)]
-    return Usage(at_s, serving[0], sums[0] - serving[0], int(sums[1]), int(sums[2]), sums[3])
-
-
-def _process(pid: int) -> tuple[float, int, int, float]:
-    """Memory in MB, threads, descriptors and processor time in s of one process."""
     folder = Path("/proc") / str(pid)
     lines = (folder / "status").read_text().splitlines()
     status = dict(line.split(":", 1) for line in lines if ":" in line)
-    return (
+    return Usage(
+        at_s,
         int(status["RssAnon"].split()[0]) / 1024,
         int(status["Threads"]),
         sum(1 for _ in (folder / "fd").iterdir()),
@@ -103,20 +89,15 @@ def judge(
     def middle(part: list[Second], name: str) -> float:
         return float(np.median([getattr(one.usage, name) for one in part]))
 
-    verdicts = []
-    for name, whose in (
-        ("memory_mb", "the process that serves"),
-        ("uploads_mb", "the process that opens recordings"),
-    ):
-        memory = [middle(part, name) for part in (first, last)]
-        verdicts.append(
-            Verdict(
-                f"memory of {whose} after warm-up",
-                f"at most {MEMORY_MB:+g} MB",
-                f"{memory[0]:.1f} MB, then {memory[1]:.1f} MB: {memory[1] - memory[0]:+.1f} MB",
-                memory[1] - memory[0] <= MEMORY_MB,
-            )
+    memory = [middle(part, "memory_mb") for part in (first, last)]
+    verdicts = [
+        Verdict(
+            "memory after warm-up",
+            f"at most {MEMORY_MB:+g} MB",
+            f"{memory[0]:.1f} MB, then {memory[1]:.1f} MB: {memory[1] - memory[0]:+.1f} MB",
+            memory[1] - memory[0] <= MEMORY_MB,
         )
+    ]
     for name, left in (("threads", POOL_THREADS), ("descriptors", 0)):
         now, then = middle(first, name), middle(last, name)
         rest, end = getattr(before, name), getattr(after, name)

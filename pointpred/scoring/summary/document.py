@@ -205,7 +205,7 @@ class Unread(msgspec.Struct, frozen=True):
 
 
 class Document(msgspec.Struct, frozen=True):
-    """What ``pointpred score --json`` writes and ``POST /v1/score`` answers."""
+    """What ``pointpred score --json`` writes."""
 
     version: int
     sets: tuple[SetSummary, ...]

@@ -9,12 +9,10 @@ from collections.abc import Sequence
 import typer
 from msgspec.structs import replace
 
-from pointpred.errors import ParameterError
 from pointpred.live.run import OpenPage
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.protocol.server_messages import Attached, Curve, Status
 from pointpred.records import Pair
-from pointpred_server.access import HostRule
 from pointpred_server.cli.serve import open_port, settings_of
 from pointpred_server.listening import address, make_server
 from pointpred_server.live_feed import LiveFeed
@@ -28,11 +26,6 @@ def page_opener(host: str | None, port: int | None) -> OpenPage:
     settings = settings_of(
         {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     )
-    if settings.workers > 1:
-        raise ParameterError(
-            f"POINTPRED_WORKERS is {settings.workers}, but a device is served from the one process that "
-            "reads it; unset it, or set it to 1"
-        )
 
     def open_page(session: LiveSession, predictor: str, cpi: float | None, dpi: float) -> PageService:
         set_up(None)  # a view in the terminal takes the log from here
@@ -71,7 +64,7 @@ class PageService:
         service.live = feed
         self.address = address(settings.host, listening) + service.settings.address_query
         self._announced = True
-        self._server = make_server(HostRule(settings.host, settings.allow_host), service, self._announce)
+        self._server = make_server(service, self._announce)
 
     @property
     def watched(self) -> bool:

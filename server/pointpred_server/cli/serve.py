@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import socket as sockets
 from pathlib import Path
 from socket import socket
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,10 +10,11 @@ import typer
 
 from pointpred.cli.help_text import option_error
 from pointpred.console import remarks
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, SourceError
 from pointpred_server.cli.service_start import ServiceStart
 
 if TYPE_CHECKING:
+    from pointpred_server.service import Service
     from pointpred_server.settings import Settings
 
 PORT = 8765
@@ -32,8 +32,13 @@ def serve(
             help=f"Port to listen on; 0 takes any free one. Not given: the first free one from {PORT}.",
         ),
     ] = None,
-    workers: Annotated[
-        int | None, typer.Option(help="Processes that share the sessions (1); not on Windows.")
+    metrics_port: Annotated[
+        int | None,
+        typer.Option(
+            min=0,
+            max=65535,
+            help="Port of 127.0.0.1 with metrics for Prometheus; 0 takes any free one. Not given: none.",
+        ),
     ] = None,
     allow_host: Annotated[
         list[str] | None, typer.Option(help="Another host name this service answers to; repeatable.")
@@ -96,49 +101,38 @@ def serve(
 
       pointpred serve --host 0.0.0.0 --allow-host lab.example
 
-      pointpred serve --workers 4
+      pointpred serve --metrics-port 9765
     """
     options = {name: value for name, value in locals().items() if value not in (None, [])}
     from pointpred_server.listening import address
+    from pointpred_server.listening import serve as answer
     from pointpred_server.logs import set_up
+    from pointpred_server.service import Service
 
     settings = settings_of(options).guarded()
-    if settings.workers > 1 and not hasattr(sockets, "send_fds"):
-        raise ParameterError(
-            f"--workers {settings.workers}: this system cannot hand connections to other processes; "
-            "serve with --workers 1"
-        )
     set_up(settings.log_format)
     opened = open_port(settings)
     if settings.port is None and opened.getsockname()[1] != PORT:
         remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
     starting = ServiceStart(settings, address(settings.host, opened))
+    service = Service(settings)
+    if settings.metrics_port is not None:
+        starting.tell_metrics(serve_metrics(service, settings.metrics_port))
     try:
-        if settings.workers == 1:
-            _serve_alone(opened, settings, starting)
-        else:
-            _serve_with_workers(opened, settings, starting)
+        answer(opened, service, starting.announce)
     except KeyboardInterrupt:
         remarks().print("stopped")
 
 
-def _serve_alone(opened: socket, settings: Settings, starting: ServiceStart) -> None:
-    """Serve from this process."""
-    from pointpred_server.access import HostRule
-    from pointpred_server.listening import serve as answer
-    from pointpred_server.service import Service
-
-    answer(opened, HostRule(settings.host, settings.allow_host), Service(settings), starting.announce)
-
-
-def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceStart) -> None:
-    """Serve from several processes, which this one starts and watches."""
-    from pointpred.recorder.recordings import prepare
-    from pointpred_server.workers.supervisor import Supervisor, supervise
-
-    if settings.record is not None:
-        prepare(settings.record)
-    supervise(Supervisor(opened, settings, starting.announce))
+def serve_metrics(service: Service, port: int) -> int:
+    """Answer Prometheus on a port of loopback; returns the port. Raises SourceError where it is taken."""
+    try:
+        return service.metrics.serve(port)
+    except OSError as error:
+        raise SourceError(
+            f"cannot serve metrics on 127.0.0.1 port {port}: {error.strerror}; choose another with "
+            "--metrics-port, or --metrics-port 0 for any free one"
+        ) from error
 
 
 def open_port(settings: Settings) -> socket:
@@ -159,7 +153,9 @@ def settings_of(options: dict[str, Any]) -> Settings:
         return Settings(**options)
     except ValidationError as error:
         first = error.errors()[0]
-        name = "_".join(str(part) for part in first["loc"]) or "settings"
+        name = "_".join(str(part) for part in first["loc"])
+        if not name:
+            raise ParameterError(str(first["ctx"]["error"])) from None
         raise ParameterError(
             f"{option_error(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None

@@ -31,6 +31,10 @@ class ServiceStart:
         token = " with the token" if self.settings.token else ""
         self._say(f"Ready: open {self.address}{token} in a browser. Ctrl-C stops.")
 
+    def tell_metrics(self, port: int) -> None:
+        """Where Prometheus finds the metrics."""
+        self._say(f"Metrics: http://127.0.0.1:{port}/metrics")
+
     def _say(self, words: str) -> None:
         self._screen.write(plain(words) + "\n")
         self._screen.flush()

@@ -15,7 +15,6 @@ from pointpred.protocol.client_messages import Hello, Setting, cpi_of, dpi_of
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import build, takes
-from pointpred_server.sessions.costs import memory_of
 
 COEFFICIENTS = "coefficients"
 NO_COEFFICIENTS: Mapping[str, Path] = {}
@@ -105,7 +104,8 @@ def _check_substeps(pipeline: Pipeline) -> None:
 
 def _check_memory(pipeline: Pipeline) -> None:
     """Raise ParameterError where a pipeline remembers more than a session may: templates can."""
-    if (size := memory_of(pipeline)) > MEMORY_MOST:
+    size = pipeline.differentiator.memory_bytes + pipeline.predictor.memory_bytes
+    if size > MEMORY_MOST:
         raise ParameterError(
             f"a session may remember at most {MEMORY_MOST} bytes, these parameters need {size}: "
             "fewer templates, or a shorter longest_s, need less",

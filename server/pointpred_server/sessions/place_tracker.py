@@ -9,7 +9,6 @@ from pointpred.records import FloatArray, Place, event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
 from pointpred_server.sessions.outbox import Outbox
 from pointpred_server.sessions.target_tracker import within_bounds
-from pointpred_server.sessions.work import Slices
 
 
 class PlaceTracker:
@@ -27,34 +26,12 @@ class PlaceTracker:
         """The share of proposals that shall be right, brought within the bounds of the chooser."""
         self._chooser.configure(precision=within_bounds(precision))
 
-    def follow(
-        self,
-        events: FloatArray,
-        predictions: FloatArray,
-        parts: Sequence[slice],
-        seen: Sequence[tuple[Place, ...]],
-    ) -> Slices[list[tuple[float, PlaceChoice]]]:
-        """Decide after events, their predictions, and the places as they were after each, part by part.
-
-        Returns the choices with their times, to be announced; any thread may run it.
-        """
-        choices: list[tuple[float, PlaceChoice]] = []
-        for part in parts:
-            if part.start:
-                yield
-            rows = zip(events[part].tolist(), predictions[part].tolist(), seen[part], strict=True)
-            choices += [
-                (row[0], choice)
-                for row, answer, places in rows
-                for choice in self._chooser.update(places, prediction_of(tuple(answer)), event_of(tuple(row)))
-            ]
+    def follow(self, events: FloatArray, predictions: FloatArray, seen: Sequence[tuple[Place, ...]]) -> None:
+        """Decide after events, their predictions, and the places as they were after each."""
+        for row, answer, places in zip(events.tolist(), predictions.tolist(), seen, strict=True):
+            for choice in self._chooser.update(places, prediction_of(answer), event_of(row)):
+                self._announce(row[0], choice)
         self._last_t = float(events[-1, 0])
-        return choices
-
-    def announce(self, choices: Sequence[tuple[float | None, PlaceChoice]]) -> None:
-        """Send choices to the client."""
-        for t, choice in choices:
-            self._announce(t, choice)
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""

@@ -1,10 +1,11 @@
-"""The predicting side of a session: events in, frames of predictions out."""
+"""The predicting side of a session: tables of events in, frames of predictions out."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 from msgspec import structs
@@ -15,33 +16,40 @@ from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle, cpi_of, dpi_of
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
-from pointpred.protocol.server_messages import ErrorMessage, Likely
-from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns
-from pointpred_server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
-from pointpred_server.sessions.observer import SessionObserver
+from pointpred.protocol.frames import prediction_frames, row_encoder
+from pointpred.protocol.server_messages import ErrorMessage, Score
+from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns, Row, refusal
+from pointpred_server.sessions.assistance import Assistance
 from pointpred_server.sessions.outbox import Outbox
 from pointpred_server.sessions.pipelines import NO_COEFFICIENTS, pipeline_of
 from pointpred_server.sessions.place_tracker import PlaceTracker
 from pointpred_server.sessions.target_tracker import TargetTracker
-from pointpred_server.sessions.trials import Scoring, TrialBuffer, with_outcome
-from pointpred_server.sessions.work import Slices, result_of
+from pointpred_server.sessions.trials import TrialBuffer
 
 NEVER = float("-inf")
 
 
-Finish = Callable[[], tuple[ErrorMessage | None, int]]
-"""Sends the answers to a frame; returns the error for events that were dropped, and how many they are."""
+class SessionObserver(Protocol):
+    """Follows the events of a session, as a recorder does; no method may raise."""
+
+    def configure(self, hello: Hello) -> None:
+        """The predictor and its parameters from now on."""
+
+    def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
+        """The events that the pipeline took in, and the prediction after each."""
+
+    def trial(self, action: str, target: Goal | None = None) -> None:
+        """A trial starts or ends."""
+
+    def close(self) -> None:
+        """The session has ended."""
 
 
 class PredictionStream:
     """A pipeline as a client asked for it, the targets it decides among, and the trial that is marked."""
 
     def __init__(
-        self,
-        hello: Hello,
-        observer: SessionObserver | None = None,
-        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
+        self, hello: Hello, outbox: Outbox, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
     ) -> None:
         """Raises ProtocolError for an unknown predictor, a wrong parameter or an unusable person.
 
@@ -50,180 +58,121 @@ class PredictionStream:
         self._build = partial(pipeline_of, coefficients=coefficients)
         self.pipeline = self._build(hello)
         self.hello = structs.replace(hello, person="")  # the pipeline knows it, and learns on
+        self.observer: SessionObserver | None = None
         self.precision: float | None = None
         """The share of proposals that shall be right, where the client has chosen it."""
         self.tracker: TargetTracker | None = None
         """Decides among the targets, where there are any."""
         self.place_tracker: PlaceTracker | None = None
         """Decides among the person's places, where the client asked for that and events came."""
-        self._window: Enter | None = None
+        self.assistance = None if hello.assist is None else Assistance(hello, hello.assist)
+        self.targets = 0
+        """How many are registered."""
         self.events = 0
         """Events taken in."""
-        self.observer = observer
-        self.costs = Costs(0.0, 0.0, 0.0)
-        """What frames of events cost, with the settings in force."""
-        self._binary = hello.encoding == "binary"
-        self._encode_row = row_encoder(binary=self._binary)
+        self._outbox = outbox
+        self._window: Enter | None = None
         self._last_t = NEVER
         self._trial = TrialBuffer()
-        self._targets = 0
-        self._weigh()
+        self._answer_as(self.hello)
 
-    def take_in(self, table: FloatArray, outbox: Outbox) -> Slices[Finish]:
-        """Predict; events before the last one are dropped, the rest of the frame is used.
+    def _answer_as(self, hello: Hello) -> None:
+        """Answer as a hello asks from now on."""
+        self.hello = hello
+        self._encode = row_encoder(binary=hello.encoding == "binary")
+        self._all_wanted = hello.reply == "event" or hello.places or self.assistance is not None
 
-        Any thread may run each slice, while nothing else is asked of the stream; what comes of them is to be
-        called in the session's own. Raises ProtocolError, nothing changed, where a number cannot be used.
+    def push(self, rows: Sequence[Row]) -> tuple[ErrorMessage | None, int]:
+        """Predict from rows of events, and answer; those before the last one are dropped, the rest is used.
+
+        Returns the error for those that were dropped, and how many they are. Raises ProtocolError or
+        EventError, nothing changed, where a number cannot be used.
         """
-        if (finish := self.take_in_last(table, outbox)) is not None:
-            return finish
-        before = self._memories_for_places()
-        if (predictions := self._predict_whole(table)) is not None:
-            return (yield from self._decide(table, None, table, predictions, outbox, before))
-        # The pipeline finds that something is wrong, the protocol says where.
-        check_numbers(table)
-        error, used = self._in_order(table)
-        predictions = self.pipeline.push(used)
-        return (yield from self._decide(table, error, used, predictions, outbox, before))
-
-    def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
-        """``take_in`` where nothing is wrong with any event; otherwise ``None``, and nothing has changed."""
-        if (finish := self.take_in_last(table, outbox)) is not None:
-            return finish
-        before = self._memories_for_places()
-        if (predictions := self._predict_whole(table)) is None:
-            return None
-        return result_of(self._decide(table, None, table, predictions, outbox, before))
-
-    def take_in_last(self, table: FloatArray, outbox: Outbox) -> Finish | None:
-        """``take_in_whole`` where nothing but the newest event's prediction is wanted."""
-        if (last := self._last_prediction(table)) is None:
-            return None
-        return partial(self._send_last, table, last, outbox)
-
-    def _predict_whole(self, table: FloatArray) -> FloatArray | None:
-        """Every prediction; ``None``, and nothing changed, where an event is refused or there is none."""
-        if not len(table):
-            return None
+        if not rows:
+            return None, 0
         try:
-            return self.pipeline.push(table)
-        except EventError:
-            return None
-
-    def _decide(
-        self,
-        table: FloatArray,
-        error: ErrorMessage | None,
-        used: FloatArray,
-        predictions: FloatArray,
-        outbox: Outbox,
-        before: tuple[bytes, ...],
-    ) -> Slices[Finish]:
-        """Decide after the events that were used, in any thread.
-
-        ``before``: the pipeline's memories before the events, where the client asked for places.
-        """
-        if not len(used):
-            return lambda: (error, len(table))
-        answer = yield from self._answer(used, predictions, outbox, before)
-
-        def finish() -> tuple[ErrorMessage | None, int]:
-            self._record(used, predictions)
-            answer()
+            self._take_in(rows)
+        except EventError:  # the pipeline finds that something is wrong, the protocol says where
+            table = np.array(rows)
+            check_numbers(table)
+            error, used = self._in_order(table)
+            if len(used):
+                self._take_in(used.tolist())
             return error, len(table) - len(used)
-
-        return finish
-
-    def _memories_for_places(self) -> tuple[bytes, ...]:
-        """What ``_places_after`` needs of the pipeline before the events; nothing without places."""
-        if not self.hello.places:
-            return ()
-        return tuple(one.remembered() for one in (self.pipeline.differentiator, self.pipeline.predictor))
-
-    def _places_after(self, table: FloatArray, before: tuple[bytes, ...]) -> Slices[list[tuple[Place, ...]]]:
-        """Take in events again that are known to be good, one by one, for the places after each."""
-        for stage, memory in zip(
-            (self.pipeline.differentiator, self.pipeline.predictor), before, strict=True
-        ):
-            stage.recall(memory)
-        seen = []
-        for part in self.costs.slices_of(len(table)):
-            if part.start:
-                yield
-            for row in table[part].tolist():
-                self.pipeline.advance(tuple(row))
-                seen.append(self.pipeline.places)
-        return seen
-
-    def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
-        """``take_in`` of the one event of most frames, without a table: the same steps, the same answer.
-
-        False, and nothing changed, where the event is refused, somebody observes, a trial runs, there are
-        targets or places are asked for: then ``take_in`` has to be called.
-        """
-        if self._trial.running or self._needs_every_prediction:
-            return False
-        prediction = self.pipeline.advance(row)
-        if prediction[0] != prediction[0]:
-            return False
-        self.events += 1
-        self._last_t = row[0]
-        outbox.predict([self._encode_row(prediction)], 1)
-        return True
-
-    def _last_prediction(self, table: FloatArray) -> tuple[float, ...] | None:
-        """The newest event's prediction where nothing but that is wanted.
-
-        ``None``, and nothing changed, where there is no event, one is refused, or every prediction is needed.
-        """
-        if not len(table) or self.hello.reply == "event" or self._needs_every_prediction:
-            return None
-        try:
-            return tuple(self.pipeline.push(table, want="last")[0].tolist())
-        except EventError:
-            return None
-
-    def _send_last(
-        self, table: FloatArray, prediction: tuple[float, ...], outbox: Outbox
-    ) -> tuple[ErrorMessage | None, int]:
-        self._note(table)
-        outbox.predict([self._encode_row(prediction)], 1)
         return None, 0
 
-    @property
-    def _needs_every_prediction(self) -> bool:
-        """Whether somebody reads the predictions of all events, whatever the client is sent."""
-        return bool(self.observer or self.tracker or self.hello.places)
-
-    def _answer(
-        self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
-    ) -> Slices[Callable[[], None]]:
-        """What puts the predictions into the outbox, after their choices."""
-        parts, likely = self.costs.slices_of(len(events)), None
-        announce: Callable[[], None] | None = None
-        seen = (yield from self._places_after(events, before)) if self.hello.places else None
-        if self.tracker is not None:
-            each = self.hello.reply == "event"
-            changes = yield from self.tracker.follow(events, predictions, parts, seen, each=each)
-            announce, likely = partial(self.tracker.announce, changes.choices), changes.likely
+    def _take_in(self, rows: Sequence[Row]) -> None:
+        """Predict from events in order, and answer; raises as ``push``, nothing changed."""
+        if not (self._all_wanted or self.observer or self.tracker or self._trial.running):  # most frames
+            if len(rows) == 1:
+                answer = self.pipeline.advance(rows[0])
+                if answer[0] != answer[0]:
+                    raise refusal(rows[0], answer)
+            else:
+                answer = self.pipeline.push(np.array(rows), want="last")
+            self.events += len(rows)
+            self._last_t = rows[-1][0]
+            self._outbox.predict([self._encode(answer)], 1)
+            return
+        table = np.array(rows)
+        seen: list[tuple[Place, ...]] | None = None
+        if self.assistance or self.hello.places:
+            table, predictions, seen = self._predict_one_by_one(table)
+        else:
+            predictions = self.pipeline.push(table)
+        self.events += len(rows)
+        self._last_t = rows[-1][0]
+        if self._trial.running:
+            self._trial.add(table)
+        if self.observer:
+            self.observer.events(EventColumns(table), PredictionColumns(predictions))
+        each, likely = self.hello.reply == "event", None
+        if self.tracker:
+            likely = self.tracker.follow(table, predictions, seen, each=each)
         elif seen is not None:
-            tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
-            choices = yield from tracker.follow(events, predictions, parts, seen)
-            announce = partial(tracker.announce, choices)
-        frames = self._frames(predictions, likely)
+            if self.place_tracker is None:
+                self.place_tracker = PlaceTracker(self._outbox, self.precision)
+            self.place_tracker.follow(table, predictions, seen)
+        frames, count = prediction_frames(
+            predictions, binary=self.hello.encoding == "binary", each=each, likely=likely
+        )
+        if self.assistance:  # the cursor goes first, as text in either encoding
+            frames = [self.assistance.cursor(self._last_t), *frames]
+        self._outbox.predict(frames, count)
 
-        def send() -> None:
-            if announce is not None:
-                announce()
-            outbox.predict(*frames)
+    def _predict_one_by_one(
+        self, table: FloatArray
+    ) -> tuple[FloatArray, FloatArray, list[tuple[Place, ...]] | None]:
+        """The events, where assistance has brought the cursor; their predictions; the places after each.
 
-        return send
-
-    def _frames(
-        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
-    ) -> tuple[list[Frame], int]:
-        each = self.hello.reply == "event"
-        return prediction_frames(predictions, binary=self._binary, each=each, likely=likely)
+        Raises ProtocolError or EventError, nothing changed.
+        """
+        assistance, pipeline = self.assistance, self.pipeline
+        if assistance:
+            assistance.check(table)
+        before = pipeline.differentiator.remembered(), pipeline.predictor.remembered()
+        assisted = assistance.remembered() if assistance else None
+        events, predictions, seen = table.copy(), np.empty((len(table), 10)), []
+        complete = False
+        try:
+            for i, row in enumerate(table.tolist()):
+                moved = assistance.move(row) if assistance else tuple(row)
+                answer = pipeline.advance(moved)
+                if answer[0] != answer[0]:
+                    raise refusal(moved, answer)
+                events[i], predictions[i] = moved, answer
+                if assistance:
+                    assistance.guide(answer)
+                if self.hello.places:
+                    seen.append(pipeline.places)
+            complete = True
+        finally:
+            if not complete:
+                pipeline.differentiator.recall(before[0])
+                pipeline.predictor.recall(before[1])
+                if assistance and assisted:
+                    assistance.recall(assisted)
+        return events, predictions, seen if self.hello.places else None
 
     def configure(self, message: Configure) -> None:
         """Another predictor or other parameters begin without memory; raises ProtocolError, nothing changed.
@@ -232,7 +181,9 @@ class PredictionStream:
         the person stays while the predictor has the same name and learns. A running trial goes on, and is
         scored with the predictor it ends with.
         """
-        self._check_assist(message)
+        if message.assist is not None and self.assistance is None:
+            sentence = "expected assistance to be asked for in 'hello'; it may be changed afterwards"
+            raise ProtocolError("out_of_place", sentence, "$.assist")
         another = message.predictor is not None
         parameters = {} if another else self.hello.parameters
         hello = structs.replace(
@@ -243,13 +194,16 @@ class PredictionStream:
             assist=message.assist or self.hello.assist,
             places=self.hello.places if message.places is None else message.places,
         )
+        if message.assist is not None and self.assistance is not None:
+            before, self.assistance = self.assistance, Assistance(hello, message.assist)
+            self.assistance.follow(before)
         if another or message.parameters:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, self.pipeline.person)
             self.pipeline = pipeline
             self._forget()
-        self.hello = hello
+        self._answer_as(hello)
         if not hello.places:
             self._leave_places()
         if message.precision is not None:
@@ -260,7 +214,6 @@ class PredictionStream:
                 self.place_tracker.configure(message.precision)
         if self.observer:
             self.observer.configure(hello)
-        self._weigh()
 
     def _leave_places(self) -> None:
         if self.place_tracker:
@@ -269,31 +222,14 @@ class PredictionStream:
         if self.tracker:
             self.tracker.expect(())
 
-    def replace_targets(self, targets: list[Rectangle], outbox: Outbox) -> None:
+    def replace_targets(self, targets: list[Rectangle]) -> None:
         """Replace the set of targets; raises ProtocolError, nothing changed."""
-        tracker = self.tracker or TargetTracker(outbox, self.precision)
+        tracker = self.tracker or TargetTracker(self._outbox, self.precision)
         tracker.replace(targets)
         self.tracker = tracker if targets else None
         if self.place_tracker:
             self.place_tracker.reset()
-        self._targets = len(targets)
-        self._weigh()
-
-    def _weigh(self) -> None:
-        """Note what frames cost from now on."""
-        hello = self.hello
-        self.costs = costs_of(
-            self.pipeline,
-            targets=self._targets,
-            places=hello.places,
-            assisted=hello.assist is not None,
-            each=hello.reply == "event",
-        )
-
-    @property
-    def refusal_s(self) -> float:
-        """What looking for the reason costs when events are refused, s."""
-        return REFUSED_S + REFUSED_BYTE_S * memory_of(self.pipeline)
+        self.targets = len(targets)
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
@@ -328,11 +264,6 @@ class PredictionStream:
             pipeline.enter(self._window.key, self._window.x, self._window.y)
         return pipeline
 
-    @property
-    def trial_events(self) -> int:
-        """Events of the trial that runs."""
-        return self._trial.count
-
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""
         self._trial.start(goal)
@@ -340,40 +271,24 @@ class PredictionStream:
         if self.observer:
             self.observer.trial("start", goal)
 
-    def end_trial(self, goal: Goal | None) -> Scoring:
-        """The function that scores the trial; raises ProtocolError where none was started."""
+    def end_trial(self, goal: Goal | None) -> Callable[[], Score]:
+        """What scores the trial, in any thread; raises ProtocolError where none was started."""
         if not self._trial.running:
             sentence = "expected 'trial' with action 'start' before 'end'"
             raise ProtocolError("out_of_place", sentence, "$.action")
         if self.observer:
             self.observer.trial("end", goal)
         outcome = self.tracker.finish_trial(goal or self._trial.goal) if self.tracker else None
-        scoring = self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
-        return scoring if outcome is None else partial(with_outcome, scoring, outcome)
-
-    def _check_assist(self, message: Configure) -> None:
-        if message.assist is not None:
-            sentence = "expected assistance to be asked for in 'hello'; it may be changed afterwards"
-            raise ProtocolError("out_of_place", sentence, "$.assist")
+        return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello), outcome)
 
     def _forget(self) -> None:
         self._last_t = NEVER
+        if self.assistance:
+            self.assistance.reset()
         if self.tracker:
             self.tracker.reset()
         if self.place_tracker:
             self.place_tracker.reset()
-
-    def _record(self, table: FloatArray, predictions: FloatArray) -> None:
-        """Note events that were used, and give them to the observer."""
-        self._note(table)
-        if self.observer:
-            self.observer.events(EventColumns(table), PredictionColumns(predictions))
-
-    def _note(self, table: FloatArray) -> None:
-        """Note events that were used: how many, the time of the last, for the trial."""
-        self.events += len(table)
-        self._last_t = float(table[-1, 0])
-        self._trial.add(table)
 
     def _in_order(self, table: FloatArray) -> tuple[ErrorMessage | None, FloatArray]:
         """The error for the events that run backwards, and the events that do not."""

@@ -1,44 +1,88 @@
-"""How much a session may send: the bytes and events of a frame, events and messages a second, targets."""
+"""How much a session may send: the bytes and events of a frame, events and other messages a second, targets.
+
+Events and messages are also counted by address, so that many sessions of one client, one after another or at
+a time, share what they may send. The limits of a frame keep the work that one of them asks for to some
+milliseconds: other sessions wait no longer.
+"""
 
 from __future__ import annotations
 
+from pointpred.clock import Instant
 from pointpred.protocol.client_messages import Rectangle
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Limits
 from pointpred.protocol.token_bucket import TokenBucket
-from pointpred_server.sessions.costs import TEXT_BYTE_S
 
-MESSAGES_PER_S = 500
-"""Messages other than events, a second: two for each refresh of a fast display."""
-BYTES_A_MESSAGE = 4096
-"""A frame that cannot be used counts once more for each so many bytes: finding what is wrong takes time."""
+MESSAGES_PER_S = 250
+"""Messages other than events, pieces of messages, pings and pongs: two for each refresh of a fast display."""
+BUILDING = 10
+"""A message that builds a pipeline, or has a trial scored, counts so many times."""
+BYTES_A_MESSAGE = 2**14
+"""A message counts once more for each so many bytes: reading it takes time."""
 TARGETS_AN_EVENT = 64
 """An event counts once more for each so many targets: each target is looked at."""
 EVENTS_FOR_PLACES = 7
 """An event counts so many times more where the client asked for places: they are read after it."""
-
-USUAL = Limits()
-SHARE = 0.3
-"""Seconds of the processor that one session may use a second, by the costs of its messages; more in
-proportion where the service is started with more events a second than usual."""
+SESSIONS_OF_AN_ADDRESS = 16
+"""All sessions of one address may send as much as so many."""
 
 
-class Quota:
-    """The limits of one session; every check raises ProtocolError."""
+class Rates:
+    """What may still come this second: of a session, or of all sessions of an address."""
 
-    def __init__(self, limits: Limits, now: float) -> None:
-        self.limits = limits
-        self.events = TokenBucket(limits.max_events_per_s, now)
-        self._weight = 1  # what an event counts
-        self._messages = TokenBucket(MESSAGES_PER_S, now)
-        self._share = SHARE * max(1.0, limits.max_events_per_s / USUAL.max_events_per_s)
-        self.costs = TokenBucket(self._share, now)
+    def __init__(self, limits: Limits, now: Instant, sessions: int = 1) -> None:
+        self.events = TokenBucket(sessions * limits.max_events_per_s, now)
+        self.messages = TokenBucket(sessions * MESSAGES_PER_S, now)
 
     def extend(self, seconds: float) -> None:
         """So long nothing was received, and all of it comes now."""
         self.events.extend(seconds)
-        self._messages.extend(seconds)
-        self.costs.extend(seconds)
+        self.messages.extend(seconds)
+
+    def full(self, now: Instant) -> bool:
+        """Whether nothing has come lately."""
+        return self.events.full(now) and self.messages.full(now)
+
+
+class Address(Rates):
+    """What the sessions of one address share, and how many they are now."""
+
+    def __init__(self, limits: Limits, now: Instant) -> None:
+        super().__init__(limits, now, SESSIONS_OF_AN_ADDRESS)
+        self.sessions = 0
+
+
+class Addresses:
+    """The addresses that have sessions, or had some in the last second: memory grows with their number."""
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._known: dict[str, Address] = {}
+
+    def of(self, name: str, now: Instant) -> Address:
+        """The address of a name; those that nothing is left to count of are forgotten."""
+        if name not in self._known:
+            self._known = {one: it for one, it in self._known.items() if it.sessions or not it.full(now)}
+            self._known[name] = Address(self._limits, now)
+        return self._known[name]
+
+
+class Quota:
+    """The limits of one session; every check raises ProtocolError.
+
+    ``address``: what it shares with the other sessions of its address.
+    """
+
+    def __init__(self, limits: Limits, now: Instant, address: Address | None = None) -> None:
+        self.limits = limits
+        self._weight = 1  # what an event counts
+        self._own = Rates(limits, now)
+        self._shared = address or Address(limits, now)
+
+    def extend(self, seconds: float) -> None:
+        """So long nothing was received, and all of it comes now."""
+        self._own.extend(seconds)
+        self._shared.extend(seconds)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -50,50 +94,30 @@ class Quota:
             sentence = f"a frame holds at most {most} bytes, received {size}"
             raise ProtocolError("too_large", sentence, close=1009)
 
-    def take_events(self, count: int, now: float) -> None:
+    def take_events(self, count: int, now: Instant) -> None:
         """The events of a frame, and of the last second; a frame without any counts as one."""
         most = self.limits.max_events_per_frame
         if count > most:
             sentence = f"a frame holds at most {most} events, received {count}"
             raise ProtocolError("too_large", sentence, "$.events", close=1009)
-        if not self.events.take((count or 1) * self._weight, now):
+        weight = (count or 1) * self._weight
+        if not self._own.events.take(weight, now):
             sentence = f"at most {self.limits.max_events_per_s // self._weight} events a second"
             sentence += " with so many targets, or with places" if self._weight > 1 else ""
             raise ProtocolError("too_fast", sentence, close=1008)
+        if not self._shared.events.take(weight, now):
+            sentence = "the sessions of this address send too many events a second"
+            raise ProtocolError("too_fast", sentence, close=1008)
 
-    def allow(self, count: int, cost_s: float, now: float) -> bool:
-        """``take_events`` and ``spend`` for several frames; False, and nothing taken, for too much."""
-        if not self.events.take(count * self._weight, now):
-            return False
-        if not self.costs.take(cost_s, now):
-            self.events.give_back(count * self._weight)
-            return False
-        return True
-
-    def give_back(self, count: int, cost_s: float) -> None:
-        """Put back what was taken for events that were not used."""
-        self.events.give_back(count * self._weight)
-        self.costs.give_back(cost_s)
-
-    def take_message(self, now: float, count: int = 1) -> None:
+    def take_message(self, now: Instant, bytes_: int = 0, count: int = 1) -> None:
         """A message other than events; the session ends where there are more in a second."""
-        if not self._messages.take(count, now):
-            sentence = f"at most {MESSAGES_PER_S} messages a second beside events; a long one counts more"
+        count += bytes_ // BYTES_A_MESSAGE
+        if not self._own.messages.take(count, now):
+            sentence = f"at most {MESSAGES_PER_S} messages a second beside events; long ones count more"
             raise ProtocolError("too_fast", sentence, close=1008)
-
-    def spend(self, cost_s: float, now: float) -> None:
-        """What a message costs, as ``costs`` has it; the session ends where they cost too much a second."""
-        if not self.costs.take(cost_s, now):
-            sentence = f"the messages of a session may take {self._share:g} s of the processor a second"
+        if not self._shared.messages.take(count, now):
+            sentence = "the sessions of this address send too many messages a second"
             raise ProtocolError("too_fast", sentence, close=1008)
-
-    def take_text(self, frame: str, now: float) -> None:
-        """What decoding a text costs."""
-        self.spend(TEXT_BYTE_S * len(frame), now)
-
-    def take_invalid(self, frame: str, now: float) -> None:
-        """A text that is not a message."""
-        self.take_message(now, 1 + len(frame) // BYTES_A_MESSAGE)
 
     def check_targets(self, targets: list[Rectangle]) -> None:
         """The number of targets, and that no two have the same id."""

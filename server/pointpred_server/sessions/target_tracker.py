@@ -13,7 +13,6 @@ from pointpred.protocol.server_messages import ChoiceMessage, Likely
 from pointpred.records import FloatArray, Place
 from pointpred.targets import Choice, Chooser
 from pointpred_server.sessions.outbox import Outbox
-from pointpred_server.sessions.work import Slices
 
 LIKELIEST = 5
 """Targets that are sent with a prediction."""
@@ -23,13 +22,6 @@ PRECISION = next(bound for bound in Chooser.parameters if bound.name == "precisi
 def within_bounds(precision: float) -> float:
     """A share between 0 and 1, within the bounds of choosers."""
     return min(max(precision, PRECISION.low), PRECISION.high)
-
-
-class Changes(NamedTuple):
-    """What events lead to: choices with their times, and the likeliest targets for each prediction sent."""
-
-    choices: list[tuple[float, Choice]]
-    likely: list[list[Likely]]
 
 
 class Outcome(NamedTuple):
@@ -85,30 +77,26 @@ class TargetTracker:
         self,
         table: FloatArray,
         predictions: FloatArray,
-        parts: Sequence[slice],
         seen: Sequence[Sequence[Place]] | None = None,
         *,
         each: bool,
-    ) -> Slices[Changes]:
-        """Decide after events and their predictions, part by part; any thread may run it.
+    ) -> list[list[Likely]]:
+        """Decide after events and their predictions; choices go into the outbox.
 
         ``seen``: the person's places after each event, where they count; at the event where they change, the
-        weights change. ``each``: the likeliest targets after each event, otherwise after the last.
+        weights change. Returns the likeliest targets after each event with ``each``, otherwise after the
+        last.
         """
-        changes: list[tuple[float, Choice]] = []
         likely: list[list[tuple[Hashable, float]]] = []
-        for whole in parts:
-            if whole.start:
-                yield
-            for places, part in _runs(seen, whole):
-                if places is not None:
-                    self.expect(places)
-                last = part.stop - part.start if each else int(part.stop == len(table))
-                made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
-                changes += made
-                likely += named
+        for places, part in _runs(seen, len(table)):
+            if places is not None:
+                self.expect(places)
+            last = part.stop - part.start if each else int(part.stop == len(table))
+            made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
+            self.announce(made)
+            likely += named
         self._last_t = float(table[-1, 0])
-        return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
+        return [[Likely(str(id), p) for id, p in one] for one in likely]
 
     def announce(self, choices: Sequence[tuple[float | None, Choice]]) -> None:
         """Send choices to the client."""
@@ -137,17 +125,17 @@ class TargetTracker:
 
 
 def _runs(
-    seen: Sequence[Sequence[Place]] | None, part: slice
+    seen: Sequence[Sequence[Place]] | None, events: int
 ) -> Iterator[tuple[Sequence[Place] | None, slice]]:
     """Runs of events, each begun where what is known before a movement changes, and their places.
 
     The places are in the order of their numbers, so that sums of shares do not depend on the likeliest now.
     """
     if seen is None:
-        yield None, part
+        yield None, slice(0, events)
         return
-    ordered = [sorted(places, key=lambda place: place.id) for places in seen[part]]
+    ordered = [sorted(places, key=lambda place: place.id) for places in seen]
     known = [[(place.x, place.y, place.before, place.spread) for place in places] for places in ordered]
-    starts = [i for i in range(len(known)) if i == 0 or known[i] != known[i - 1]]
-    for start, stop in pairwise([*starts, len(known)]):
-        yield ordered[start], slice(part.start + start, part.start + stop)
+    starts = [i for i in range(events) if i == 0 or known[i] != known[i - 1]]
+    for start, stop in pairwise([*starts, events]):
+        yield ordered[start], slice(start, stop)

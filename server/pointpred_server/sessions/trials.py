@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 from msgspec import structs
@@ -36,18 +35,33 @@ class TrialBuffer:
         self.running = True
 
     def add(self, table: FloatArray) -> None:
-        """Add events while a trial runs."""
-        if self.running:
-            self.count += len(table)
-            if self.count <= MOST_EVENTS:
-                self._numbers.frombytes(table.tobytes())
+        """Add events of the trial that runs."""
+        self.count += len(table)
+        if self.count <= MOST_EVENTS:
+            self._numbers.frombytes(table.tobytes())
 
-    def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Scoring:
-        """The function that scores the trial; any thread may run it: it shares nothing with the session."""
+    def end(
+        self,
+        goal: Goal | None,
+        pipeline: Pipeline,
+        cpi: float | None,
+        dpi: float,
+        outcome: Outcome | None = None,
+    ) -> Callable[[], Score]:
+        """What scores the trial, with how good the proposals were: it shares nothing with the session.
+
+        That takes milliseconds, and a tenth of a second for the longest trial.
+        """
         goal, count, numbers = goal or self.goal, self.count, self._numbers
         self._forget()
         self.running = False
-        return partial(_score, numbers, count, goal, pipeline.fresh(), cpi, dpi)
+        fresh = pipeline.fresh()
+
+        def score() -> Score:
+            found = _score(numbers, count, goal, fresh, cpi, dpi)
+            return found if outcome is None else structs.replace(found, **outcome._asdict())
+
+        return score
 
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
@@ -55,10 +69,6 @@ class TrialBuffer:
         """Events of the running trial."""
         self.goal = goal
         """The target of the running trial, where its start named one."""
-
-
-Scoring = Callable[[], Score]
-"""Takes milliseconds, and a tenth of a second for the longest trial."""
 
 
 def _score(
@@ -77,8 +87,3 @@ def _score(
         replay(prepared, each, threads=1) for each in (pipeline, build("hold", cpi=cpi, dpi=dpi))
     )
     return score_of(prepared, 0, errors, floor)
-
-
-def with_outcome(scoring: Scoring, outcome: Outcome) -> Score:
-    """A score with how good the proposals were."""
-    return structs.replace(scoring(), **outcome._asdict())

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from pointpred.clock import Instant
 from pointpred.protocol.client_messages import Bye
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Attached, Curve, Limits, Status, encode
 from pointpred_server.sessions.lifecycle import Session, State
+from pointpred_server.sessions.quota import Address
 
 READ_ONLY = "this stream is only read; expected nothing but 'bye', received "
 
@@ -26,46 +28,33 @@ class LiveSource(Protocol):
 class ViewingSession(Session):
     """The server's side of one viewer's connection; messages are answered, and change nothing."""
 
-    def __init__(self, name: str, limits: Limits, now: float) -> None:
-        super().__init__(name, limits, now, State.STREAMING)
-        self._source: LiveSource | None = None
+    def __init__(
+        self, name: str, limits: Limits, now: Instant, source: LiveSource, address: Address | None = None
+    ) -> None:
+        """``source``: what it is comes first, and again where that has changed."""
+        super().__init__(name, limits, now, address, State.STREAMING)
+        self._source = source
         self._attached: Attached | None = None
         self._curve: Curve | None = None
-
-    def show(self, source: LiveSource) -> None:
-        """Show a device from now on: what it is comes first, and again where that has changed."""
-        self._source = source
         self._send_status()
 
-    def tick(self, now: float, late_s: float = 0.0) -> None:
+    def tick(self, now: Instant, late_s: float = 0.0) -> None:
         """Send how the reading goes, unless the last status is still unread."""
-        if self.state is State.CLOSED:
-            return
-        self.check_unread()
-        if not self.outbox:
+        if self.state is not State.CLOSED and not self.outbox:
             self._send_status()
 
-    def _receive(self, frame: str | bytes, now: float) -> None:
+    def _receive(self, frame: str | bytes, now: Instant) -> None:
         """Nothing but ``bye`` has a meaning here."""
+        self._quota.take_message(now, len(frame))
         if isinstance(frame, bytes):
-            self._quota.take_message(now)
             raise ProtocolError("out_of_place", f"{READ_ONLY}a binary frame")
-        self._quota.take_text(frame, now)
-        try:
-            message = decode_client_message(frame)
-        except ProtocolError:
-            self._quota.take_invalid(frame, now)
-            raise
-        if isinstance(message, Bye):
-            self.end(1000, message.reason or "bye")
-            return
-        self._quota.take_message(now)
-        raise ProtocolError("out_of_place", f"{READ_ONLY}{message.__struct_config__.tag!r}")
+        message = decode_client_message(frame)
+        if not isinstance(message, Bye):
+            raise ProtocolError("out_of_place", f"{READ_ONLY}{message.__struct_config__.tag!r}")
+        self.end(1000, message.reason or "bye")
 
     def _send_status(self) -> None:
         source = self._source
-        if source is None:
-            return
         if source.attached is not self._attached:
             self._attached = source.attached
             self._send_live(source.attached)

@@ -27,7 +27,7 @@
  *   reason: "predicted"|"entered"|"focus"|"touch"|null, element?: Element, place?: {x: number, y: number, size: number}}} Choice place:
  *   the centre and side of a place that nobody registered, px; reason: why it is proposed: the movement heads for it, the
  *   pointer has entered it, it has the keyboard focus, or a finger touches it; null where it is retracted
- * @typedef {{type: "error", code: string, message: string, path: string|null, field?: string|null, recoverable: boolean, behind_s?: number}} ErrorMessage
+ * @typedef {{type: "error", code: string, message: string, path: string|null, field?: string|null, recoverable: boolean}} ErrorMessage
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
  * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
  *   max_sessions: number, idle_s: number}} Limits

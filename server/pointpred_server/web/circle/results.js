@@ -1,13 +1,10 @@
-// The result of a circle run: its statistics, the scores of every predictor, and the recording to save.
+// The result of a circle run: its statistics, and the recording to save.
 
 import { fillTable, part } from "../page/elements.js";
 import { number, percent } from "../page/numbers.js";
-import { hasService } from "../service/place.js";
-import { Results } from "../results/results.js";
 import { recording } from "./recording.js";
 import { statistics } from "./statistics.js";
 
-const results = new Results("circle");
 let addresses = [];
 
 function showTiles(run) {
@@ -55,34 +52,14 @@ function nameAt(time) {
   return `circle-${day}-${two(time.getHours())}${two(time.getMinutes())}${two(time.getSeconds())}`;
 }
 
-/**
- * Shows the statistics of a run, then its scores where there is a service, when it has computed them.
- * @param {import("./task.js").Trial[]} trials @param {string[]} names of the predictors that will be scored
- */
-export function showResult(trials, names) {
+/** Shows the statistics of a run, and the recording to save. @param {import("./task.js").Trial[]} trials */
+export function showResult(trials) {
   const run = statistics(trials);
-  const files = recording(trials, nameAt(new Date()));
   showTiles(run);
   showBlocks(run);
-  linkFiles(files);
+  linkFiles(recording(trials, nameAt(new Date())));
   const result = part("circle-result");
   result.hidden = false;
   part("circle-result-title").focus({ preventScroll: true });
   result.scrollIntoView();
-  if (!hasService) {
-    result.dataset.state = "done";
-    return;
-  }
-  part("circle-rescore").onclick = () => showScores(files.samples.text, names);
-  showScores(files.samples.text, names);
-}
-
-async function showScores(csv, names) {
-  const [result, button] = ["circle-result", "circle-rescore"].map(part);
-  result.dataset.state = "scoring";
-  button.disabled = true;
-  const state = await results.score(csv, names, " You can still save the recording.");
-  if (state === "outdated") return;
-  button.disabled = state === "done";
-  result.dataset.state = state;
 }

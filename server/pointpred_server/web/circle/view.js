@@ -35,7 +35,6 @@ let filled = false; // whether the predictors are offered
 let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
 let edited = false; // whether the person has set the distance
 let started = false; // whether the session knows where the current movement began
-let names = []; // of all predictors
 /** @type {PredictorConnection|null} */ let connection = null;
 let ledger = new Ledger();
 /** @type {CircleTask|null} */ let task = null;
@@ -149,12 +148,12 @@ function stop(reason = "") {
   task = null;
   setRunning(false);
   showRunStatus((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason, "stopped");
-  if (trials.length > 1) showResult(trials, names);
+  if (trials.length > 1) showResult(trials);
 }
 
 function finish() {
   setRunning(false);
-  showResult(task.trials, names);
+  showResult(task.trials);
 }
 
 function frame() {
@@ -190,7 +189,6 @@ export async function open() {
   const listing = await predictors();
   if (!filled) fillSelect(part("circle-predictor"), listing.predictors, listing.recommended);
   filled = true;
-  names = listing.predictors.map(({ name }) => name);
   showRunStatus();
   if (active) connectWith(form.elements.predictor.value);
 }

@@ -5,7 +5,7 @@ const NAMES = [
 ];
 
 let current = null;
-const listeners = new Set();
+const listeners = [];
 
 /** The colours of the style sheet by name; they are read again when the theme changes. */
 export function colours() {
@@ -16,14 +16,8 @@ export function colours() {
   return current;
 }
 
-/**
- * Calls `redraw` when pictures must be drawn again: the theme or the size of the window has changed.
- * @param {() => void} redraw @returns {() => void} removes it
- */
-export function onRepaint(redraw) {
-  listeners.add(redraw);
-  return () => listeners.delete(redraw);
-}
+/** Calls `redraw` when pictures must be drawn again: the theme or the size of the window has changed. @param {() => void} redraw */
+export const onRepaint = (redraw) => listeners.push(redraw);
 
 const repaint = () => listeners.forEach((redraw) => redraw());
 for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"]) {

@@ -16,13 +16,13 @@ const sizeOf = (box) => ({ width: Math.max(MIN_PX, box.clientWidth), height: Mat
 
 /** A plot of uPlot without its own legend and cursor, as large as its box. */
 export class Plot {
-  /** @type {uPlot} */ #plot; #box; #stop;
+  /** @type {uPlot} */ #plot; #box;
 
   /** @param {HTMLElement} box of fixed height @param {object} options of uPlot @param {number[][]} data */
   constructor(box, options, data) {
     this.#box = box;
     this.#plot = new uPlot({ ...sizeOf(box), legend: { show: false }, cursor: { show: false }, ...options }, data, box);
-    this.#stop = onRepaint(() => this.fit());
+    onRepaint(() => this.fit());
   }
 
   /** @param {number[][]} data */
@@ -33,10 +33,5 @@ export class Plot {
   /** Takes the size and the colours of the page, if the plot is visible. */
   fit() {
     if (this.#box.clientWidth > 0) this.#plot.setSize(sizeOf(this.#box));
-  }
-
-  destroy() {
-    this.#stop();
-    this.#plot.destroy();
   }
 }

@@ -10,9 +10,9 @@ const MOST_BYTES = 64 * MIB;
 const HEAD_BYTES = 4096;
 
 /** A file that cannot be opened; `code` is what is wrong with it. */
-export class FileError extends Error {
+class FileError extends Error {
   /**
-   * @param {"bad_header"|"bad_row"|"wrong_count"|"no_column"|"no_movement"|"no_samples"|"not_a_table"|"several"|"too_large"|"unreadable"|"needs_service"} code
+   * @param {"bad_header"|"bad_row"|"wrong_count"|"no_column"|"no_movement"|"no_samples"|"not_a_table"|"several"|"too_large"|"unreadable"|"foreign"} code
    * @param {string} message
    */
   constructor(code, message) {
@@ -119,9 +119,10 @@ function textOf(part, { name }) {
 }
 
 async function readTable(file) {
+  if (!(await isOwnFormat(file))) throw new FileError("foreign", `${file.name} is not pointpred's own CSV; the command pointpred convert makes one of it`);
   if (file.size > MOST_BYTES) throw new FileError("too_large", `${file.name} is larger than ${MOST_BYTES / MIB} MiB; use pointpred score`);
   const text = await textOf(file, file);
-  return { file, text, ...naming(file, () => parse(text)) };
+  return { file, ...naming(file, () => parse(text)) };
 }
 
 /** The table of samples, and the table of trials if there is one. */
@@ -137,7 +138,7 @@ function assignRoles(tables) {
 }
 
 /** Whether a file is in pointpred's own format: its first line is our header, or names our columns. @param {File} file */
-export async function isOwnFormat(file) {
+async function isOwnFormat(file) {
   const head = await textOf(file.slice(0, HEAD_BYTES), file);
   const names = cells(head.replace(/^\uFEFF/, "").split(/\r?\n/, 1)[0]).map((name) => name.trim());
   return head.startsWith(MARK) || REQUIRED.every((name) => names.includes(name)) || ["user", "trial", "target_x"].every((name) => names.includes(name));
@@ -146,16 +147,16 @@ export async function isOwnFormat(file) {
 /**
  * Reads a table of samples, and its table of trials if it is among the files.
  * @param {File[]} files
- * @returns {Promise<{name: string, csv: string, dpi: number, cpi: number|null, simulated: boolean, skipped: number, reason: string,
+ * @returns {Promise<{name: string, dpi: number, cpi: number|null, simulated: boolean, skipped: number, reason: string,
  *   movements: {name: string, user: string, rows: number[][], target: object|null}[]}>} `skipped` movements cannot be shown,
  *   the first for this `reason`
  */
 export async function readFiles(files) {
   const [samples, trials] = assignRoles(await Promise.all(files.map(readTable)));
-  const { file, text, header } = samples;
+  const { file, header } = samples;
   const { movements, skipped, reason } = naming(file, () => movementsIn(samples, trials ? targetsIn(trials) : new Map()));
   return {
-    name: header.name ?? file.name, csv: text, skipped, reason, movements,
+    name: header.name ?? file.name, skipped, reason, movements,
     dpi: header.provenance?.dpi ?? 96, cpi: header.provenance?.cpi ?? null, simulated: header.provenance?.simulated === true,
   };
 }

@@ -4,11 +4,8 @@ import { clearCanvas, onRepaint } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { fillSelect, part, sentence, write } from "../page/elements.js";
 import { number } from "../page/numbers.js";
-import { Results } from "../results/results.js";
-import { ServiceError } from "../service/http.js";
 import { predictors } from "../service/listing.js";
 import { hasService, inPage } from "../service/place.js";
-import { askColumns, closeColumns } from "./columns.js";
 import { acceptFiles } from "./drop.js";
 import { drawErrors } from "./errors.js";
 import { drawMovement, errorAt } from "./picture.js";
@@ -19,7 +16,6 @@ const [scene, errors, previousButton, nextButton] = ["scene", "errors", "previou
 const [list, readout, status, fileInput, sampleButton, retryButton] = ["trials", "readout", "source", "file", "sample", "retry"].map((id) => part(`replay-${id}`));
 const selects = [0, 1].map((which) => part(`replay-predictor-${which}`));
 const player = new Player(part("replay-play"), part("replay-time"), draw);
-const results = new Results("replay");
 
 let source = null;
 let movement = null;
@@ -32,7 +28,7 @@ const columns = () => selects.map(({ value }) => movement.predictions[value] ?? 
 
 const chosenPredictors = () => [...new Set(selects.map(({ value }) => value).filter(Boolean))];
 
-/** Writes the line about the source. @param {"reading"|"open"|"columns"|"failed"} state @param {string} code of the error */
+/** Writes the line about the source. @param {"reading"|"open"|"failed"} state @param {string} code of the error */
 function showStatus(text, state, code = "") {
   write(status, text);
   Object.assign(status.dataset, { state, code });
@@ -122,44 +118,28 @@ async function changeSource(promise) {
   list.replaceChildren(...source.names.map((name, i) => new Option(name, String(i))));
   list.selectedIndex = 0;
   showStatus(source.description, "open");
-  part("replay-result").hidden = source.csv === null || !hasService;
-  sampleButton.disabled = source.csv === null;
+  sampleButton.disabled = source.isSample;
   for (const control of [previousButton, nextButton, list]) control.disabled = false;
   showResult(first);
   if (movement !== null && chosenPredictors().some((name) => !(name in movement.predictions))) await show(0); // another was chosen meanwhile
   return true;
 }
 
-async function openRecording(files, parameters = {}) {
+async function openRecording(files) {
   if (!files.length) return;
-  if (parameters.columns === undefined) closeColumns(); // otherwise the form stays until the service has accepted it
   showStatus("Reading…", "reading");
   try {
-    if (!(await changeSource(fileSource(files, parameters)))) return;
-    closeColumns();
-    if (hasService) await results.score(source.csv, [...selects[0].options].map(({ value }) => value), "", source.columns);
+    await changeSource(fileSource(files));
   } catch (error) {
-    showOpeningError(error, files);
+    showStatus(`Not opened: ${error.message}.${source === null ? "" : ` Still open: ${source.title}.`}`, "failed", error.code);
   }
-}
-
-/** Shows why files were not opened; if the service needs to know the columns, asks for them. */
-function showOpeningError(error, files) {
-  const still = source === null ? "" : ` Still open: ${source.title}.`, { name } = files[0];
-  if (error.code === "columns") {
-    askColumns(name, error.body, (parameters) => openRecording(files, parameters));
-    return showStatus(`${name}: choose its columns in the form.${still}`, "columns", error.code);
-  }
-  const message = error instanceof ServiceError ? `${name}: ${error.message}` : error.message;
-  showStatus(`Not opened: ${message}.${still}`, "failed", error.code);
 }
 
 async function openSample() {
-  closeColumns();
   try {
     await changeSource(sampleSource());
   } catch (error) {
-    showStatus(`The sample cannot be shown: ${sentence(error.message)}${inPage() ? "" : " Is the service still running?"}`, "failed", error.code);
+    showStatus(`The sample cannot be shown: ${sentence(error.message)}${hasService ? " Is the service still running?" : ""}`, "failed");
   }
 }
 

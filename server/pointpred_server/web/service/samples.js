@@ -9,10 +9,9 @@ const LISTING = hasService ? "/v1/samples" : "samples/index.json";
 export const samples = async () => (await read(LISTING)).samples;
 
 /**
- * A movement as columns, with the service's predictions by some predictors.
- * @param {string} name @param {string[]} predictors none unless there is a service
+ * A movement as columns.
+ * @param {string} name
  * @returns {Promise<{user: string, target: object|null, dpi: number, cpi: number|null, t: number[], x: number[], y: number[],
- *   dx: (number|null)[], dy: (number|null)[], buttons: number[], predictions: Object<string, object>}>} t in s from 0
+ *   dx: (number|null)[], dy: (number|null)[], buttons: number[]}>} t in s from 0
  */
-export const sample = (name, predictors = []) =>
-  read(hasService ? `/v1/samples/${encodeURIComponent(name)}?predictors=${encodeURIComponent(predictors.join(","))}` : `samples/${name}.json`);
+export const sample = (name) => read(hasService ? `/v1/samples/${encodeURIComponent(name)}` : `samples/${name}.json`);

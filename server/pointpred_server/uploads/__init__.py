@@ -1,1 +1,0 @@
-"""Uploaded recordings: received, bounded in size before they are unpacked, opened and scored."""

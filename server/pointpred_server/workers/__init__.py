@@ -1,1 +1,0 @@
-"""Several processes as one service: who gets a connection, who is restarted, and sums over all of them."""
