@@ -294,4 +294,4 @@ def test_a_service_that_stops_refuses_new_connections_at_once() -> None:
         soon(lambda: here.service.stopping, "it stops")
         with pytest.raises(SourceError, match="refused"):
             connect(here.url, timeout_s=PATIENCE_S)
-        assert here.server._has_websockets(), "it still waits for the client"
+        assert here.service._open, "it still waits for the client"
