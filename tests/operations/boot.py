@@ -1,4 +1,4 @@
-"""Boot the unit of deploy/ under systemd in a container, use the service there, kill it and stop it.
+"""Boot two instances of the unit in deploy/ under systemd in a container, use them, kill one and stop it.
 
 ``python -m tests.operations.boot`` from the project's root, as root, with Debian's systemd-container. It
 takes a minute. Nothing of this machine is changed: /etc, /var and /run of the
@@ -26,26 +26,28 @@ export LD_LIBRARY_PATH=/opt/python/lib PYTHONHOME=/opt/python
 export PYTHONPATH=/srv/pointpred:/srv/pointpred/server:/srv/packages
 exec /opt/python/bin/{python} -P {arguments} "$@"
 """
-TARGET = "[Unit]\nWants=pointpred.service check.service\nAllowIsolate=yes\n"
+TARGET = "[Unit]\nWants=pointpred@8765.service pointpred@8766.service check.service\nAllowIsolate=yes\n"
 CHECK_UNIT = "[Service]\nType=oneshot\nExecStart=/trial/check\nTimeoutStartSec=infinity\n"
 CHECK = r"""#!/bin/bash
 exec >/trial/out.txt 2>&1
-url=http://127.0.0.1:8765
-answers() { for i in $(seq $2); do curl -s -f -m 5 -o /dev/null $url/$1 && return; sleep 1; done; return 1; }
+url=http://127.0.0.1
+answers() { for i in $(seq $2); do curl -s -f -m 5 -o /dev/null $url:$1 && return; sleep 1; done; return 1; }
 check() { if "${@:2}"; then echo "passed: $1"; else echo "FAILED: $1"; fi; }
-main() { systemctl show -p MainPID --value pointpred; }
-active() { test "$(systemctl is-active pointpred)" = "$1"; }
-refused() { test "$(curl -s -o /dev/null -w '%{http_code}' $url/metrics)" = 401; }
+main() { systemctl show -p MainPID --value pointpred@8765; }
+active() { test "$(systemctl is-active pointpred@$1)" = "$2"; }
+refused() { test "$(curl -s -o /dev/null -w '%{http_code}' $url:8765/v1/predictors)" = 401; }
 recorded() { grep -q . /var/lib/pointpred/recordings/*_samples.csv; }
 private() { test "$(stat -c '%a %U' /var/lib/pointpred)" = "700 pointpred"; }
 bare() { grep -q '^CapBnd:.0*$' /proc/$(main)/status && grep -q '^NoNewPrivs:.1' /proc/$(main)/status; }
 filters() { sed -n 's/^Seccomp_filters:[[:space:]]*//p' /proc/$1/status; }
 filtered() { test "$(filters $(main))" -gt "$(filters 1)"; }  # the container has filters of its own
 confined() { touch /etc/here && ! nsenter -t $(main) -m touch /etc/there; }
-workers() { test $(pgrep -fc workers.worker) = 2; }
-logged() { journalctl -u pointpred -o cat | grep -q "$1"; }
-secret() { ! journalctl -u pointpred | grep -q SECRET && ! systemctl show pointpred | grep -q SECRET; }
-check "the service becomes ready" answers readyz 900
+limited() { test "$(systemctl show -p MemoryMax --value pointpred@8765)" = 1073741824; }
+secret() { ! journalctl | grep -q SECRET && ! systemctl show 'pointpred@*' | grep -q SECRET; }
+check "a service becomes ready" answers 8765/readyz 900
+check "the other one becomes ready" answers 8766/readyz 900
+check "each shows its metrics" answers 18765/metrics 5
+check "the other one shows its own" answers 18766/metrics 5
 check "a session is predicted" /trial/session
 check "who has no token is refused" refused
 check "the session was recorded" recorded
@@ -53,14 +55,14 @@ check "its folder is private" private
 check "it has no capability" bare
 check "system calls are filtered" filtered
 check "it writes nowhere else" confined 2>/dev/null
-pkill -KILL -n -f workers.worker; sleep 5
-check "a killed worker is replaced" workers
-kill -KILL $(main); sleep 5
-check "the killed service is started again" answers healthz 90
-before=$(date +%s.%N); systemctl stop pointpred
+check "its memory is limited" limited
+kill -KILL $(main); sleep 1
+check "the other one goes on" answers 8766/readyz 1
+check "the killed service is started again" answers 8765/readyz 90
+before=$(date +%s.%N); systemctl stop pointpred@8765
 echo "the stop took $(echo "$(date +%s.%N) - $before" | bc 2>/dev/null || true) s"
-check "it stopped by itself" active inactive
-check "the end of the worker was logged" logged "ended by SIGKILL"
+check "it stopped by itself" active 8765 inactive
+check "the other one still goes on" active 8766 active
 check "no token is in the log or in the unit" secret
 systemctl poweroff --force
 """
@@ -98,7 +100,7 @@ def files() -> dict[str, str]:
     """What the container needs beside the system's own files, by name."""
     user = "pointpred:x:990:990::/var/lib/pointpred:/usr/sbin/nologin\n"
     environment = (DEPLOY / "pointpred.env").read_text()
-    for name, value in {"TOKEN": TOKEN, "WORKERS": "2", "RECORD": "/var/lib/pointpred/recordings"}.items():
+    for name, value in {"TOKEN": TOKEN, "RECORD": "/var/lib/pointpred/recordings"}.items():
         environment = re.sub(
             rf"^#POINTPRED_{name}=.*$", f"POINTPRED_{name}={value}", environment, flags=re.MULTILINE
         )
@@ -107,7 +109,7 @@ def files() -> dict[str, str]:
         "passwd": Path("/etc/passwd").read_text() + user,
         "group": Path("/etc/group").read_text() + "pointpred:x:990:\n",
         "pointpred.env": environment,
-        "pointpred.service": (DEPLOY / "pointpred.service").read_text(),
+        "pointpred@.service": (DEPLOY / "pointpred@.service").read_text(),
         "trial.target": TARGET,
         "check.service": CHECK_UNIT,
         "check": CHECK.replace("SECRET", TOKEN),
@@ -129,7 +131,7 @@ def command(trial: Path) -> list[str]:
         **{str(trial / name): f"/etc/{name}" for name in ("passwd", "group")},
         **{
             str(trial / name): f"{units}/{name}"
-            for name in ("pointpred.service", "trial.target", "check.service")
+            for name in ("pointpred@.service", "trial.target", "check.service")
         },
     }
     options = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import signal
+import socket
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from urllib.request import Request, urlopen
 
 import pytest
 import yaml
+from prometheus_client.metrics_core import Metric
 from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
@@ -26,8 +27,8 @@ from tests.operations.monitoring import (
     names_in,
 )
 from tests.server.listener import soon
+from tests.server.process import Served, served
 from tests.server.running import HELLO, PATIENCE_S
-from tests.server.serving_workers import Served, served
 
 TOKEN = "sesame-open-12345"
 POSITION = "731.52"
@@ -57,32 +58,30 @@ def use(service: Served) -> None:
             else:
                 socket.socket.close()
     with pytest.raises(HTTPError):
-        urlopen(Request(service.address + "metrics", headers={"Origin": "http://elsewhere.example"}))
+        urlopen(Request(f"{service.url}/v1/predictors", headers={"Origin": "http://elsewhere.example"}))
 
 
-def families(service: Served) -> set[str]:
-    """The metrics that it shows, by the names of the page."""
-    with urlopen(f"{service.address}metrics?token={TOKEN}", timeout=PATIENCE_S) as answer:
-        shown = list(text_string_to_metric_families(answer.read().decode()))
-    named = {family.name + ("_total" if family.type == "counter" else "") for family in shown}
-    return {name for name in named if not name.endswith("_created")}
-
-
-def test_a_service_shows_the_listed_metrics_and_log_fields() -> None:
-    """One worker crashes: its end is logged, and the metrics of the supervisor are shown as well."""
-    with served("--workers", "2", "--log-format", "json", POINTPRED_TOKEN=TOKEN) as service:
+def test_a_service_shows_the_listed_metrics_and_log_fields(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POINTPRED_TOKEN", TOKEN)
+    with served("--metrics-port", str(port := free_port()), "--max-sessions", "7") as service:
         use(service)
-        wanted = set(listed_metrics())
-        soon(lambda: families(service) == wanted, "every metric is shown")
-        assert service.metrics(TOKEN)["pointpred_sessions_limit", ""] == 64
-        service.stop(signal.SIGTERM)
-        entries = [
-            entry for entry in service.log if "time" in entry
-        ]  # beside them: the address, at the start
+
+        def shown() -> list[Metric]:
+            with urlopen(f"http://127.0.0.1:{port}/metrics", timeout=PATIENCE_S) as answer:
+                return list(text_string_to_metric_families(answer.read().decode()))
+
+        def names() -> set[str]:
+            named = {family.name + ("_total" if family.type == "counter" else "") for family in shown()}
+            return {name for name in named if not name.endswith("_created")}
+
+        soon(lambda: names() == set(listed_metrics()), "every metric is shown")
+        (limit,) = [family for family in shown() if family.name == "pointpred_sessions_limit"]
+        assert limit.samples[0].value == 7
+    entries = [json.loads(line) for line in service.log if line.startswith("{")]
     assert entries
     seen = {field for entry in entries for field in entry}
     assert seen <= listed_fields()
-    assert seen >= {"time", "level", "logger", "message", "worker", "session", "code", "events"}
+    assert seen >= {"time", "level", "logger", "message", "session", "code", "events"}
     for entry in entries:
         text = json.dumps(entry)
         assert TOKEN not in text
@@ -90,11 +89,12 @@ def test_a_service_shows_the_listed_metrics_and_log_fields() -> None:
         assert "127.0.0.1" not in text
 
 
-def test_one_process_shows_the_listed_metrics_but_for_those_of_workers() -> None:
-    with served(POINTPRED_TOKEN=TOKEN, POINTPRED_MAX_SESSIONS="7") as service:
-        workers = {name for name in listed_metrics() if name.startswith("pointpred_worker")}
-        assert families(service) == set(listed_metrics()) - workers
-        assert service.metrics(TOKEN)["pointpred_sessions_limit", ""] == 7
+def free_port() -> int:
+    """A port that nobody has just now."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port: int = free.getsockname()[1]
+    return port
 
 
 @pytest.mark.parametrize("rule", ALERTS, ids=[rule["alert"] for rule in ALERTS])

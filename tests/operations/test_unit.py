@@ -13,12 +13,12 @@ import pytest
 from typer.testing import CliRunner
 
 from pointpred.cli.app import app
-from pointpred_server.service import STOP_TOTAL_S
+from pointpred_server.listening import END_S
+from pointpred_server.service import WRITE_S
 from pointpred_server.settings import Settings
-from pointpred_server.workers.supervisor import WORKERS_END_S
 from tests.operations.monitoring import DEPLOY
 
-UNIT, ENVIRONMENT = DEPLOY / "pointpred.service", DEPLOY / "pointpred.env"
+UNIT, ENVIRONMENT = DEPLOY / "pointpred@.service", DEPLOY / "pointpred.env"
 EXPOSURE = 1.2
 """Of 10, as systemd 252 rates it; docs/guide/operations.md names it."""
 
@@ -29,7 +29,7 @@ needs_systemd = pytest.mark.skipif(
 
 
 def service_section() -> dict[str, str]:
-    """What the unit sets; of a name that is given twice, the last one."""
+    """What the template sets; of a name that is given twice, the last one."""
     parser = RawConfigParser(strict=False, interpolation=None)
     parser.optionxform = str  # type: ignore[assignment,method-assign]
     parser.read(UNIT)
@@ -65,8 +65,10 @@ def test_the_unit_is_as_hardened_as_the_guide_says() -> None:
 
 
 def test_the_command_of_the_unit_is_one_of_ours() -> None:
-    program, *words = shlex.split(service_section()["ExecStart"])
+    program, *words = shlex.split(service_section()["ExecStart"].replace("%i", "8765"))
     assert Path(program).name == "pointpred"
+    ports = dict(zip(words[1::2], words[2::2], strict=True))
+    assert (ports["--port"], ports["--metrics-port"]) == ("8765", "18765")
     result = CliRunner().invoke(app, [*words, "--help"])
     assert result.exit_code == 0, result.output
     result = CliRunner().invoke(
@@ -87,11 +89,10 @@ def test_the_environment_file_names_settings_that_exist_and_holds_no_token(
         else:
             monkeypatch.setenv(variable, value)
     settings = Settings()
-    assert (settings.host, settings.workers, settings.token) == ("127.0.0.1", 2, None)
+    assert (settings.host, settings.token) == ("127.0.0.1", None)
     assert "TOKEN" not in UNIT.read_text().replace("POINTPRED_TOKEN among them", "")
 
 
 def test_systemd_waits_longer_than_the_service_takes_to_stop() -> None:
     section = service_section()
-    assert float(section["TimeoutStopSec"]) > WORKERS_END_S > STOP_TOTAL_S
-    assert section["KillMode"] == "mixed"
+    assert float(section["TimeoutStopSec"]) > END_S + WRITE_S

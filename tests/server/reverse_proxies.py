@@ -1,4 +1,4 @@
-"""nginx and HAProxy with the configurations of the guide, for tests."""
+"""nginx and HAProxy with the configurations in deploy/, for tests."""
 
 from __future__ import annotations
 
@@ -11,18 +11,23 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
-GUIDE = Path(__file__).parents[2] / "docs/guide/proxies.md"
+ROOT = Path(__file__).parents[2]
+FILES = {"nginx": ROOT / "deploy/nginx.conf", "haproxy": ROOT / "deploy/haproxy.cfg"}
 PATHS = f"{os.environ.get('PATH', '')}:/usr/sbin:/usr/local/sbin"  # where Debian installs both
 PROGRAMS = {name: shutil.which(name, path=PATHS) for name in ("nginx", "haproxy")}
 OPENSSL = shutil.which("openssl")
 PATIENCE_S = 60.0
 
 
-def block(language: str) -> str:
-    """The only block of a language in the guide."""
-    (text,) = re.findall(rf"^```{language}\n(.*?)^```$", GUIDE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
-    return text
+def example() -> dict[str, Any]:
+    """The names that the Python example of the guide defines and uses."""
+    guide = (ROOT / "docs/guide/proxies.md").read_text("utf-8")
+    (text,) = re.findall(r"^```python\n(.*?)^```$", guide, re.DOTALL | re.MULTILINE)
+    names: dict[str, Any] = {}
+    exec(text, names)
+    return names
 
 
 def replaced(text: str, *pairs: tuple[str, str]) -> str:
@@ -50,8 +55,8 @@ def certificate(folder: Path) -> tuple[Path, Path]:
 
 
 def configuration(name: str, folder: Path, port: int, services: list[int], *, tls: bool) -> str:
-    """What the guide prints, with the ports and files of a test."""
-    text = block(name)
+    """The file in deploy/ with the ports and paths of a test; without TLS as the guide says."""
+    text = FILES[name].read_text("utf-8")
     for printed, served in zip((8765, 8766), services, strict=True):
         text = replaced(text, (f"127.0.0.1:{printed}", f"127.0.0.1:{served}"))
     if name == "nginx":
@@ -69,7 +74,7 @@ def configuration(name: str, folder: Path, port: int, services: list[int], *, tl
                 ("/etc/ssl/lab.example.crt", str(crt)),
                 ("/etc/ssl/lab.example.key", str(key)),
             )
-        text = re.sub(r" +ssl_certificate.*\n", "", text)
+        text = re.sub(r" +ssl_.*\n", "", text)
         return replaced(text, ("listen 443 ssl;", f"listen 127.0.0.1:{port};"))
     if tls:
         crt, key = certificate(folder)
