@@ -187,7 +187,7 @@ def assisted() -> Iterator[Frame]:
 def refused() -> Iterator[Frame]:
     """Every error after which the session goes on, then one that ends it."""
     yield message("reset")
-    yield message("hello", version=2)
+    yield message("hello", version=3)
     yield message("hello", version=1, predictor="nobody")
     yield hello("hold", parameters={"nobody": 1.0})
     yield hello("hold", surprise=True)

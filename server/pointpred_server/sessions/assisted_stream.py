@@ -12,8 +12,8 @@ from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Assist, Configure, Hello, cpi_of, dpi_of
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import Frame
-from pointpred.protocol.server_messages import Cursor, Likely, encode
+from pointpred.protocol.frames import Aim, Frame
+from pointpred.protocol.server_messages import Cursor, encode
 from pointpred.records import LARGEST, FloatArray
 from pointpred.regions import as_normal
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
@@ -170,11 +170,9 @@ class AssistedStream(PredictionStream):
         assert self.place is not None
         return encode(Cursor(t, *self.place, self.added_px)).decode()
 
-    def _frames(
-        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
-    ) -> tuple[list[Frame], int]:
+    def _frames(self, predictions: FloatArray, aims: list[Aim] | None = None) -> tuple[list[Frame], int]:
         """The cursor goes before the predictions, as text in either encoding."""
-        frames, count = super()._frames(predictions, likely)
+        frames, count = super()._frames(predictions, aims)
         return [self._cursor(float(predictions[-1, 0])), *frames], count
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from pointpred.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Conditions, Goal, Hello
 from pointpred.records import EventColumns, PredictionColumns
 
 
@@ -17,8 +17,8 @@ class SessionObserver(Protocol):
     def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
         """The events that the pipeline took in, and the prediction after each."""
 
-    def trial(self, action: str, target: Goal | None = None) -> None:
-        """A trial starts or ends."""
+    def trial(self, action: str, target: Goal | None = None, conditions: Conditions | None = None) -> None:
+        """A trial starts, or ends: then with all that is known of what it was."""
 
     def close(self) -> None:
         """The session has ended."""

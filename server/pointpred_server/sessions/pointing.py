@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.errors import EventError
 from pointpred.person import portable
 from pointpred.protocol.client_messages import (
-    VERSION,
+    VERSIONS,
     Bye,
     ClientMessage,
     Configure,
@@ -228,8 +228,8 @@ class PointingSession(Session):
 
     def handle_hello(self, message: Hello, now: float) -> Welcome:
         """Open the stream that the client asks for."""
-        if message.version != VERSION:
-            sentence = f"version must be {VERSION}, received {message.version}"
+        if message.version not in VERSIONS:
+            sentence = f"version must be {' or '.join(map(str, VERSIONS))}, received {message.version}"
             raise ProtocolError("bad_field", sentence, "$.version")
         self._quota.spend(PERSON_S if message.person else BUILD_S, now)
         stream = open_stream(message, self._coefficients)
@@ -258,10 +258,10 @@ class PointingSession(Session):
         """Start a trial, or end it: its score is sent once the work is done."""
         stream = self._open_stream
         if message.action == "start":
-            stream.start_trial(message.target)
+            stream.start_trial(message.target, message.conditions)
             return
         self._quota.spend(TRIAL_S + TRIAL_EVENT_S * stream.trial_events, now)
-        scoring = stream.end_trial(message.target)
+        scoring = stream.end_trial(message.target, message.conditions)
         self.work = Work(self._score(scoring), divided=False)
 
     def handle_configure(self, message: Configure, now: float) -> Welcome:
@@ -362,7 +362,8 @@ class PointingSession(Session):
         self._quota.weigh_events(self._targets, places=self._open_stream.hello.places)
 
     def _welcome(self) -> Welcome:
-        return Welcome(VERSION, self.name, self._open_stream.hello.predictor, self.limits)
+        hello = self._open_stream.hello
+        return Welcome(hello.version, self.name, hello.predictor, self.limits)
 
 
 def _no_hello(received: str) -> ProtocolError:

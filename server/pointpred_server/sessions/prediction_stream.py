@@ -12,11 +12,20 @@ from msgspec import structs
 from pointpred.errors import EventError
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle, cpi_of, dpi_of
+from pointpred.protocol.client_messages import (
+    Conditions,
+    Configure,
+    Enter,
+    Goal,
+    Hello,
+    Rectangle,
+    cpi_of,
+    dpi_of,
+)
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
-from pointpred.protocol.server_messages import ErrorMessage, Likely
+from pointpred.protocol.frames import Aim, Frame, prediction_frames, row_encoder
+from pointpred.protocol.server_messages import ErrorMessage
 from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns
 from pointpred_server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
 from pointpred_server.sessions.observer import SessionObserver
@@ -63,7 +72,7 @@ class PredictionStream:
         self.costs = Costs(0.0, 0.0, 0.0)
         """What frames of events cost, with the settings in force."""
         self._binary = hello.encoding == "binary"
-        self._encode_row = row_encoder(binary=self._binary)
+        self._encode_row = row_encoder(binary=self._binary, version=hello.version)
         self._last_t = NEVER
         self._trial = TrialBuffer()
         self._targets = 0
@@ -199,18 +208,18 @@ class PredictionStream:
         self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
     ) -> Slices[Callable[[], None]]:
         """What puts the predictions into the outbox, after their choices."""
-        parts, likely = self.costs.slices_of(len(events)), None
+        parts, aims = self.costs.slices_of(len(events)), None
         announce: Callable[[], None] | None = None
         seen = (yield from self._places_after(events, before)) if self.hello.places else None
         if self.tracker is not None:
             each = self.hello.reply == "event"
             changes = yield from self.tracker.follow(events, predictions, parts, seen, each=each)
-            announce, likely = partial(self.tracker.announce, changes.choices), changes.likely
+            announce, aims = partial(self.tracker.announce, changes.choices), changes.aims
         elif seen is not None:
             tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
             choices = yield from tracker.follow(events, predictions, parts, seen)
             announce = partial(tracker.announce, choices)
-        frames = self._frames(predictions, likely)
+        frames = self._frames(predictions, aims)
 
         def send() -> None:
             if announce is not None:
@@ -219,11 +228,9 @@ class PredictionStream:
 
         return send
 
-    def _frames(
-        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
-    ) -> tuple[list[Frame], int]:
-        each = self.hello.reply == "event"
-        return prediction_frames(predictions, binary=self._binary, each=each, likely=likely)
+    def _frames(self, predictions: FloatArray, aims: list[Aim] | None = None) -> tuple[list[Frame], int]:
+        each, version = self.hello.reply == "event", self.hello.version
+        return prediction_frames(predictions, binary=self._binary, each=each, version=version, aims=aims)
 
     def configure(self, message: Configure) -> None:
         """Another predictor or other parameters begin without memory; raises ProtocolError, nothing changed.
@@ -333,20 +340,24 @@ class PredictionStream:
         """Events of the trial that runs."""
         return self._trial.count
 
-    def start_trial(self, goal: Goal | None) -> None:
-        """A movement starts at the next event; its events are kept until the trial ends."""
-        self._trial.start(goal)
+    def start_trial(self, goal: Goal | None, conditions: Conditions) -> None:
+        """A movement starts at the next event; its events are kept until the trial ends.
+
+        Raises ProtocolError for a condition that has no column in the session's trials.
+        """
+        self._trial.start(goal, conditions)
         self.reset()
         if self.observer:
             self.observer.trial("start", goal)
 
-    def end_trial(self, goal: Goal | None) -> Scoring:
-        """The function that scores the trial; raises ProtocolError where none was started."""
+    def end_trial(self, goal: Goal | None, conditions: Conditions) -> Scoring:
+        """The function that scores the trial; raises ProtocolError where none runs, or for a condition."""
         if not self._trial.running:
             sentence = "expected 'trial' with action 'start' before 'end'"
             raise ProtocolError("out_of_place", sentence, "$.action")
+        known = self._trial.described(conditions)
         if self.observer:
-            self.observer.trial("end", goal)
+            self.observer.trial("end", goal, known)
         outcome = self.tracker.finish_trial(goal or self._trial.goal) if self.tracker else None
         scoring = self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
         return scoring if outcome is None else partial(with_outcome, scoring, outcome)

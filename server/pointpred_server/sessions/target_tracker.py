@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from pointpred.errors import ParameterError
 from pointpred.protocol.client_messages import Goal, Rectangle
 from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import Aim
 from pointpred.protocol.server_messages import ChoiceMessage, Likely
 from pointpred.records import FloatArray, Place
 from pointpred.targets import Choice, Chooser
@@ -26,10 +27,10 @@ def within_bounds(precision: float) -> float:
 
 
 class Changes(NamedTuple):
-    """What events lead to: choices with their times, and the likeliest targets for each prediction sent."""
+    """What events lead to: choices with their times, and the aim of each prediction sent."""
 
     choices: list[tuple[float, Choice]]
-    likely: list[list[Likely]]
+    aims: list[Aim]
 
 
 class Outcome(NamedTuple):
@@ -93,10 +94,10 @@ class TargetTracker:
         """Decide after events and their predictions, part by part; any thread may run it.
 
         ``seen``: the person's places after each event, where they count; at the event where they change, the
-        weights change. ``each``: the likeliest targets after each event, otherwise after the last.
+        weights change. ``each``: the aim after each event, otherwise after the last.
         """
         changes: list[tuple[float, Choice]] = []
-        likely: list[list[tuple[Hashable, float]]] = []
+        aims: list[Aim] = []
         for whole in parts:
             if whole.start:
                 yield
@@ -104,11 +105,16 @@ class TargetTracker:
                 if places is not None:
                     self.expect(places)
                 last = part.stop - part.start if each else int(part.stop == len(table))
-                made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
+                made, likely, places = self._chooser.follow(
+                    table[part], predictions[part], most=LIKELIEST, last=last
+                )
                 changes += made
-                likely += named
+                aims += [
+                    Aim(place, [Likely(str(id), p) for id, p in one])
+                    for place, one in zip(places, likely, strict=True)
+                ]
         self._last_t = float(table[-1, 0])
-        return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
+        return Changes(changes, aims)
 
     def announce(self, choices: Sequence[tuple[float | None, Choice]]) -> None:
         """Send choices to the client."""
