@@ -38,7 +38,6 @@ from pointpred.protocol.client_messages import (
 from pointpred.protocol.decoding import check_numbers, decode_server_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import (
-    NOBODY,
     NONE,
     PHASE,
     PREDICTION,
@@ -243,7 +242,7 @@ class ClientSession:
         """
         if isinstance(frame, bytes):
             for row, place in _rows_of(frame, self.hello.version):
-                id = self._ids[place] if NOBODY < place < len(self._ids) else None
+                id = self._ids[place] if 0 <= place < len(self._ids) else None
                 self._add_prediction(row, id if self._ids else msgspec.UNSET)
             return None
         message = _message_of(frame)

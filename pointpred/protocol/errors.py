@@ -88,8 +88,9 @@ def invalid_message(text: str, reason: str) -> ProtocolError:
         received = content.get("type", UNSET) if isinstance(content, dict) else UNSET
         sentence = f"{sentence}; known: {', '.join(CLIENT_TYPES)}"
         return ProtocolError(code, sentence, path, field="type", value=received)
-    if (field := path.removeprefix("$.").removesuffix("[...]")) in ENTRIES and path.endswith("[...]"):
-        path = _wrong_entry(content, field)
+    for field in ENTRIES:
+        if path.startswith(f"$.{field}["):
+            path = _wrong_entry(content, field)
     if content is not None and not missing_or_unknown and " got " not in sentence:
         sentence = f"{sentence}, received {_value_at(content, path)}"
     return ProtocolError("bad_field", sentence, path)

@@ -136,12 +136,10 @@ def _read_trials(
     ]
     rows = zip(targets, counts, conditions, strict=True)
     by_name = dict(zip(table["trial"].to_pylist(), rows, strict=True))
-    trials = [
-        Trial(user, name, *by_name[name][0], condition=by_name[name][2])
-        if name in by_name
-        else Trial(user, name)
-        for name in names
-    ]
+    trials = []
+    for name in names:
+        place, _, condition = by_name.get(name, ((), None, {}))
+        trials.append(Trial(user, name, **dict(zip(TARGET, place, strict=False)), condition=condition))
     sizes = {index: by_name[name][1] if name in by_name else None for index, name in enumerate(names)}
     empty = [Skip(name, "no samples", user=user) for name in by_name if name not in set(names)]
     return trials, sizes, empty, notes

@@ -105,13 +105,13 @@ class TargetTracker:
                 if places is not None:
                     self.expect(places)
                 last = part.stop - part.start if each else int(part.stop == len(table))
-                made, likely, places = self._chooser.follow(
+                made, likely, headed = self._chooser.follow(
                     table[part], predictions[part], most=LIKELIEST, last=last
                 )
                 changes += made
                 aims += [
                     Aim(place, [Likely(str(id), p) for id, p in one])
-                    for place, one in zip(places, likely, strict=True)
+                    for place, one in zip(headed, likely, strict=True)
                 ]
         self._last_t = float(table[-1, 0])
         return Changes(changes, aims)

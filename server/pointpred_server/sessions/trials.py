@@ -31,6 +31,7 @@ class TrialBuffer:
     def __init__(self) -> None:
         self.running = False
         self._names: tuple[str, ...] | None = None  # of the conditions of the session's first trial
+        self._conditions: Conditions = {}
         self._forget()
 
     def start(self, goal: Goal | None, conditions: Conditions) -> None:
@@ -77,7 +78,6 @@ class TrialBuffer:
         self._numbers = array("d")
         self.count = 0
         """Events of the running trial."""
-        self._conditions: Conditions = {}
         self.goal = goal
         """The target of the running trial, where its start named one."""
 
