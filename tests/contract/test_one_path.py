@@ -92,7 +92,7 @@ def in_chunks(name: str) -> Iterator[bytes]:
         yield packed(PredictionColumns(np.concatenate(parts)))
 
 
-def hello(name: str, encoding: str, version: int) -> str:
+def hello(name: str, encoding: str, version: int = 2) -> str:
     cpi, dpi = resolution()
     device = {} if cpi is None else {"device": {"cpi": cpi}}
     words = {"type": "hello", "version": version, "predictor": name, "reply": "event"}
