@@ -32,26 +32,27 @@ from pointpred.targets.decision import NOBODY
 
 EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
-PREDICTED = (*PREDICTION_FIELDS, Field("", NOBODY, packed="<i2", since=2, name="target"))
+TARGET = Field("", NOBODY, packed="<i2", since=2, name="target")
+PREDICTED = (*PREDICTION_FIELDS, TARGET)
 """What a packed prediction holds: the numbers of its row, NaN where null, and the place of ``target`` among
 the registered targets, NOBODY where none of them is the likeliest."""
 
 
-def runs_of(fields: Sequence[Field]) -> list[tuple[str, slice]]:
+def _runs_of(fields: Sequence[Field]) -> list[tuple[str, slice]]:
     """Fields of one type that follow each other, which are copied together: the name of the first, where."""
     starts = [i for i in range(len(fields)) if i == 0 or fields[i].packed != fields[i - 1].packed]
     return [(fields[start].name, slice(start, stop)) for start, stop in pairwise([*starts, len(fields)])]
 
 
-def dtype_of(fields: Sequence[Field]) -> np.dtype[np.void]:
+def _dtype_of(fields: Sequence[Field]) -> np.dtype[np.void]:
     """The packed record of these fields, by runs of one type."""
-    runs = runs_of(fields)
+    runs = _runs_of(fields)
     return np.dtype([(name, fields[run.start].packed, (run.stop - run.start,)) for name, run in runs])
 
 
 _sent = {version: [field for field in PREDICTED if field.since <= version] for version in VERSIONS}
-_runs = {version: runs_of(fields) for version, fields in _sent.items()}
-PREDICTION = {version: dtype_of(fields) for version, fields in _sent.items()}
+_runs = {version: _runs_of(fields) for version, fields in _sent.items()}
+PREDICTION = {version: _dtype_of(fields) for version, fields in _sent.items()}
 """A packed prediction by the version of the wire; each begins with the one before."""
 NO_COUNTS = -32768
 
@@ -119,17 +120,18 @@ def pack_predictions(
     table: FloatArray, aims: Sequence[Aim] | None = None, *, version: int = VERSION
 ) -> bytes:
     """The rows of ``PredictionColumns`` as records; ``aims``: that of each, in a session with targets."""
-    values = np.empty((len(table), len(PREDICTED)))
-    values[:, :-1] = table
-    values[:, -1] = NOBODY if aims is None else [aim.place for aim in aims]
-    if (none := np.isnan(table[:, X])).any():
-        values[none, X:-1] = NONE
-        values[none, PHASE] = 0.0
-    if (alone := np.isnan(table[:, SXX])).any():
-        values[alone, TAIL] = NONE
+    none, alone = np.isnan(table[:, X]), np.isnan(table[:, SXX]) & ~np.isnan(table[:, TAIL])
+    if none.any() or alone.any():
+        table = table.copy()
+        table[none, X:] = NONE
+        table[none, PHASE] = 0.0
+        table[alone, TAIL] = NONE
     packed = np.empty(len(table), PREDICTION[version])
     for name, run in _runs[version]:
-        packed[name] = values[:, run]
+        if name == TARGET.name:
+            packed[name][:, 0] = NOBODY if aims is None else [aim.place for aim in aims]
+        else:
+            packed[name] = table[:, run]
     return packed.tobytes()
 
 
@@ -206,12 +208,15 @@ def prediction_frames(
     otherwise the newest one only. ``aims``: that of each prediction, in a session with targets.
     """
     rows = predictions if each else predictions[-1:]
-    if binary and (len(rows) > 1 or aims is not None):
+    if binary and len(rows) > 1:
         return [pack_predictions(rows, aims, version=version)], len(rows)
     if aims is None:
         encode_row = row_encoder(binary=binary, version=version)
         return [encode_row(row) for row in rows.tolist()], len(rows)
-    return [prediction_text(*pair) for pair in zip(rows.tolist(), aims, strict=True)], len(rows)
+    pairs, size = zip(rows.tolist(), aims, strict=True), PREDICTION[version].itemsize
+    if binary:
+        return [pack_prediction(row, aim.place)[:size] for row, aim in pairs], len(rows)
+    return [aimed_text(row, aim) for row, aim in pairs], len(rows)
 
 
 def row_encoder(*, binary: bool, version: int = VERSION) -> Callable[[Sequence[float]], Frame]:
@@ -222,11 +227,15 @@ def row_encoder(*, binary: bool, version: int = VERSION) -> Callable[[Sequence[f
     return pack_prediction if version == VERSION else lambda row: pack_prediction(row)[:size]
 
 
-def prediction_text(row: Sequence[float], aim: Aim | None = None) -> str:
-    """One row of predictions as JSON text, with its aim in a session with targets."""
+def prediction_text(row: Sequence[float]) -> str:
+    """One row of predictions as JSON text, in a session without targets."""
+    return encode(message_of(row)).decode()
+
+
+def aimed_text(row: Sequence[float], aim: Aim) -> str:
+    """One row of predictions as JSON text, with its aim among the targets."""
     message = message_of(row)
-    if aim is not None:
-        message.target, message.targets = aim.target, aim.likely
+    message.target, message.targets = aim.target, aim.likely
     return encode(message).decode()
 
 

@@ -13,6 +13,7 @@ from pointpred.protocol.frames import (
     EVENT,
     PREDICTION,
     Aim,
+    aimed_text,
     message_of,
     pack_prediction,
     pack_predictions,
@@ -84,6 +85,6 @@ def test_numbers_of_laws_that_run_as_plain_python_are_said_in_json() -> None:
 @given(st.tuples(*[st.floats(allow_nan=False)] * 7, phase, *[st.floats(allow_nan=False)] * 2))
 def test_a_message_has_every_number_of_its_row(row: tuple[float, ...]) -> None:
     assert same(row_of_prediction(message_of(row)), row)
-    text = json.loads(prediction_text(row, Aim(0, [Likely("a", 0.5)])))
+    text = json.loads(aimed_text(row, Aim(0, [Likely("a", 0.5)])))
     assert (text["target"], text["targets"]) == ("a", [{"id": "a", "p": 0.5}])
-    assert json.loads(prediction_text(row, Aim(-1, [Likely("a", 0.5)])))["target"] is None
+    assert json.loads(aimed_text(row, Aim(-1, [Likely("a", 0.5)])))["target"] is None
