@@ -58,8 +58,9 @@ NO_COUNTS = -32768
 
 NONE = float("nan")
 X, SXX, PHASE, TAIL = (PredictionColumns.names.index(name) for name in ("x", "sxx", "phase", "tail"))
-# Faster than ``int`` and a list.
+# Each is faster than what it stands for: ``int``, ``PHASES`` by place, a method of bytes.
 _code_of = {float(code): code for code in range(len(PHASES))}
+_text = bytes.decode
 _phase_of = dict(zip(_code_of, PHASES, strict=True))
 
 
@@ -229,7 +230,7 @@ def row_encoder(*, binary: bool, version: int = VERSION) -> Callable[[Sequence[f
 
 def prediction_text(row: Sequence[float]) -> str:
     """One row of predictions as JSON text, in a session without targets."""
-    return encode(message_of(row)).decode()
+    return _text(encode(message_of(row)))
 
 
 def aimed_text(row: Sequence[float], aim: Aim) -> str:
