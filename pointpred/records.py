@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, nan
 from operator import index
+from types import NoneType
 from typing import (
     Annotated,
     Any,
@@ -21,6 +22,7 @@ from typing import (
     NamedTuple,
     Self,
     TypeVar,
+    get_args,
     get_type_hints,
     overload,
 )
@@ -57,6 +59,7 @@ NORMAL = float("nan")
 METRES_PER_INCH = 0.0254
 CPI, DPI = (1.0, 1e6), (1.0, 1e5)
 """Bounds on the counts per inch of a device and the pixels per inch of a screen."""
+F8 = "<f8"
 ROUNDING_S = 1e-6
 """Spans of time that differ by less are compared as equal: no rule may hang on how a clock is rounded."""
 
@@ -64,8 +67,9 @@ ROUNDING_S = 1e-6
 class Field(msgspec.Struct, frozen=True):
     """What is said of a field, once: its unit, the closed bounds of its values, its other forms.
 
-    ``packed``: its type in a binary frame; ``most``: the largest value on the wire, where that is less than
-    ``high``; ``column``: its name in pointpred's own files. "" where it is not there.
+    ``packed``: its type in a binary frame, ``since``: the first version of the wire that has it; ``most``:
+    the largest value on the wire, where that is less than ``high``; ``column``: its name in pointpred's own
+    files. "" where it is not there.
     """
 
     unit: str
@@ -73,6 +77,7 @@ class Field(msgspec.Struct, frozen=True):
     high: float = inf
     whole: bool = False
     packed: str = ""
+    since: int = 1
     most: float = inf
     column: str = ""
     name: str = ""
@@ -99,11 +104,13 @@ class Field(msgspec.Struct, frozen=True):
 
 
 def fields_of(record: type) -> tuple[Field, ...]:
-    """The declarations of a record's fields, in their order."""
-    hints = get_type_hints(record, include_extras=True)
+    """The declarations of a record's fields, in their order; a field of several numbers has one for each."""
     return tuple(
-        msgspec.structs.replace(one.__metadata__[0], name=name, optional=one.__origin__ == float | None)
-        for name, one in hints.items()
+        msgspec.structs.replace(
+            field, name=field.name or name, optional=NoneType in get_args(hint.__origin__)
+        )
+        for name, hint in get_type_hints(record, include_extras=True).items()
+        for field in hint.__metadata__
     )
 
 
@@ -114,9 +121,9 @@ class PointerEvent(msgspec.Struct, frozen=True):
     ``None`` where the source has none; ``buttons`` pressed, as in W3C pointer events (bit 0: primary).
     """
 
-    t: Annotated[float, Field("s", -LATEST_S, LATEST_S, packed="<f8", column="t_s")]
-    x: Annotated[float, Field("px", -LARGEST, LARGEST, packed="<f8", column="x_px")]
-    y: Annotated[float, Field("px", -LARGEST, LARGEST, packed="<f8", column="y_px")]
+    t: Annotated[float, Field("s", -LATEST_S, LATEST_S, packed=F8, column="t_s")]
+    x: Annotated[float, Field("px", -LARGEST, LARGEST, packed=F8, column="x_px")]
+    y: Annotated[float, Field("px", -LARGEST, LARGEST, packed=F8, column="y_px")]
     dx: Annotated[float | None, Field("counts", -LARGEST, LARGEST, packed="<i2", column="dx_counts")] = None
     dy: Annotated[float | None, Field("counts", -LARGEST, LARGEST, packed="<i2", column="dy_counts")] = None
     buttons: Annotated[int, Field("", 0, LARGEST, True, packed="<u2", most=65535, column="buttons")] = 0
@@ -148,18 +155,22 @@ class Prediction(msgspec.Struct, frozen=True):
     ``scale`` = (sxx, sxy, syy) px^2, the scale matrix of the endpoint's law, or ``None`` where the predictor
     claims no region. ``tail``: degrees of freedom of that law, a bivariate Student law; ``None``: the law is
     normal, and ``scale`` its covariance. ``phase`` of the movement at ``t``. ``remaining_s`` until arrival,
-    or ``None``.
-    ``remaining_spread``: standard deviation of the logarithm of the remaining time; ``None``: not claimed.
+    ``remaining_spread`` the standard deviation of the logarithm of that; ``None``: not claimed.
     """
 
-    t: float
-    x: float
-    y: float
-    scale: tuple[float, float, float] | None
-    phase: Phase
-    remaining_s: float | None
-    tail: float | None = None
-    remaining_spread: float | None = None
+    t: Annotated[float, Field("s", packed=F8, column="t_s")]
+    x: Annotated[float, Field("px", packed=F8, column="x_px")]
+    y: Annotated[float, Field("px", packed=F8, column="y_px")]
+    scale: Annotated[
+        tuple[float, float, float] | None,
+        Field("px^2", packed=F8, column="sxx_px2", name="sxx"),
+        Field("px^2", packed=F8, column="sxy_px2", name="sxy"),
+        Field("px^2", packed=F8, column="syy_px2", name="syy"),
+    ]
+    phase: Annotated[Phase, Field("", packed="<u1", column="phase")]
+    remaining_s: Annotated[float | None, Field("s", packed=F8, column="remaining_s")]
+    tail: Annotated[float | None, Field("", packed=F8, column="tail")] = None
+    remaining_spread: Annotated[float | None, Field("", packed=F8, since=2, column="remaining_spread")] = None
 
     @property
     def covariance(self) -> tuple[float, float, float] | None:
@@ -263,6 +274,11 @@ class PredictionRow(NamedTuple):
     tail: float
     remaining_spread: float
 
+
+PREDICTION_FIELDS = tuple(
+    sorted(fields_of(Prediction), key=lambda field: PredictionRow._fields.index(field.name))
+)
+"""In the order of rows, files and packed records: what a version of the wire adds comes last."""
 
 Row = tuple[float, ...]
 """A row as laws hand it on: building a named one for Python would cost a law a microsecond."""
@@ -390,20 +406,12 @@ def prediction_row(prediction: Prediction | None, t: float = nan) -> TenFloats:
     """The row of a prediction; of ``None``, at ``t`` s, one that holds nothing else."""
     if prediction is None:
         return t, nan, nan, nan, nan, nan, nan, nan, nan, nan
-    sxx, sxy, syy = (nan, nan, nan) if prediction.scale is None else prediction.scale
-    left, tail, spread = prediction.remaining_s, prediction.tail, prediction.remaining_spread
-    return (
-        float(prediction.t),
-        float(prediction.x),
-        float(prediction.y),
-        float(sxx),
-        float(sxy),
-        float(syy),
-        nan if left is None else float(left),
-        float(PHASES.index(prediction.phase)),
-        nan if tail is None else float(tail),
-        nan if spread is None else float(spread),
-    )
+    place = float(prediction.t), float(prediction.x), float(prediction.y)
+    sxx, sxy, syy = (nan, nan, nan) if prediction.scale is None else map(float, prediction.scale)
+    left = nan if prediction.remaining_s is None else float(prediction.remaining_s)
+    tail = nan if prediction.tail is None else float(prediction.tail)
+    spread = nan if prediction.remaining_spread is None else float(prediction.remaining_spread)
+    return *place, sxx, sxy, syy, left, float(PHASES.index(prediction.phase)), tail, spread
 
 
 def prediction_of(row: Row) -> Prediction | None:
@@ -411,16 +419,10 @@ def prediction_of(row: Row) -> Prediction | None:
     t, x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = row
     if x != x:
         return None
-    return Prediction(
-        t,
-        x,
-        y,
-        (sxx, sxy, syy) if sxx == sxx else None,
-        PHASES[int(phase)],
-        remaining_s if remaining_s == remaining_s else None,
-        tail if tail == tail else None,
-        spread if spread == spread else None,
-    )
+    scale = (sxx, sxy, syy) if sxx == sxx else None
+    left = remaining_s if remaining_s == remaining_s else None
+    freedom = tail if tail == tail else None
+    return Prediction(t, x, y, scale, PHASES[int(phase)], left, freedom, spread if spread == spread else None)
 
 
 Record = TypeVar("Record")

@@ -16,7 +16,7 @@ from pointpred.stage import CompiledStage
 from translation import stages
 from translation.expressions import is_constant, number
 from translation.javascript import Law
-from translation.messages import messages_text
+from translation.messages import fields_text, messages_text
 from translation.names import alias, path_of, renamed
 from translation.roots import HAND_WRITTEN, roots
 from translation.source import Name, UntranslatableError, is_law, module
@@ -45,6 +45,7 @@ def texts() -> dict[str, bytes]:
         for name in modules
     }
     files["messages.js"] = messages_text().encode()
+    files["fields.js"] = fields_text().encode()
     files["descriptions.js"] = stages.descriptions_text().encode()
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
     files[stages.COEFFICIENTS] = planes(coefficient_file.read(coefficient_file.OWN))

@@ -52,6 +52,7 @@ def _module(folder: str, address: str) -> str:
         "registry.js",
         "descriptions.js",
         "messages.js",
+        "fields.js",
     )
     return f"pointpred.{file.removesuffix('.js').replace('/', '.')}" if made else ""
 

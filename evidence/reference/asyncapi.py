@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, get_type_hints
 
 import msgspec
@@ -13,6 +14,7 @@ import pointpred
 from pointpred.protocol.client_messages import (
     CLIENT_MESSAGES,
     SUBPROTOCOL,
+    VERSION,
     Assist,
     Bye,
     Configure,
@@ -29,7 +31,7 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.frames import EVENT, NO_COUNTS, PREDICTION, pack_predictions
+from pointpred.protocol.frames import NO_COUNTS, PREDICTED, PREDICTION, Aim, pack_events, pack_predictions
 from pointpred.protocol.server_messages import (
     LIVE_MESSAGES,
     SERVER_MESSAGES,
@@ -49,22 +51,25 @@ from pointpred.protocol.server_messages import (
     TargetsTaken,
     Welcome,
 )
-from pointpred.records import PHASES
+from pointpred.records import EVENT_FIELDS, PHASES, Field
 from pointpred.registry import RECOMMENDED
+from pointpred.targets.decision import NOBODY
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
-from pointpred_server.websocket_protocol import NO_DEVICE
 from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.websocket_protocol import NO_DEVICE
 
 ABOUT = f"""One pointing session over a WebSocket: pointer events in, predictions of the endpoint out.
 
 The session goes connecting -> greeted -> streaming -> closed. The client speaks first, with `hello`; anything
 else before it is answered by an error. Every JSON message is one object with `type` in a text frame; unknown
 fields are errors. With `encoding: binary` in `hello`, events and predictions go as binary frames of packed
-records instead; everything else stays JSON. Positions are px with y growing downwards, times are seconds on
-the client's clock. A client that reads slowly gets the newest prediction only, and the number of those
-dropped. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to
-be read, the client gets a summary: the end of the proposal it was sent, and the current one.
+records instead; everything else stays JSON. `version` in `hello` is 1 or 2: it is that of packed
+predictions, `welcome` repeats it, and all else is the same in both. Positions are px with y growing
+downwards, times are seconds on the client's clock. A client that reads slowly gets the newest prediction
+only, and the number of those dropped. Proposals among targets (`choice`) go as text in either encoding; if
+more than 64 wait to be read, the client gets a summary: the end of the proposal it was sent, and the current
+one.
 
 With `assist` in `hello` the service moves the cursor: events carry counts, the first one has the position of
 the cursor before it, and before each prediction `cursor`, as text in either encoding, has its current
@@ -109,7 +114,9 @@ EVENTS = (
 PREDICTIONS = (
     "Predictions as packed little-endian records without padding, one for the newest event or, with "
     "`reply: event`, one for each. NaN where a field is null; all NaN but t, and phase 0, where there is "
-    "no prediction. Phases: {phases}. A region with tail NaN is that of a normal law."
+    "no prediction. Phases: {phases}. A region with tail NaN is that of a normal law. target: the place of "
+    "the likeliest among the registered targets in the order sent, from 0; {nobody}: none of them. In a "
+    "session of version 1 a record ends after {first} bytes."
 )
 
 PERSON = "1.AvcZJo2qP2MdoSQMBXCMPw"
@@ -117,7 +124,7 @@ PERSON = "1.AvcZJo2qP2MdoSQMBXCMPw"
 
 NONE = float("nan")
 HELLO = Hello(
-    1,
+    VERSION,
     RECOMMENDED,
     device=Device(cpi=800.0, rate_hz=1000.0),
     screen=Screen(width_px=1920.0, height_px=1080.0, dpi=96.0),
@@ -127,13 +134,16 @@ HELLO = Hello(
 MESSAGES: dict[str, tuple[Struct, ...]] = {
     "hello": (
         HELLO,
-        Hello(1, "hold", reply="event", encoding="binary"),
-        Hello(1, RECOMMENDED, device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
-        Hello(1, RECOMMENDED, person=PERSON, places=True),
+        Hello(VERSION, "hold", reply="event", encoding="binary"),
+        Hello(VERSION, RECOMMENDED, device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
+        Hello(VERSION, RECOMMENDED, person=PERSON, places=True),
     ),
     "events": (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
     "targets": (Targets([Rectangle("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
-    "trial": (TrialMark("start", Goal(940.0, 32.0, 24.0)), TrialMark("end")),
+    "trial": (
+        TrialMark("start", Goal(940.0, 32.0, 24.0), {"block": 2.0, "participant": "p7"}),
+        TrialMark("end"),
+    ),
     "configure": (
         Configure(predictor="kalman"),
         Configure(reply="event"),
@@ -145,11 +155,15 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
     "reset": (Reset(),),
     "person": (Person(), Person(PERSON), Person("")),
     "bye": (Bye("done"),),
-    "welcome": (Welcome(1, "k3x9Qw", RECOMMENDED, Limits()),),
+    "welcome": (Welcome(VERSION, "k3x9Qw", RECOMMENDED, Limits()),),
     "prediction": (
-        PredictionMessage(0.508, 871.5, 251.0, EndpointLaw(220.5, -12.0, 180.25, 4.5), "ballistic", 0.35),
+        PredictionMessage(
+            0.508, 871.5, 251.0, EndpointLaw(220.5, -12.0, 180.25, 4.5), "ballistic", 0.35, 0.25
+        ),
         PredictionMessage(0.5),
-        PredictionMessage(0.508, 871.5, 251.0, None, "ballistic", 0.35, [Likely("save", 0.8125)]),
+        PredictionMessage(
+            0.508, 871.5, 251.0, None, "ballistic", 0.35, target="save", targets=[Likely("save", 0.8125)]
+        ),
     ),
     "cursor": (Cursor(0.508, 652.0, 356.0, 4.0),),
     "choice": (
@@ -183,8 +197,8 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
 }
 """The examples of each message by its key in the document."""
 
-EVENT_ROWS = [(0.5, 640.0, 360.0, -32768, -32768, 0), (0.508, 643.0, 359.0, 4, -1, 1)]
-PREDICTION_ROW = (0.508, 871.5, 251.0, 220.5, -12.0, 180.25, 0.35, 1.0, 4.5, NONE)
+EVENT_ROWS = [(0.5, 640.0, 360.0, NONE, NONE, 0), (0.508, 643.0, 359.0, 4, -1, 1)]
+PREDICTION_ROW = (0.508, 871.5, 251.0, 220.5, -12.0, 180.25, 0.35, 1.0, 4.5, 0.25)
 """A row of ``PredictionColumns``."""
 NO_PREDICTION_ROW = (0.5, *(NONE,) * 6, 0.0, NONE, NONE)
 
@@ -299,25 +313,20 @@ def _messages() -> dict[str, Any]:
             "payload": {"$ref": f"#/components/schemas/{kind.__name__}"},
             "examples": [{"payload": msgspec.to_builtins(one)} for one in shown],
         }
-    packed = np.array(EVENT_ROWS, dtype=EVENT).tobytes()
-    rows = np.array([PREDICTION_ROW, NO_PREDICTION_ROW])
-    layout = [(name, EVENT[name].str) for name in EVENT.names or ()]
-    messages["binaryEvents"] = _binary(EVENTS.format(none=NO_COUNTS), layout, packed)
+    packed = pack_events(np.array(EVENT_ROWS))
+    rows, aims = np.array([PREDICTION_ROW, NO_PREDICTION_ROW]), [Aim(0, []), Aim(NOBODY, [])]
+    messages["binaryEvents"] = _binary(EVENTS.format(none=NO_COUNTS), EVENT_FIELDS, packed)
     phases = ", ".join(f"{code} {name}" for code, name in enumerate(PHASES))
-    messages["binaryPredictions"] = _binary(
-        PREDICTIONS.format(phases=phases),
-        [(name, "<f8") for name in ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s")]
-        + [("phase", PREDICTION["phase"].str), ("tail", PREDICTION["tail"].str)],
-        pack_predictions(rows),
-    )
+    words = PREDICTIONS.format(phases=phases, nobody=NOBODY, first=PREDICTION[1].itemsize)
+    messages["binaryPredictions"] = _binary(words, PREDICTED, pack_predictions(rows, aims))
     return messages
 
 
-def _binary(summary: str, fields: list[tuple[str, str]], example: bytes) -> dict[str, Any]:
+def _binary(summary: str, fields: Sequence[Field], example: bytes) -> dict[str, Any]:
     layout, offset = [], 0
-    for name, kind in fields:
-        layout.append({"field": name, "type": kind.lstrip("<|"), "offset": offset})
-        offset += np.dtype(kind).itemsize
+    for field in fields:
+        layout.append({"field": field.name, "type": field.packed.lstrip("<"), "offset": offset})
+        offset += np.dtype(field.packed).itemsize
     return {
         "summary": summary,
         "contentType": "application/octet-stream",

@@ -28,7 +28,7 @@ from pointpred.client.session import (
     no_connection,
     service_address,
 )
-from pointpred.protocol.client_messages import Goal, Hello, Rectangle
+from pointpred.protocol.client_messages import Conditions, Goal, Hello, Rectangle
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import KnownPerson, PredictionMessage, Score, TargetsTaken, Welcome
 from pointpred.records import EventColumns, PointerEvent, PredictionColumns
@@ -123,9 +123,18 @@ class Connection(ClientSession):
         """Replace the set of targets; returns how many the service has."""
         return self._ask(self.targets_frame(targets), TargetsTaken).count
 
-    def trial(self, action: str, target: dict[str, float] | Goal | None = None) -> Score | None:
-        """Mark that a movement starts, or has ended; the end returns its score."""
-        frame = self.trial_frame(action, target)
+    def trial(
+        self,
+        action: str,
+        target: dict[str, float] | Goal | None = None,
+        conditions: Conditions | None = None,
+    ) -> Score | None:
+        """Mark that a movement starts, or has ended; the end returns its score.
+
+        ``conditions``: what the trial is (block, participant, ...), which a service that records keeps beside
+        it; those of the end add to those of the start, and all trials have the names of the first.
+        """
+        frame = self.trial_frame(action, target, conditions)
         if action == "end":
             return self._ask(frame, Score)
         self._send(frame)
@@ -290,9 +299,14 @@ class AsyncConnection(ClientSession):
         """Replace the set of targets; returns how many the service has."""
         return (await self._ask(self.targets_frame(targets), TargetsTaken)).count
 
-    async def trial(self, action: str, target: dict[str, float] | Goal | None = None) -> Score | None:
-        """Mark that a movement starts, or has ended; the end returns its score."""
-        frame = self.trial_frame(action, target)
+    async def trial(
+        self,
+        action: str,
+        target: dict[str, float] | Goal | None = None,
+        conditions: Conditions | None = None,
+    ) -> Score | None:
+        """Mark that a movement starts, or has ended; the end returns its score: as ``Connection.trial``."""
+        frame = self.trial_frame(action, target, conditions)
         if action == "end":
             return await self._ask(frame, Score)
         await self._send(frame)

@@ -21,6 +21,7 @@ from pointpred.protocol.client_messages import (
     VERSION,
     Bye,
     ClientMessage,
+    Conditions,
     Configure,
     Encoding,
     Enter,
@@ -38,6 +39,7 @@ from pointpred.protocol.decoding import check_numbers, decode_server_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import (
     NONE,
+    PHASE,
     PREDICTION,
     Frame,
     event_frames,
@@ -52,6 +54,7 @@ from pointpred.protocol.server_messages import (
     Likely,
     Limits,
     PredictionMessage,
+    TargetsTaken,
     Welcome,
     encode,
 )
@@ -63,7 +66,6 @@ Row = Sequence[float | None]
 STREAM_PATH = "/v1/stream"
 QUEUE = 1024
 """Frames kept for a script that does not read; then the service keeps only its newest prediction."""
-PHASE = PredictionColumns.names.index("phase")
 OTHER_SERVICE = "does a service of this version of pointpred listen there?"
 KEPT_NOTICES = 100
 """The newest notices that are kept; ``noticed`` counts them all."""
@@ -71,6 +73,9 @@ KEPT_CHOICES = 1000
 """The newest choices that are kept until they are taken."""
 
 NEVER = float("-inf")
+Target = str | msgspec.UnsetType | None
+Targeted = list[Likely] | msgspec.UnsetType
+"""Unset in a session without targets."""
 
 
 class ServiceError(PointpredError, ValueError):
@@ -102,9 +107,11 @@ class ClientSession:
         """How many of them there were."""
         self.cursor: Cursor | None = None
         """Where the service has put the cursor, in a session opened with ``assist``; the newest received."""
-        self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
+        self._rows: deque[tuple[list[float], Target, Targeted]] = deque()
         self._choices: deque[ChoiceMessage] = deque(maxlen=KEPT_CHOICES)
         self._proposed: list[str] = []
+        self._sent_ids: list[str] = []
+        self._ids: list[str] = []  # of the targets that the service has
         self._unanswered = UnansweredFrames()
 
     @property
@@ -145,11 +152,16 @@ class ClientSession:
 
     def take(self) -> PredictionMessage | None:
         """The oldest prediction not yet taken, ``None`` where there is none."""
-        return message_of(*self._rows.popleft()) if self._rows else None
+        if not self._rows:
+            return None
+        row, target, likely = self._rows.popleft()
+        message = message_of(row)
+        message.target, message.targets = target, likely
+        return message
 
     def take_all(self) -> PredictionColumns:
         """Every prediction not yet taken."""
-        rows = [row for row, _ in self._rows]
+        rows = [row for row, _, _ in self._rows]
         self._rows.clear()
         return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(PredictionColumns.names)))
 
@@ -168,11 +180,17 @@ class ClientSession:
     def targets_frame(self, targets: Iterable[dict[str, Any] | Rectangle]) -> Frame:
         """Replaces the set of targets."""
         plain = [msgspec.to_builtins(each) for each in targets]
-        return self._text(_fit(Targets, {"type": "targets", "targets": plain}))
+        message: Targets = _fit(Targets, {"type": "targets", "targets": plain})
+        frame = self._text(message)
+        self._sent_ids = [one.id for one in message.targets]
+        return frame
 
-    def trial_frame(self, action: str, target: dict[str, float] | Goal | None) -> Frame:
+    def trial_frame(
+        self, action: str, target: dict[str, float] | Goal | None, conditions: Conditions | None
+    ) -> Frame:
         """Starts or ends a trial; a start forgets every event, as ``reset`` does."""
-        mark = {"type": "trial", "action": action, "target": msgspec.to_builtins(target)}
+        mark: dict[str, Any] = {"type": "trial", "action": action, "target": msgspec.to_builtins(target)}
+        mark |= {"conditions": conditions} if conditions else {}
         frame = self._text(_fit(TrialMark, mark))
         if action == "start":
             self._unanswered.restart()
@@ -222,14 +240,15 @@ class ClientSession:
         Raises ServiceError for an error, and SourceError for a frame that no service of this protocol sends.
         """
         if isinstance(frame, bytes):
-            for row in _rows_of(frame):
-                self._add_prediction(row)
+            for row, place in _rows_of(frame, self.hello.version):
+                id = self._ids[place] if 0 <= place < len(self._ids) else None
+                self._add_prediction(row, id if self._ids else msgspec.UNSET)
             return None
         message = _message_of(frame)
         if isinstance(message, PredictionMessage):
             if message.x is not None and message.phase is None:
                 raise SourceError(f"received a prediction without a phase; {OTHER_SERVICE}")
-            self._add_prediction(row_of_prediction(message), message.targets)
+            self._add_prediction(row_of_prediction(message), message.target, message.targets)
             return None
         if isinstance(message, ChoiceMessage):
             self._choices.append(message)
@@ -250,12 +269,12 @@ class ClientSession:
             return None
         if isinstance(message, Welcome):
             self.greeting = message
+        if isinstance(message, TargetsTaken):
+            self._ids = self._sent_ids
         return message
 
-    def _add_prediction(
-        self, row: list[float], likely: list[Likely] | msgspec.UnsetType = msgspec.UNSET
-    ) -> None:
-        self._rows.append((row, likely))
+    def _add_prediction(self, row: list[float], target: Target, likely: Targeted = msgspec.UNSET) -> None:
+        self._rows.append((row, target, likely))
         self._unanswered.answer(row[0])
 
     def _text(self, message: ClientMessage) -> str:
@@ -268,15 +287,16 @@ class ClientSession:
         return text.decode()
 
 
-def _rows_of(frame: bytes) -> list[list[float]]:
-    """The predictions of a binary frame; raises SourceError."""
-    if not frame or len(frame) % PREDICTION.itemsize:
-        sentence = f"received a frame of {len(frame)} bytes, expected records of {PREDICTION.itemsize} bytes"
+def _rows_of(frame: bytes, version: int) -> list[tuple[list[float], int]]:
+    """The predictions of a binary frame, and the places of their targets; raises SourceError."""
+    size = PREDICTION[version].itemsize
+    if not frame or len(frame) % size:
+        sentence = f"received a frame of {len(frame)} bytes, expected records of {size} bytes"
         raise SourceError(f"{sentence}; {OTHER_SERVICE}")
-    rows = unpack_predictions(frame)
+    rows, places = unpack_predictions(frame, version)
     if unknown := [row[PHASE] for row in rows if row[PHASE] >= len(PHASES)]:
         raise SourceError(f"received phase {unknown[0]:g}, expected 0 to {len(PHASES) - 1}; {OTHER_SERVICE}")
-    return rows
+    return list(zip(rows, places, strict=True))
 
 
 def _message_of(frame: str) -> msgspec.Struct | None:
@@ -342,7 +362,7 @@ def columns_of(events: EventColumns | Iterable[PointerEvent | Row]) -> EventColu
 
 def _numbers(event: PointerEvent | Row) -> list[float]:
     if isinstance(event, PointerEvent):
-        row: Row = (event.t, event.x, event.y, event.dx, event.dy, event.buttons)
+        row: Row = msgspec.structs.astuple(event)
     elif 3 <= len(event) <= 6:
         row = (*event, *(None, None, 0)[len(event) - 3 :])
     else:

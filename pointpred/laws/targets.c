@@ -615,14 +615,13 @@ WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
 
 /* Take in rows, from ``first`` up to and with the one at which there is something to note. */
 T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, T2q proposed) {
-  Table events, answers, likeliest, table;
+  Table events, answers, likeliest;
   Vector shares;
   int64_t standing, over, most, chosen, now_over, entered, place;
   T4d event;
   events = tables.f0;
   answers = tables.f1;
   likeliest = tables.f2;
-  table = targets.f0;
   shares = targets.f2;
   standing = proposed.f0;
   over = proposed.f1;
@@ -635,7 +634,7 @@ T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t 
     entered = values_1.f2;
     place = i - (events.n - likeliest.n);
     if (place >= 0) {
-      targets_decision_rank(shares, table.n, (Vector){likeliest.p + place * likeliest.m + 0, most - 0});
+      targets_decision_rank(shares, shares.n, (Vector){likeliest.p + place * likeliest.m + 0, most - 0});
       for (int64_t k = 0; k < most; k++) {
         likeliest.p[place * likeliest.m + most + k] = shares.p[(int64_t)likeliest.p[place * likeliest.m + k]];
       }

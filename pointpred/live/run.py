@@ -29,7 +29,7 @@ from pointpred.live.playback import PlayedSource
 from pointpred.live.session import LiveSession
 from pointpred.live.terminal import DASH, TerminalLog, show, summary
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import Device, Hello, Screen
+from pointpred.protocol.client_messages import VERSION, Device, Hello, Screen
 from pointpred.protocol.server_messages import Curve
 from pointpred.registry import build
 from pointpred.transfer import GainCurve
@@ -160,7 +160,9 @@ class LiveRun:
 
     def _record(self, file: Path) -> LiveRecording:
         options, session = self.options, self.session
-        hello = Hello(1, options.predictor, device=Device(cpi=options.cpi), screen=Screen(dpi=options.dpi))
+        hello = Hello(
+            VERSION, options.predictor, device=Device(cpi=options.cpi), screen=Screen(dpi=options.dpi)
+        )
         recording = LiveRecording(
             file, hello, session.words, lambda: session.source.clock, simulated=options.simulated
         )

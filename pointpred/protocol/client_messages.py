@@ -15,7 +15,10 @@ from pointpred.records import CPI, DPI, EVENT_FIELDS, LARGEST
 from pointpred.registry import RECOMMENDED
 from pointpred.targets.rectangles import SMALLEST_PX, Target
 
-VERSION = 1
+VERSIONS = (1, 2)
+VERSION = VERSIONS[-1]
+"""The versions of the wire that a service speaks, and the one that the clients here send. Version 2 adds
+fields to packed predictions."""
 SUBPROTOCOL = "pointpred.v1"
 
 Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
@@ -30,6 +33,10 @@ Knowledge = Annotated[str, Meta(max_length=LARGEST_PERSON)]
 """What is known of a person, as ``Pipeline.person`` gives it."""
 WindowKey = Annotated[str, Meta(max_length=1024, examples=["editor"])]
 """The name of a window or page, in the client's own words."""
+ConditionName = Annotated[str, Meta(max_length=64, pattern=r'^(?!.*[\r\n])[^\s,"]+( [^\s,"]+)*$')]
+Condition = Annotated[str, Meta(max_length=256, pattern=r"^(?!.*[\r\n])")] | float
+Conditions = Annotated[dict[ConditionName, Condition], Meta(max_length=32)]
+"""What a trial was: block, participant, distance, ... by name, in texts of one line or finite numbers."""
 Rho = Annotated[float, Meta(ge=0.0, le=1e4)]
 Gain = Annotated[float, Meta(ge=0.0, le=1e3)]
 
@@ -143,10 +150,15 @@ class Goal(Struct, forbid_unknown_fields=True):
 
 
 class TrialMark(ClientMessage, tag="trial"):
-    """Ground truth: a movement starts here, or it has ended; ``target`` where it is known."""
+    """Ground truth: a movement starts here, or it has ended; ``target`` where it is known.
+
+    ``conditions`` are columns of recorded trials; those of the end add to those of the start. A session's
+    trials have the names of its first one, and none of a column that tables of trials have anyway.
+    """
 
     action: Literal["start", "end"]
     target: Goal | None = None
+    conditions: Conditions = {}
 
 
 class Configure(ClientMessage, tag="configure"):

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 from msgspec import UNSET, UnsetType
 
-from pointpred.protocol.client_messages import CLIENT_TYPES, Setting
+from pointpred.protocol.client_messages import CLIENT_TYPES, Condition, Setting
 from pointpred.protocol.server_messages import Code, ErrorMessage, Scalar
 
 SENTENCE_MOST = 1000
@@ -23,12 +23,14 @@ LOOKED_AT = 8192
 """Values of a message that are looked at for the one that is wrong: more would take milliseconds. That is all
 of the longest frame of events."""
 SETTINGS_LOOKED_AT = 256
+ENTRIES = {"parameters": Setting, "conditions": Condition}
+"""Fields whose entries a client names, for which the decoder has no path."""
 QUOTED_MOST = 2**15
 """Characters of a message that is read once more, to quote what is wrong with it."""
 LARGEST_EXACT = 2**53
 """Every JSON decoder reads whole numbers below this exactly."""
 
-_decoder_place = re.compile(r" - at `(?P<path>\$.*)`$", re.DOTALL)
+_decoder_place = re.compile(r" - at (?P<key>`key` in )?`(?P<path>\$.*)`$", re.DOTALL)
 _decoder_field = re.compile(r"(missing required|contains unknown) field `(?P<name>.*)`$", re.DOTALL)
 _step = re.compile(r"\.(?P<key>[^.\[]+)|\[(?P<index>\d+)\]")
 
@@ -76,6 +78,8 @@ def invalid_message(text: str, reason: str) -> ProtocolError:
     place = _decoder_place.search(reason)
     path = place["path"] if place else "$"
     sentence = _decoder_place.sub("", reason)
+    if place and place["key"]:
+        return ProtocolError("bad_field", f"the name of an entry: {sentence}", path)
     missing_or_unknown = _decoder_field.search(sentence)
     if missing_or_unknown:
         path = f"{path}.{missing_or_unknown['name']}"
@@ -84,8 +88,9 @@ def invalid_message(text: str, reason: str) -> ProtocolError:
         received = content.get("type", UNSET) if isinstance(content, dict) else UNSET
         sentence = f"{sentence}; known: {', '.join(CLIENT_TYPES)}"
         return ProtocolError(code, sentence, path, field="type", value=received)
-    if path.startswith("$.parameters["):
-        path = _wrong_parameter(content)
+    for field in ENTRIES:
+        if path.startswith(f"$.{field}["):
+            path = _wrong_entry(content, field)
     if content is not None and not missing_or_unknown and " got " not in sentence:
         sentence = f"{sentence}, received {_value_at(content, path)}"
     return ProtocolError("bad_field", sentence, path)
@@ -119,21 +124,21 @@ def _lenient(text: str) -> Any:
         return None
 
 
-def _wrong_parameter(value: Any) -> str:
-    """The path of the first parameter whose value is of a wrong kind, where it is among the first ones."""
+def _wrong_entry(value: Any, field: str) -> str:
+    """The path of the first entry whose value is of a wrong kind, where it is among the first ones."""
     try:
-        parameters = dict(value["parameters"])
+        entries = dict(value[field])
     except (TypeError, ValueError, KeyError):
-        return "$.parameters"
-    for name, setting in islice(parameters.items(), SETTINGS_LOOKED_AT):
+        return f"$.{field}"
+    for name, entry in islice(entries.items(), SETTINGS_LOOKED_AT):
         try:
-            msgspec.convert(setting, Setting)
-            if _path_of_nan(setting) is None:
+            msgspec.convert(entry, ENTRIES[field])
+            if _path_of_nan(entry) is None:
                 continue
         except msgspec.ValidationError:
             pass
-        return f"$.parameters.{name}"
-    return "$.parameters"
+        return f"$.{field}.{name}"
+    return f"$.{field}"
 
 
 def _value_at(value: Any, path: str) -> str:

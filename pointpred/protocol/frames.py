@@ -1,41 +1,92 @@
 """Frames on the wire: events to the service, predictions back, as JSON text or as packed records.
 
-A packed event takes 30 bytes, a prediction 65, little-endian, no padding.
+Packed records hold the fields of ``records`` in their order, little-endian, no padding: an event takes 30
+bytes, a prediction 65 in version 1 and 75 in version 2.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from struct import Struct
+from typing import NamedTuple
 
 import numpy as np
-from msgspec import UNSET, UnsetType
 
 from pointpred.errors import EventError
-from pointpred.protocol.client_messages import Encoding
+from pointpred.protocol.client_messages import VERSION, VERSIONS, Encoding
 from pointpred.protocol.server_messages import EndpointLaw, Likely, Limits, PredictionMessage, encode
 from pointpred.records import (
     EVENT_FIELDS,
     PHASES,
+    PREDICTION_FIELDS,
     EventColumns,
+    Field,
     FloatArray,
     PredictionColumns,
     Row,
 )
+from pointpred.targets.decision import NOBODY
 
 EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
-PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1"), ("tail", "<f8")])
-"""A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, NaN where null; the phase's code; tail, NaN where
-the region's law is normal or there is no region."""
+TARGET = Field("", NOBODY, packed="<i2", since=2, name="target")
+PREDICTED = (*PREDICTION_FIELDS, TARGET)
+"""What a packed prediction holds: the numbers of its row, NaN where null, and the place of ``target`` among
+the registered targets, NOBODY where none of them is the likeliest."""
+
+
+def _runs_of(fields: Sequence[Field]) -> list[tuple[str, slice]]:
+    """Fields of one type that follow each other, which are copied together: the name of the first, where."""
+    starts = [i for i in range(len(fields)) if i == 0 or fields[i].packed != fields[i - 1].packed]
+    return [(fields[start].name, slice(start, stop)) for start, stop in pairwise([*starts, len(fields)])]
+
+
+def _dtype_of(fields: Sequence[Field]) -> np.dtype[np.void]:
+    """The packed record of these fields, by runs of one type."""
+    runs = _runs_of(fields)
+    return np.dtype([(name, fields[run.start].packed, (run.stop - run.start,)) for name, run in runs])
+
+
+_sent = {version: [field for field in PREDICTED if field.since <= version] for version in VERSIONS}
+_runs = {version: _runs_of(fields) for version, fields in _sent.items()}
+PREDICTION = {version: _dtype_of(fields) for version, fields in _sent.items()}
+"""A packed prediction by the version of the wire; each begins with the one before."""
 NO_COUNTS = -32768
 
 NONE = float("nan")
-_one_event = Struct("<" + "".join(np.dtype(field.packed).char for field in EVENT_FIELDS))
-_one_prediction = Struct("<dddddddBd")
+X, SXX, PHASE, TAIL = (PredictionColumns.names.index(name) for name in ("x", "sxx", "phase", "tail"))
+# Each is faster than what it stands for: ``int``, ``PHASES`` by place, a method of bytes.
+_code_of = {float(code): code for code in range(len(PHASES))}
+_text = bytes.decode
+_phase_of = dict(zip(_code_of, PHASES, strict=True))
+
+
+def _struct_of(fields: Sequence[Field]) -> Struct:
+    return Struct("<" + "".join(np.dtype(field.packed).char for field in fields))
+
+
+_one_event = _struct_of(EVENT_FIELDS)
+_pack_prediction = _struct_of(PREDICTED).pack
 
 Frame = str | bytes
+
+
+class Aim(NamedTuple):
+    """What the registered targets make of a prediction.
+
+    ``place`` of the one that is likeliest of all among them, NOBODY where none of them is; ``likely``: the
+    likeliest targets, best first.
+    """
+
+    place: int
+    likely: list[Likely]
+
+    @property
+    def target(self) -> str | None:
+        """The id of the likeliest of all; ``None`` where it is none of the targets."""
+        return None if self.place == NOBODY else self.likely[0].id
 
 
 def unpack_events(frame: bytes) -> list[Row]:
@@ -56,34 +107,44 @@ def pack_events(table: FloatArray) -> bytes:
     return packed.tobytes()
 
 
-def pack_predictions(table: FloatArray) -> bytes:
-    """The rows of ``PredictionColumns`` as records."""
-    packed = np.empty(len(table), PREDICTION)
-    none = np.isnan(table[:, 1])
-    packed["numbers"] = table[:, :7]
-    packed["phase"] = np.where(none, 0.0, table[:, 7])
-    packed["numbers"][none, 1:] = NONE
-    packed["tail"] = np.where(none | np.isnan(table[:, 3]), NONE, table[:, 8])
+def pack_predictions(
+    table: FloatArray, aims: Sequence[Aim] | None = None, *, version: int = VERSION
+) -> bytes:
+    """The rows of ``PredictionColumns`` as records; ``aims``: that of each, in a session with targets."""
+    none, alone = np.isnan(table[:, X]), np.isnan(table[:, SXX]) & ~np.isnan(table[:, TAIL])
+    if none.any() or alone.any():
+        table = table.copy()
+        table[none, X:] = NONE
+        table[none, PHASE] = 0.0
+        table[alone, TAIL] = NONE
+    packed = np.empty(len(table), PREDICTION[version])
+    for name, run in _runs[version]:
+        if name == TARGET.name:
+            packed[name][:, 0] = NOBODY if aims is None else [aim.place for aim in aims]
+        else:
+            packed[name] = table[:, run]
     return packed.tobytes()
 
 
-def pack_prediction(row: Sequence[float]) -> bytes:
-    """One row of ``PredictionColumns`` as a record."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
+def pack_prediction(row: Sequence[float], place: int = NOBODY) -> bytes:
+    """One row of ``PredictionColumns`` as a record of the newest version; ``place``: that of its target."""
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = row
     if x != x:
-        return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0, NONE)
-    return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase), tail if sxx == sxx else NONE)
+        return _pack_prediction(t, NONE, NONE, NONE, NONE, NONE, NONE, 0, NONE, NONE, place)
+    if sxx != sxx:
+        tail = NONE
+    return _pack_prediction(t, x, y, sxx, sxy, syy, remaining_s, _code_of[phase], tail, spread, place)
 
 
-def unpack_predictions(frame: bytes) -> list[list[float]]:
-    """The records of a frame as rows of ``PredictionColumns``."""
-    packed = np.frombuffer(frame, PREDICTION)
-    table = np.full((len(packed), len(PredictionColumns.names)), NONE)
-    table[:, :7] = packed["numbers"]
-    table[:, 7] = np.where(np.isnan(table[:, 1]), NONE, packed["phase"])
-    table[:, 8] = packed["tail"]
-    rows: list[list[float]] = table.tolist()
-    return rows
+def unpack_predictions(frame: bytes, version: int = VERSION) -> tuple[list[list[float]], list[int]]:
+    """The records of a frame as rows of ``PredictionColumns``, and the place of each one's target."""
+    packed = np.frombuffer(frame, PREDICTION[version])
+    values = np.full((len(packed), len(PREDICTED)), NONE)
+    values[:, -1] = NOBODY
+    for name, run in _runs[version]:
+        values[:, run] = packed[name]
+    values[np.isnan(values[:, X]), PHASE] = NONE
+    return values[:, :-1].tolist(), values[:, -1].astype(int).tolist()
 
 
 def event_frames(
@@ -125,55 +186,70 @@ def _event_texts(events: EventColumns, limits: Limits) -> Iterator[tuple[Frame, 
 
 
 def prediction_frames(
-    predictions: FloatArray, *, binary: bool, each: bool, likely: Sequence[list[Likely]] | None = None
+    predictions: FloatArray,
+    *,
+    binary: bool,
+    each: bool,
+    version: int = VERSION,
+    aims: Sequence[Aim] | None = None,
 ) -> tuple[list[Frame], int]:
     """The frames that answer events with these rows of predictions, and how many predictions they hold.
 
     Binary: one frame of packed records. JSON: one text a prediction. ``each``: one prediction an event,
-    otherwise the newest one only. ``likely``: the likeliest targets of each prediction, for which a packed
-    record has no room.
+    otherwise the newest one only. ``aims``: that of each prediction, in a session with targets.
     """
     rows = predictions if each else predictions[-1:]
-    if likely is not None and not binary:
-        return [prediction_text(row, some) for row, some in zip(rows.tolist(), likely, strict=True)], len(
-            rows
-        )
-    if len(rows) == 1 or not binary:
-        encode_row = row_encoder(binary=binary)
+    if binary and len(rows) > 1:
+        return [pack_predictions(rows, aims, version=version)], len(rows)
+    if aims is None:
+        encode_row = row_encoder(binary=binary, version=version)
         return [encode_row(row) for row in rows.tolist()], len(rows)
-    return [pack_predictions(rows)], len(rows)
+    pairs, size = zip(rows.tolist(), aims, strict=True), PREDICTION[version].itemsize
+    if binary:
+        return [pack_prediction(row, aim.place)[:size] for row, aim in pairs], len(rows)
+    return [aimed_text(row, aim) for row, aim in pairs], len(rows)
 
 
-def row_encoder(*, binary: bool) -> Callable[[Sequence[float]], Frame]:
-    """The function that makes a frame of one row of predictions."""
-    return pack_prediction if binary else prediction_text
+def row_encoder(*, binary: bool, version: int = VERSION) -> Callable[[Sequence[float]], Frame]:
+    """The function that makes a frame of one row of predictions, in a session without targets."""
+    if not binary:
+        return prediction_text
+    size = PREDICTION[version].itemsize
+    return pack_prediction if version == VERSION else lambda row: pack_prediction(row)[:size]
 
 
-def prediction_text(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> str:
-    """One row of predictions as JSON text."""
-    return encode(message_of(row, likely)).decode()
+def prediction_text(row: Sequence[float]) -> str:
+    """One row of predictions as JSON text, in a session without targets."""
+    return _text(encode(message_of(row)))
 
 
-def message_of(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> PredictionMessage:
-    """A row of ``PredictionColumns`` as a message, with the likeliest targets where there are any."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
+def aimed_text(row: Sequence[float], aim: Aim) -> str:
+    """One row of predictions as JSON text, with its aim among the targets."""
+    message = message_of(row)
+    message.target, message.targets = aim.target, aim.likely
+    return encode(message).decode()
+
+
+def message_of(row: Sequence[float]) -> PredictionMessage:
+    """A row of ``PredictionColumns`` as a message."""
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = row
     if x != x:
-        return PredictionMessage(t, targets=likely)
+        return PredictionMessage(t)
     return PredictionMessage(
         t,
         x,
         y,
         EndpointLaw(sxx, sxy, syy, tail if tail == tail else None) if sxx == sxx else None,
-        PHASES[int(phase)],
+        _phase_of[phase],
         remaining_s if remaining_s == remaining_s else None,
-        likely,
+        spread if spread == spread else None,
     )
 
 
 def row_of_prediction(message: PredictionMessage) -> list[float]:
-    """A message as a row of ``PredictionColumns``; the spread of the time left is not sent."""
-    scale = message.scale
-    claimed = (NONE, NONE, NONE) if scale is None else (scale.sxx, scale.sxy, scale.syy)
-    phase = NONE if message.phase is None else float(PHASES.index(message.phase))
-    numbers = (message.x, message.y, *claimed, message.remaining_s, phase, scale.tail if scale else None)
-    return [message.t, *(NONE if value is None else value for value in numbers), NONE]
+    """A message as a row of ``PredictionColumns``."""
+    law = message.scale or EndpointLaw(NONE, NONE, NONE)
+    phase = None if message.phase is None else PHASES.index(message.phase)
+    left = message.remaining_s, phase, law.tail, message.remaining_spread
+    numbers = (message.t, message.x, message.y, law.sxx, law.sxy, law.syy, *left)
+    return [NONE if value is None else float(value) for value in numbers]

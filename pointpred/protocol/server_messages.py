@@ -8,7 +8,7 @@ import msgspec
 from msgspec import UNSET, Meta, Struct, UnsetType
 
 from pointpred.protocol.client_messages import Bye, Events
-from pointpred.records import NORMAL
+from pointpred.records import NORMAL, Phase
 from pointpred.regions import Region, probability, region_of
 from pointpred.transfer import GainCurve
 
@@ -81,15 +81,19 @@ class Likely(Struct):
 class PredictionMessage(ServerMessage, tag="prediction", gc=False):
     """Where the movement will end as seen at ``t``; null fields where nothing is justified.
 
-    ``targets``: the likeliest five, best first; absent from a session without targets.
+    ``remaining_spread``: standard deviation of the logarithm of ``remaining_s``. ``target``: the registered
+    target that is likeliest of all, null where none of them is; ``targets``: the likeliest five, best first.
+    Both are absent from a session without targets.
     """
 
     t: float
     x: float | None = None
     y: float | None = None
     scale: EndpointLaw | None = msgspec.field(default=None, name="region")
-    phase: Literal["still", "ballistic", "corrective"] | None = None
+    phase: Phase | None = None
     remaining_s: float | None = None
+    remaining_spread: float | None = None
+    target: str | UnsetType | None = UNSET
     targets: list[Likely] | UnsetType = UNSET
 
     def region(self, level: float) -> Region | None:

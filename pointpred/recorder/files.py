@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import errno
 import os
 from collections.abc import Callable, Sequence
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -13,15 +15,15 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv as pacsv
 
+from pointpred.protocol.client_messages import Conditions
 from pointpred.recordings.appended import SAMPLES, TRIALS
 from pointpred.recordings.arrow_tables import MARK
-from pointpred.records import PHASES, FloatArray
+from pointpred.records import EVENT_FIELDS, PHASES, PREDICTION_FIELDS, FloatArray
 
-PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase", "tail")
 COLUMNS = {
     "samples": SAMPLES,
     "trials": TRIALS,
-    "predictions": (*PREDICTED, "predictor", "parameters"),
+    "predictions": (*(field.column for field in PREDICTION_FIELDS), "predictor", "parameters"),
 }
 FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
 FLAGS |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)  # the latter on Windows: LF stays LF
@@ -45,6 +47,8 @@ class SessionFiles:
         self.folder = folder
         self.name = name
         self.about = about
+        self.conditions: Conditions | None = None
+        """What the first trial was, once it has ended: the names are columns of all."""
         self.rows = 0
         """Complete rows in the files."""
         self._write = write
@@ -97,11 +101,13 @@ class SessionFiles:
             raise FileNotFoundError(errno.ENOENT, "its files were deleted")
 
     def _head(self, part: str) -> bytes:
-        columns = ",".join(COLUMNS[part]).encode() + b"\n"
+        conditions = self.conditions or {}
+        columns = _line([*COLUMNS[part], *(conditions if part == "trials" else ())])
         if part == "predictions":
             return columns
+        text = [name for name, value in conditions.items() if isinstance(value, str)]
         header = {"version": 1, "append": True, "name": self.name} | (
-            self.about if part == "samples" else {"text": []}
+            self.about if part == "samples" else {"text": text}
         )
         return MARK + msgspec.json.encode(header, order="sorted") + b"\n" + columns
 
@@ -124,26 +130,41 @@ def sample_rows(user: str, trials: Words, table: FloatArray) -> bytes:
 
 def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> bytes:
     """Predictions as rows of the predictions file; empty cells where nothing was justified."""
-    codes = table[:, 7]
+    names = [field.name for field in PREDICTION_FIELDS]
+    codes = table[:, names.index("phase")]
     phases = pa.DictionaryArray.from_arrays(
         pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes), memory_pool=POOL),
         pa.array(PHASES, memory_pool=POOL),
     )
-    *numbers, tail = (_numbers(table[:, column]) for column in (*range(7), 8))
     phases = phases.cast(pa.string(), memory_pool=POOL)
-    return _csv([*numbers, phases, tail, _repeated(predictors), _repeated(parameters)])
+    columns = [
+        phases if name == "phase" else _numbers(column) for name, column in zip(names, table.T, strict=True)
+    ]
+    return _csv([*columns, _repeated(predictors), _repeated(parameters)])
 
 
 def warm_rows() -> None:
     """Make rows once: the first call loads a library, and nothing would be written for half a second."""
-    sample_rows("", [("", 1)], np.zeros((1, 6)))
-    prediction_rows([("", 1)], [(None, 1)], np.zeros((1, 10)))
+    sample_rows("", [("", 1)], np.zeros((1, len(EVENT_FIELDS))))
+    prediction_rows([("", 1)], [(None, 1)], np.zeros((1, len(PREDICTION_FIELDS))))
 
 
-def trial_row(user: str, trial: str, target: tuple[float, float, float] | None, samples: int) -> bytes:
-    """One row of the trials file."""
-    place = ",".join(repr(value) for value in target) if target else ",,"
-    return f"{user},{trial},{place},{samples}\n".encode()
+def trial_row(
+    user: str,
+    trial: str,
+    target: tuple[float, float, float] | None,
+    samples: int,
+    conditions: Sequence[str | float | None] = (),
+) -> bytes:
+    """One row of the trials file; ``conditions`` in the order of their columns."""
+    return _line([user, trial, *(target or (None, None, None)), samples, *conditions])
+
+
+def _line(cells: Sequence[str | float | None]) -> bytes:
+    """Cells as a line of CSV; ``None`` is an empty one."""
+    out = StringIO()
+    csv.writer(out, lineterminator="\n").writerow(cells)
+    return out.getvalue().encode()
 
 
 def _numbers(column: FloatArray) -> Any:

@@ -20,7 +20,7 @@ import msgspec
 import numpy as np
 
 from pointpred.logs import place_of
-from pointpred.protocol.client_messages import Goal, Hello, cpi_of, dpi_of
+from pointpred.protocol.client_messages import Conditions, Goal, Hello, cpi_of, dpi_of
 from pointpred.recorder.files import SessionFiles, Write, prediction_rows, sample_rows, trial_row, warm_rows
 from pointpred.recorder.recordings import name_of, prepare
 from pointpred.recording import Provenance
@@ -52,6 +52,7 @@ class Item(msgspec.Struct, frozen=True):
     ends: bool = False
     target: tuple[float, float, float] | None = None
     samples: int = 0
+    conditions: tuple[str | float | None, ...] = ()
     closes: bool = False
 
     def __len__(self) -> int:
@@ -91,8 +92,11 @@ class SessionRecorder:
         )
         self._put(self, item)
 
-    def trial(self, action: str, target: Goal | None = None) -> None:
-        """A trial starts, which drops one that was running, or it ends."""
+    def trial(self, action: str, target: Goal | None = None, conditions: Conditions | None = None) -> None:
+        """A trial starts, which drops one that was running, or it ends; ``conditions`` are read at its end.
+
+        Those of the first trial are the columns of all.
+        """
         if action == "start":
             self._trials += 1
             self._running, self._goal, self._samples = str(self._trials), target, 0
@@ -100,7 +104,11 @@ class SessionRecorder:
         elif self._running is not None:
             goal = target or self._goal
             place = (goal.x, goal.y, goal.width) if goal else None
-            self._put(self, Item(trial=self._running, ends=True, target=place, samples=self._samples))
+            if self.files.conditions is None:
+                self.files.conditions = conditions or {}
+            told = tuple((conditions or {}).get(name) for name in self.files.conditions)
+            item = Item(trial=self._running, ends=True, target=place, samples=self._samples, conditions=told)
+            self._put(self, item)
             self._running = None
 
     def close(self) -> None:
@@ -125,7 +133,10 @@ def rows_of(user: str, items: Sequence[Item]) -> Iterator[tuple[str, bytes]]:
         ended = [item for item in marked if item.ends]
         yield (
             "trials",
-            b"".join(trial_row(user, item.trial or "", item.target, item.samples) for item in ended),
+            b"".join(
+                trial_row(user, item.trial or "", item.target, item.samples, item.conditions)
+                for item in ended
+            ),
         )
     if with_events:
         predictors = merged([(item.predictor, len(item)) for item in with_events])

@@ -6,6 +6,7 @@ any time, so the last line may be incomplete. It is ignored, with a note.
 
 from __future__ import annotations
 
+import csv
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,7 @@ from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, p
 from pointpred.recordings.encodings import read_unpacked, stem_of
 from pointpred.recordings.reading import AS_IS, Reading, row_name
 from pointpred.recordings.segmentation import trials_of_stream
-from pointpred.recordings.trials import TARGET, assemble
+from pointpred.recordings.trials import TARGET, assemble, condition_cells
 from pointpred.records import EventColumns
 
 FORMAT = "pointpred recorder"
@@ -90,17 +91,21 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     )
 
 
-def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]]:
-    """The complete lines of a file as a table, its header, and a note about a last line that is cut short."""
+def _table(path: Path, columns: tuple[str, ...], *, more: bool = False) -> tuple[Any, Header, list[str]]:
+    """The complete lines of a file as a table, its header, and a note about a last line that is cut short.
+
+    ``more``: columns of text may come behind these.
+    """
     data = read_unpacked(path)
     end = data.rstrip(b"\0").rfind(b"\n") + 1
     first, _, rest = data[:end].partition(b"\n")
     if not first.startswith(arrow_tables.MARK):
         raise RecordingError(f"{path}: not even the first line is complete, expected a header and rows")
     header = parse_header(path, first[len(arrow_tables.MARK) :])
-    if rest.partition(b"\n")[0] != ",".join(columns).encode():
+    there = next(csv.reader([rest.partition(b"\n")[0].decode(errors="replace")]), [])
+    if tuple(there[: len(columns) if more else None]) != columns:
         raise RecordingError(f"{path}: expected the columns {', '.join(columns)} below the header")
-    words = {name: pa.string() for name in ("user", "trial")}
+    words = {name: pa.string() for name in ("user", "trial", *there[len(columns) :])}
     types = {name: pa.float64() for name in columns} | words
     table = arrow_tables.parse_csv(path, BytesIO(rest), types)
     for name in columns if pa.types.is_string(table[columns[-1]].type) else ():
@@ -118,15 +123,23 @@ def _read_trials(
     """The trials, the number of samples of each (None: it never ended), those without samples, notes."""
     if path is None:
         return [Trial(user, name) for name in names], {}, [], ["no trials file: every target is unknown"]
-    table, _, notes = _table(path, TRIALS)
+    table, header, notes = _table(path, TRIALS, more=True)
     targets = np.column_stack([arrow_tables.numbers(table[column])[0] for column in TARGET]).tolist()
     counts = arrow_tables.numbers(table["n_samples"])[0].tolist()
     if table["trial"].null_count:
         raise RecordingError(f"{path}: row {pc.index(pc.is_null(table['trial']), True)} names no trial")
-    by_name = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
-    trials = [
-        Trial(user, name, *by_name[name][0]) if name in by_name else Trial(user, name) for name in names
+    named = table.column_names[len(TRIALS) :]
+    columns = [condition_cells(table[name], text=name in header.text) for name in named]
+    conditions = [
+        {name: cell for name, cell in zip(named, cells, strict=True) if cell is not None}
+        for cells in (zip(*columns, strict=True) if columns else [()] * len(counts))
     ]
+    rows = zip(targets, counts, conditions, strict=True)
+    by_name = dict(zip(table["trial"].to_pylist(), rows, strict=True))
+    trials = []
+    for name in names:
+        place, _, condition = by_name.get(name, ((), None, {}))
+        trials.append(Trial(user, name, **dict(zip(TARGET, place, strict=False)), condition=condition))
     sizes = {index: by_name[name][1] if name in by_name else None for index, name in enumerate(names)}
     empty = [Skip(name, "no samples", user=user) for name in by_name if name not in set(names)]
     return trials, sizes, empty, notes

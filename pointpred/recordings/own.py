@@ -19,7 +19,14 @@ from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray
 from pointpred.recordings.columns import clocks
 from pointpred.recordings.encodings import head_of, stem_of
 from pointpred.recordings.reading import AS_IS, Reading, row_name
-from pointpred.recordings.trials import TARGET, TRIAL_COLUMNS, assemble, codes_of, keys_of
+from pointpred.recordings.trials import (
+    TARGET,
+    TRIAL_COLUMNS,
+    assemble,
+    codes_of,
+    condition_cells,
+    keys_of,
+)
 from pointpred.records import FloatArray
 
 REQUIRED = ("user", "trial", *EVENT_COLUMNS[:3])
@@ -249,8 +256,8 @@ def _columns(path: Path, table: Any, text: Sequence[str]) -> tuple[dict[str, lis
         if name == "clean" and not typed:
             column, wrong = _flags(column)
             faults |= wrong
-        elif name not in TRIAL_COLUMNS and not typed and (name in text or arrow_tables.numbers(column)[1]):
-            columns[name] = column.to_pylist()
+        elif name not in TRIAL_COLUMNS and not typed:
+            columns[name] = condition_cells(column, text=name in text)
             continue
         values, wrong_cells = arrow_tables.numbers(column)
         faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong_cells.items()}

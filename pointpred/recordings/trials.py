@@ -224,6 +224,15 @@ def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[s
     return one_value(codes.astype(np.float64), group, count), cells
 
 
+def condition_cells(column: Any, *, text: bool) -> list[Any]:
+    """The cells of a column of text: words where it is ``text`` or one is no number, ``None`` if empty."""
+    values, wrong = arrow_tables.numbers(column)
+    if text or wrong:
+        cells: list[Any] = column.to_pylist()
+        return cells
+    return [None if value != value else value for value in values.tolist()]
+
+
 def is_condition(name: str) -> bool:
     """Whether a condition may have this name in pointpred's own files."""
     return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name

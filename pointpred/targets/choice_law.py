@@ -181,12 +181,12 @@ def walk(
     """Take in rows, from ``first`` up to and with the one at which there is something to note.
 
     ``tables``: the events, the predictions made at them, and a table for the likeliest targets after each of
-    the last rows: their places, and behind these their shares. ``proposed``: the targets that are proposed
-    now, by prediction and by entry. Returns how many rows are then taken in, and what ``step`` returns at
-    the last.
+    the last rows, *none of them* among them: their places, and behind these their shares. ``proposed``: the
+    targets that are proposed now, by prediction and by entry. Returns how many rows are then taken in, and
+    what ``step`` returns at the last.
     """
     events, answers, likeliest = tables
-    table, _, shares = targets
+    shares = targets[2]
     standing, over = proposed
     most = likeliest.shape[1] // 2
     for i in range(first, len(events)):
@@ -196,7 +196,7 @@ def walk(
         )
         place = i - (len(events) - len(likeliest))
         if place >= 0:
-            decision.rank(shares, len(table), likeliest[place, :most])
+            decision.rank(shares, len(shares), likeliest[place, :most])
             for k in range(most):
                 likeliest[place, most + k] = shares[int(likeliest[place, k])]
         if chosen != standing or now_over != over or entered > 0:

@@ -247,16 +247,17 @@ class Chooser:
 
     def follow(
         self, events: FloatArray, answers: FloatArray, *, most: int = 5, last: int | None = None
-    ) -> tuple[list[tuple[float, Choice]], list[list[tuple[Hashable, float]]]]:
+    ) -> tuple[list[tuple[float, Choice]], list[list[tuple[Hashable, float]]], list[int]]:
         """``update`` for many events, rows of ``EventColumns``, and the predictions made at them.
 
-        Returns each change with its time, and the ``most`` likeliest targets after each of the ``last``
-        events, all unless given. Other threads run meanwhile, except while a change is noted.
+        Returns each change with its time; after each of the ``last`` events, all unless given, the ``most``
+        likeliest targets, and the place of the one that is likeliest of all, -1 where it is none of them.
+        Other threads run meanwhile, except while a change is noted.
         """
         refuse(self._cursor, events)
         count, done = len(events), 0
         rows = count if last is None else min(last, count)
-        likeliest = np.empty((rows, 2 * min(most, len(self._table))))
+        likeliest = np.empty((rows, 2 * (min(most, len(self._table)) + 1)))
         found: list[tuple[float, Choice]] = []
         before = int(self._cursor.pressed)
         tables = events, answers, likeliest
@@ -272,7 +273,8 @@ class Chooser:
             found += [(t, choice) for choice in self._note(t, chosen, over, entered, released)]
         if count:
             self._answer = tuple(answers[-1].tolist())
-        return found, [self._named(row) for row in likeliest.tolist()]
+        places = np.where(likeliest[:, 0] == len(self._table), decision.NOBODY, likeliest[:, 0])
+        return found, [self._named(row) for row in likeliest.tolist()], places.astype(int).tolist()
 
     def holder(self, x: float, y: float) -> Hashable | None:
         """The smallest target that holds this point (px), of equal ones the nearest; ``None`` for none."""
@@ -309,9 +311,10 @@ class Chooser:
         self.ledger.drop()
 
     def _named(self, row: list[float]) -> list[tuple[Hashable, float]]:
-        """The places of targets and their shares with the targets' names."""
+        """The places of targets and their shares with the targets' names; *none of them* is left out."""
         most = len(row) // 2
-        return [(self._ids[int(place)], p) for place, p in zip(row[:most], row[most:], strict=True)]
+        pairs = [pair for pair in zip(row[:most], row[most:], strict=True) if pair[0] < len(self._ids)]
+        return [(self._ids[int(place)], p) for place, p in pairs[: most - 1]]
 
     def _note(self, t: float, chosen: int, over: int, entered: int, released: bool) -> tuple[Choice, ...]:
         """Update the ledger and the current proposals; ends come first."""

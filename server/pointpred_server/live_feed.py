@@ -8,10 +8,12 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from itertools import islice
 
+from msgspec.structs import astuple
+
 from pointpred.protocol.client_messages import Events
-from pointpred.protocol.frames import Frame
-from pointpred.protocol.server_messages import Attached, Curve, EndpointLaw, PredictionMessage, Status, encode
-from pointpred.records import Pair, PointerEvent, Prediction
+from pointpred.protocol.frames import Frame, prediction_text
+from pointpred.protocol.server_messages import Attached, Curve, Status, encode
+from pointpred.records import Pair, prediction_row
 from pointpred_server.sessions.lifecycle import Session
 
 FRAME_S = 1 / 120
@@ -111,19 +113,6 @@ class LiveFeed:
 
 def frames_of(pairs: Sequence[Pair]) -> list[Frame]:
     """One ``events`` and one ``prediction``, the newest, as texts."""
-    rows = [_event_row(event) for event, _ in islice(pairs, MOST_WAITING)]
+    rows = [astuple(event) for event, _ in islice(pairs, MOST_WAITING)]
     event, newest = pairs[-1]
-    return [encode(Events(rows)).decode(), encode(_prediction_message(event.t, newest)).decode()]
-
-
-def _event_row(event: PointerEvent) -> tuple[float, float, float, float | None, float | None, int]:
-    return event.t, event.x, event.y, event.dx, event.dy, event.buttons
-
-
-def _prediction_message(t: float, prediction: Prediction | None) -> PredictionMessage:
-    if prediction is None:
-        return PredictionMessage(t)
-    region = EndpointLaw(*prediction.scale, prediction.tail) if prediction.scale else None
-    return PredictionMessage(
-        prediction.t, prediction.x, prediction.y, region, prediction.phase, prediction.remaining_s
-    )
+    return [encode(Events(rows)).decode(), prediction_text(prediction_row(newest, event.t))]

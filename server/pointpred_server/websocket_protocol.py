@@ -223,12 +223,13 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         session, opcode = self.session, frame.opcode
         if session is None or session.close is not None or opcode is Opcode.CLOSE:
             return
+        data, alone = bytes(frame.data), frame.fin and not self._pieces
+        if not alone or opcode is Opcode.PING or opcode is Opcode.PONG:
+            session.receive_piece(at)
+            self.flush()
         if opcode is Opcode.PING or opcode is Opcode.PONG:
-            session.receive_piece(at)
             return
-        data = bytes(frame.data)
-        if not frame.fin or self._pieces:
-            session.receive_piece(at)
+        if not alone:
             self._text = opcode is Opcode.TEXT if not self._pieces else self._text
             self._pieces.append(data)
             if not frame.fin:

@@ -109,9 +109,7 @@ def test_every_kind_of_field_is_shown() -> None:
 def test_packed_events_decode_to_the_numbers_they_stand_for() -> None:
     message = MESSAGES["binaryEvents"]
     events = table_of_bytes(bytes.fromhex(message["examples"][0]["payload"]))
-    none = float("nan")
-    expected = [[none if value == -32768 else value for value in row] for row in EVENT_ROWS]
-    np.testing.assert_array_equal(events, expected)
+    np.testing.assert_array_equal(events, EVENT_ROWS)
     assert message["x-record-bytes"] == EVENT.itemsize == 30
     assert [(one["field"], one["offset"]) for one in message["x-layout"]] == [
         (name, (EVENT.fields or {})[name][1]) for name in EVENT.names or ()
@@ -124,20 +122,20 @@ def test_packed_predictions_read_by_the_layout_are_the_numbers() -> None:
 
     message = MESSAGES["binaryPredictions"]
     data = bytes.fromhex(message["examples"][0]["payload"])
-    assert message["x-record-bytes"] == PREDICTION.itemsize == 65
-    codes = {"f8": "<d", "u1": "<B"}
+    assert message["x-record-bytes"] == PREDICTION[2].itemsize == 75
+    codes = {"f8": "<d", "u1": "<B", "i2": "<h"}
     first, second = (
         {
             one["field"]: struct.unpack_from(codes[one["type"]], data, start + one["offset"])[0]
             for one in message["x-layout"]
         }
-        for start in (0, 65)
+        for start in (0, 75)
     )
     assert first == {
         "t": 0.508, "x": 871.5, "y": 251.0, "sxx": 220.5, "sxy": -12.0, "syy": 180.25, "remaining_s": 0.35,
-        "phase": 1, "tail": 4.5,
+        "phase": 1, "tail": 4.5, "remaining_spread": 0.25, "target": 0,
     }  # fmt: skip
-    assert (second.pop("t"), second.pop("phase")) == (0.5, 0)
+    assert (second.pop("t"), second.pop("phase"), second.pop("target")) == (0.5, 0, -1)
     assert all(value != value for value in second.values())
 
 

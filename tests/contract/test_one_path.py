@@ -20,7 +20,8 @@ from pointpred_server.sessions.pointing import PointingSession
 from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)
-EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddBd")
+EVENT = Struct("<dddhhH")
+PREDICTIONS = {1: Struct("<dddddddBd"), 2: Struct("<dddddddBddh")}
 NAN = float("nan")
 TRIALS = 4
 """Trials taken from the embedded sample; a reset lies between them."""
@@ -54,16 +55,13 @@ def packed(predictions: PredictionColumns) -> bytes:
     return table.tobytes()
 
 
-def heard(rows: list[tuple[float, ...]]) -> bytes:
-    """``packed`` for what the wire carries: no spread."""
-    return packed(PredictionColumns(np.array([(*row, NAN) for row in rows])))
-
-
 @cache
-def told(name: str) -> tuple[bytes, ...]:
-    """The reference without what the wire does not carry."""
-    tables = [np.frombuffer(rows).reshape(-1, len(PredictionColumns.names)) for rows in whole(name)]
-    return tuple(heard([tuple(row) for row in table[:, :9]]) for table in tables)
+def told(name: str, version: int = 2) -> tuple[bytes, ...]:
+    """The reference; in packed records of version 1 without the spread of the time left."""
+    tables = [np.frombuffer(rows).reshape(-1, len(PredictionColumns.names)).copy() for rows in whole(name)]
+    for table in tables:
+        table[:, 9] = NAN if version == 1 else table[:, 9]
+    return tuple(packed(PredictionColumns(table)) for table in tables)
 
 
 def one_by_one(name: str) -> Iterator[bytes]:
@@ -94,11 +92,11 @@ def in_chunks(name: str) -> Iterator[bytes]:
         yield packed(PredictionColumns(np.concatenate(parts)))
 
 
-def hello(name: str, encoding: str) -> str:
+def hello(name: str, encoding: str, version: int = 2) -> str:
     cpi, dpi = resolution()
     device = {} if cpi is None else {"device": {"cpi": cpi}}
-    words = {"type": "hello", "version": 1, "predictor": name, "reply": "event", "encoding": encoding}
-    return json.dumps({**words, **device, "screen": {"dpi": dpi}})
+    words = {"type": "hello", "version": version, "predictor": name, "reply": "event"}
+    return json.dumps({**words, "encoding": encoding, **device, "screen": {"dpi": dpi}})
 
 
 def text_frame(table: FloatArray) -> str:
@@ -114,26 +112,32 @@ def binary_frame(table: FloatArray) -> bytes:
     return frame
 
 
-def row_of(answer: str | bytes) -> list[tuple[float, ...]]:
-    """The numbers of an answer frame."""
+def row_of(answer: str | bytes, version: int) -> list[tuple[float, ...]]:
+    """The numbers of an answer frame; no target is registered."""
     if isinstance(answer, bytes):
-        return [tuple(map(float, record)) for record in PREDICTION.iter_unpack(answer)]
+        records = [tuple(map(float, record)) for record in PREDICTIONS[version].iter_unpack(answer)]
+        assert version == 1 or {record[10] for record in records} == {-1.0}
+        return [(*record, NAN) if version == 1 else record[:10] for record in records]
     said: dict[str, Any] = json.loads(answer)
     assert said["type"] == "prediction"
     region = said["region"] or {}
     numbers = [said["t"], said["x"], said["y"], *(region.get(k) for k in ("sxx", "sxy", "syy"))]
     phase = 0.0 if said["phase"] is None else float(PHASES.index(said["phase"]))
     tail = NAN if region.get("tail") is None else region["tail"]
-    return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase, tail)]
+    spread = NAN if said["remaining_spread"] is None else said["remaining_spread"]
+    assert "target" not in said
+    return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase, tail, spread)]
 
 
 Exchange = Callable[[list[str | bytes], int], list[Any]]
 """Sends frames that bring so many answers, and returns these."""
 
 
-def talking(name: str, encoding: str, frame: int, exchange: Exchange, at_once: int = 1) -> Iterator[bytes]:
+def talking(
+    name: str, encoding: str, frame: int, exchange: Exchange, at_once: int = 1, version: int = 2
+) -> Iterator[bytes]:
     """Every trial through a session, ``at_once`` frames before an answer is read."""
-    exchange([hello(name, encoding)], 1)
+    exchange([hello(name, encoding, version)], 1)
     for rows in trials():
         exchange(['{"type": "reset"}'], 0)
         form = binary_frame if encoding == "binary" else text_frame
@@ -143,11 +147,11 @@ def talking(name: str, encoding: str, frame: int, exchange: Exchange, at_once: i
             sent = frames[first : first + at_once]
             events = min(len(rows), (first + at_once) * frame) - first * frame
             for answer in exchange(sent, len(sent) if encoding == "binary" else events):
-                found += row_of(answer)
-        yield heard(found)
+                found += row_of(answer, version)
+        yield packed(PredictionColumns(np.array(found)))
 
 
-def session(name: str, encoding: str, frame: int) -> Iterator[bytes]:
+def session(name: str, encoding: str, frame: int, version: int = 2) -> Iterator[bytes]:
     one = PointingSession("session", LIMITS, 0.0)
 
     def exchange(frames: list[str | bytes], count: int) -> list[Any]:
@@ -157,7 +161,7 @@ def session(name: str, encoding: str, frame: int) -> Iterator[bytes]:
         assert len(answers) == count
         return answers
 
-    return talking(name, encoding, frame, exchange)
+    return talking(name, encoding, frame, exchange, version=version)
 
 
 @pytest.mark.parametrize("name", REGISTRY)
@@ -175,6 +179,12 @@ def test_in_chunks(name: str) -> None:
 @pytest.mark.parametrize("name", REGISTRY)
 def test_session(name: str, encoding: str, frame: int) -> None:
     assert tuple(session(name, encoding, frame)) == told(name)
+
+
+@pytest.mark.parametrize("frame", [1, 32])
+@pytest.mark.parametrize("name", REGISTRY)
+def test_session_of_version_1(name: str, frame: int) -> None:
+    assert tuple(session(name, "binary", frame, version=1)) == told(name, version=1)
 
 
 @pytest.fixture(scope="module")

@@ -148,9 +148,9 @@ class Client:
         """Send events, one a message, and compare what is predicted for each."""
         for first in range(0, count, AT_ONCE):
             table = self.send(min(AT_ONCE, count - first))
-            expected = pack_predictions(run(self._pipeline, EventColumns(table)).table)
+            expected = pack_predictions(run(self._pipeline, EventColumns(table)).table, version=1)
             answers = b""
-            while len(answers) < len(table) * PREDICTION.itemsize:
+            while len(answers) < len(table) * PREDICTION[1].itemsize:
                 answer = self.socket.recv(PATIENCE_S)
                 if isinstance(answer, str):  # on a busy machine the service may be behind, and says so
                     assert json.loads(answer).get("behind_s"), answer

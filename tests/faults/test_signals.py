@@ -43,7 +43,7 @@ def test_a_service_that_is_stopped_answers_and_records_what_it_has(tmp_path: Pat
             for answer in until_closed(client):
                 if isinstance(answer, bytes):
                     assert not byes, "bye is the last message"
-                    answered += len(answer) // PREDICTION.itemsize
+                    answered += len(answer) // PREDICTION[1].itemsize
                 else:
                     byes += json.loads(answer)["type"] == "bye"
             assert client.socket.close_code == 1001
@@ -89,7 +89,7 @@ def test_a_service_that_stood_still_ends_no_session_but_silent_ones(tmp_path: Pa
 
 def newest_time(answer: bytes) -> float:
     """The time of the newest prediction of a frame."""
-    return float(np.frombuffer(answer, PREDICTION)["numbers"][-1, 0])
+    return float(np.frombuffer(answer, PREDICTION[1])["t"][-1, 0])
 
 
 @pytest.mark.slow

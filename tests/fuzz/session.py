@@ -105,7 +105,7 @@ def check_session(data: bytes) -> str:
         for answer in session.outbox.take():
             answered += 1
             if isinstance(answer, bytes):
-                assert len(answer) % PREDICTION.itemsize == 0
+                assert len(answer) % PREDICTION[1].itemsize == 0
             else:
                 decode_server_message(answer)
         if session.close is not None:

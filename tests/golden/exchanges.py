@@ -47,6 +47,12 @@ class Exchange:
     close: int | None
     numbers: bool = True
 
+    @property
+    def version(self) -> int:
+        """Of the wire, as the first hello that has one says."""
+        sent = [json.loads(step.sent) for step in self.steps if str(step.sent).startswith('{"type":"hello"')]
+        return int(sent[0]["version"])
+
 
 def read(path: Path) -> Exchange:
     """The session of a file."""
@@ -105,19 +111,25 @@ def play(
         assert closed.value.rcvd.code == exchange.close
 
 
+def _rows(frame: bytes, version: int) -> list[list[float]]:
+    """The numbers of each record, the place of its target last."""
+    rows, places = unpack_predictions(frame, version)
+    return [[*row, place] for row, place in zip(rows, places, strict=True)]
+
+
 def _type_of(frame: Frame) -> str:
     return "packed" if isinstance(frame, bytes) else str(json.loads(frame)["type"])
 
 
-def differences(recorded: Frame, answer: Frame, *, numbers: bool) -> list[str]:
+def differences(recorded: Frame, answer: Frame, version: int, *, numbers: bool) -> list[str]:
     """What a client of the recorded version would stumble over; further fields are no difference."""
     if isinstance(recorded, str) and isinstance(answer, str):
         return list(_different(json.loads(recorded), json.loads(answer), "$", numbers))
     if isinstance(recorded, str) or isinstance(answer, str):
         return [f"expected {type(recorded).__name__}, received {type(answer).__name__}"]
-    if len(recorded) != len(answer) or len(answer) % PREDICTION.itemsize:
+    if len(recorded) != len(answer) or len(answer) % PREDICTION[version].itemsize:
         return [f"expected {len(recorded)} bytes, received {len(answer)}"]
-    rows = zip(unpack_predictions(recorded), unpack_predictions(answer), strict=True)
+    rows = zip(*(_rows(frame, version) for frame in (recorded, answer)), strict=True)
     return [
         f"row {row}, number {place}: expected {before!r}, received {now!r}"
         for row, pair in enumerate(rows)

@@ -100,10 +100,10 @@ def message(kind: str, **fields: object) -> str:
     return json.dumps({"type": kind, **fields}, separators=(",", ":"))
 
 
-def hello(predictor: str, **fields: object) -> str:
+def hello(predictor: str, version: int = 1, **fields: object) -> str:
     """The first message, on the sample's device and screen."""
     about = {"device": {"cpi": 2000.0, "rate_hz": 1000.0}, "screen": {"dpi": 96.0}}
-    return message("hello", version=1, predictor=predictor, **about, **fields)
+    return message("hello", version=version, predictor=predictor, **about, **fields)
 
 
 def texts(table: FloatArray) -> Iterator[str]:
@@ -187,7 +187,7 @@ def assisted() -> Iterator[Frame]:
 def refused() -> Iterator[Frame]:
     """Every error after which the session goes on, then one that ends it."""
     yield message("reset")
-    yield message("hello", version=2)
+    yield message("hello", version=3)
     yield message("hello", version=1, predictor="nobody")
     yield hello("hold", parameters={"nobody": 1.0})
     yield hello("hold", surprise=True)
@@ -222,6 +222,19 @@ def first_version() -> Iterator[Frame]:
     yield message("bye")
 
 
+def second_version() -> Iterator[Frame]:
+    """Packed records of version 2, with targets and the conditions of a trial."""
+    yield hello("kinematic-adaptive", version=2, reply="event", encoding="binary")
+    yield message("targets", targets=TARGETS)
+    yield message("trial", action="start", conditions={"participant": "p7", "block": 2})
+    yield from records(movement(2)[:120])
+    yield message("trial", action="end", conditions={"participant": "p8"})
+    yield message("trial", action="start", conditions={"user": "p7"})
+    yield message("targets", targets=[])
+    yield from records(movement(3)[:36])
+    yield message("bye")
+
+
 SESSIONS = {
     "targets_and_trials": (
         "JSON, one answer a frame, targets, a scored trial, another predictor",
@@ -233,6 +246,7 @@ SESSIONS = {
     "assisted": ("the service moves the cursor", assisted),
     "refused": ("every error after which a session goes on, and one that ends it", refused),
     "first_version": ("recorded with the service of 2026-11-21, the first one of version 1", first_version),
+    "second_version": ("packed records of version 2, targets, the conditions of a trial", second_version),
 }
 
 if __name__ == "__main__":

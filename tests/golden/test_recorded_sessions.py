@@ -26,7 +26,7 @@ def test_a_recorded_session_gets_the_same_answers(path: Path, here: Running) -> 
     with here.connect() as socket:
         assert socket.subprotocol == "pointpred.v1"
         for place, recorded, answer in play(exchange, socket, PATIENCE_S):
-            assert differences(recorded, answer, numbers=exchange.numbers) == [], place
+            assert differences(recorded, answer, exchange.version, numbers=exchange.numbers) == [], place
 
 
 def test_the_recorded_sessions_hold_every_message_of_the_server() -> None:

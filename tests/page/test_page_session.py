@@ -71,9 +71,9 @@ def goal(row: list[Any], width: float = 40.0) -> dict[str, float]:
 @pytest.mark.parametrize("reply", ["frame", "event"])
 def test_a_session_with_targets_and_trials_is_answered_alike(predictor: str, reply: str) -> None:
     first, second = rows(11), rows(12, count=2)
-    mark = {"type": "trial", "action": "start"}
+    mark = {"type": "trial", "action": "start", "conditions": {"block": 1, "who": "p7"}}
     frames = [
-        hello(predictor, reply=reply, screen=SCREEN),
+        hello(predictor, version=2, reply=reply, screen=SCREEN),
         *frames_of(first[:60], 1),
         {"type": "targets", "targets": TARGETS},
         {"type": "configure", "precision": 0.1},
@@ -85,6 +85,7 @@ def test_a_session_with_targets_and_trials_is_answered_alike(predictor: str, rep
         {"type": "configure", "precision": 1},
         {"type": "configure", "precision": 0},
         {"type": "reset"},
+        {**mark, "conditions": {"size": 5}},
         mark,
         *frames_of([[t + 100.0, *rest] for t, *rest in second], 3),
         {**mark, "action": "end"},
@@ -142,7 +143,12 @@ REFUSED: list[list[Any]] = [
     [events([0.0, 0.0, 0.0, None, None, 0])],
     [hello(), hello()],
     [hello("nobody")],
-    [{**hello(), "version": 2}],
+    [{**hello(), "version": 3}],
+    [{**hello(), "version": 2}, {"type": "trial", "action": "start", "conditions": {"user": "p"}}],
+    [hello(), {"type": "trial", "action": "start", "conditions": {"a,b": 1}}],
+    [hello(), {"type": "trial", "action": "start", "conditions": {"at": "a\n"}}],
+    [hello(), {"type": "trial", "action": "start", "conditions": {"at": None}}],
+    [hello(), {"type": "trial", "action": "start", "conditions": {str(i): i for i in range(33)}}],
     [{"type": "hello"}],
     [{**hello(), "reply": "both"}],
     [{**hello(), "more": 1}],

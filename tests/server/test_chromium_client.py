@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 import time
@@ -80,7 +81,7 @@ def test_500_coalesced_events_arrive_and_none_is_lost(
     assert messages < 500, "nothing was coalesced"
     soon(lambda: page.evaluate("heard.prediction.length") == messages, "one prediction a message")
     last = page.evaluate("heard.prediction.at(-1)")
-    assert set(last) == {"type", "t", "x", "y", "region", "phase", "remaining_s"}
+    assert set(last) == {"type", "t", "x", "y", "region", "phase", "remaining_s", "remaining_spread"}
     assert last["t"] == heard[-1, 0]
     assert math.isfinite(last["x"])
     assert last["phase"] in ("still", "ballistic", "corrective")
@@ -182,6 +183,21 @@ def test_an_observed_element_is_followed(page: Page, hand: DevTools, listener: L
     becomes(("own", 1, 2, 3, 4))
 
 
+@pytest.mark.parametrize("encoding", ["binary", "json"])
+def test_a_prediction_names_the_target_that_is_likeliest(page: Page, encoding: str) -> None:
+    boxes = [
+        {"id": id, "x": x, "y": 0, "width": 40, "height": 40} for id, x in (("left", -500), ("right", 400))
+    ]
+    options = f"pointer: false, predictor: 'minimum-jerk', reply: 'event', encoding: '{encoding}'"
+    connected(page, f"{{ {options}, targets: {json.dumps(boxes)} }}")
+    soon(lambda: page.evaluate("heard.targets.length") == 1, "the targets")
+    reach = [[i / 100, 420 * (i / 60) ** 2 * (3 - i / 30), 20, None, None, 0] for i in range(60)]
+    page.evaluate(f"connection.send({json.dumps(reach)})")
+    soon(lambda: page.evaluate("heard.prediction.length") == 60, "the predictions")
+    found = page.evaluate("heard.prediction.map(({ target }) => target)")
+    assert (found[0], found[-1], set(found)) == (None, "right", {None, "right"})
+
+
 def test_a_trial_is_scored(page: Page, listener: Listener) -> None:
     connected(page, "{ pointer: false }")
     page.evaluate("box.style = 'position: absolute; left: 90px; top: 0; width: 20px; height: 30px'")
@@ -189,8 +205,9 @@ def test_a_trial_is_scored(page: Page, listener: Listener) -> None:
     page.evaluate(
         "connection.send(Array.from({ length: 60 }, (_, i) => [i / 60, i * i / 36, 15, null, null, 0]))"
     )
-    page.evaluate("connection.trial('end')")
+    page.evaluate("connection.trial('end', null, { block: 2, participant: 'p7' })")
     soon(lambda: page.evaluate("heard.score.length") == 1, "the score")
+    assert listener.messages("trial")[1]["conditions"] == {"block": 2, "participant": "p7"}
     assert listener.messages("trial")[0]["target"] == {"x": 100, "y": 15, "width": 20}
     assert page.evaluate("heard.score[0].time_averaged_px") > 0.0
 

@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 import pytest
+from msgspec import UNSET
 
 from pointpred import EventColumns, PointerEvent, build, client, run
 from pointpred.client import ServiceError
@@ -35,7 +36,7 @@ CPI = 2000.0
 
 
 @pytest.mark.parametrize("encoding", ["binary", "json"])
-@pytest.mark.parametrize("predictor", ["switched", "minimum-jerk"])
+@pytest.mark.parametrize("predictor", ["switched", "minimum-jerk", "kinematic-adaptive"])
 def test_every_prediction_is_that_of_the_batch(listener: Listener, encoding: str, predictor: str) -> None:
     wanted = run(build(predictor, cpi=CPI), MOVEMENT).table
     wanted[np.isnan(wanted[:, 1]), 1:] = np.nan
@@ -85,7 +86,7 @@ def test_frames_keep_to_the_limits() -> None:
 def test_a_trial_targets_and_changes_are_answered(listener: Listener) -> None:
     with connect(listener.url, predictor="switched") as connection:
         assert connection.targets([{"id": "a", "x": 1, "y": 2, "width": 3, "height": 4}]) == 1
-        connection.trial("start", {"x": 400, "y": 300, "width": 20})
+        connection.trial("start", {"x": 400, "y": 300, "width": 20}, {"block": 2, "participant": "p7"})
         connection.send(MOVEMENT)
         score = connection.trial("end")
         assert isinstance(score, Score)
@@ -95,6 +96,25 @@ def test_a_trial_targets_and_changes_are_answered(listener: Listener) -> None:
         connection.reset()
         connection.send([(0.0, 1, 1), (0.5, 2, 2)])
         assert connection.columns().t.tolist() == [0.0, 0.5]
+
+
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+def test_predictions_name_the_target_that_is_likeliest(listener: Listener, encoding: str) -> None:
+    end = sample().trials[0]
+    box = {"x": end.target_x - 15.0, "y": end.target_y - 15.0, "width": 30.0, "height": 30.0}
+    with connect(listener.url, predictor="switched", encoding=encoding, reply="event") as connection:
+        assert connection.welcome.version == 2
+        connection.send(MOVEMENT)
+        assert {one.target for one in connection.predictions()} == {UNSET}
+        connection.reset()
+        connection.targets([{"id": "elsewhere", **box, "x": 0.0, "y": 0.0}, {"id": "there", **box}])
+        connection.send(MOVEMENT)
+        told = [one.target for one in connection.predictions()]
+        assert (told[0], told[-1]) == (None, "there")
+        connection.targets([])
+        connection.reset()
+        connection.send(MOVEMENT)
+        assert {one.target for one in connection.predictions()} == {UNSET}
 
 
 def test_the_cursor_of_a_session_with_assistance_is_heard(listener: Listener) -> None:
@@ -231,4 +251,4 @@ def test_counts_that_do_not_fit_are_not_packed() -> None:
     assert packable(EventColumns.of([0.0, 1.0], [0, 0], [0, 0], [1, np.nan], [32767, np.nan]))
     assert not packable(EventColumns.of([0.0], [0], [0], [0.5], [0]))
     assert not packable(EventColumns.of([0.0], [0], [0], [0], [-32768]))
-    assert unpack_predictions(b"") == []
+    assert unpack_predictions(b"") == ([], [])

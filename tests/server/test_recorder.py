@@ -67,7 +67,7 @@ def test_predictions_lie_beside_the_events(opened: Opened, tmp_path: Path) -> No
     assert len(rows) == len(expected)
     for row, values in zip(rows, expected.tolist(), strict=True):
         cells = list(row.values())
-
+        assert [cells[8], cells[9]] == ["" if value != value else repr(value) for value in values[8:]]
         assert [cell == "" for cell in cells[:7]] == [value != value for value in values[:7]]
         assert [float(cell) for cell in cells[:7] if cell] == [
             value for value in values[:7] if value == value
@@ -75,6 +75,26 @@ def test_predictions_lie_beside_the_events(opened: Opened, tmp_path: Path) -> No
         assert cells[7] == ("" if values[7] != values[7] else phases[int(values[7])])
     told = [(row["predictor"], row["parameters"]) for row in rows]
     assert told == [("switched", "")] * len(said[0]) + [("hold", '{"dpi":100.0}')] * len(said[1])
+
+
+def test_conditions_of_trials_are_columns_that_are_read_again(opened: Opened, tmp_path: Path) -> None:
+    recorder = opened()
+    session = begin(recorder)
+    told = [
+        {"block": 1.0, "participant": "007", "note": 'a, "b"'},
+        {"participant": "8", "block": 2.5},
+        {"note": "", "block": 3.0, "participant": "\u00e4"},
+    ]
+    for index, conditions in enumerate(told):
+        session.trial("start")
+        feed(session, sample().rows(index))
+        session.trial("end", None, conditions)
+    session.close()
+    assert recorder.close()
+    back = read(tmp_path / "kept" / f"{session.name}_samples.csv")
+    del told[2]["note"]  # an empty cell
+    assert [trial.condition for trial in back.trials] == told
+    assert not back.skipped
 
 
 def test_files_are_the_owners_and_a_taken_name_is_never_written_to(

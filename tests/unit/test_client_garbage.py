@@ -6,6 +6,7 @@ import pytest
 
 from pointpred.client.session import ClientSession, ServiceError, hello_message
 from pointpred.errors import SourceError
+from pointpred.protocol.client_messages import VERSION
 from pointpred.protocol.frames import PREDICTION
 
 
@@ -20,8 +21,8 @@ from pointpred.protocol.frames import PREDICTION
         '{"type":"prediction","t":1,"x":2,"y":3,"region":null,"phase":null,"remaining_s":null}',
         "[" * 100_000,
         b"",
-        b"\0" * (PREDICTION.itemsize + 1),
-        bytes(56) + b"\xff" + bytes(8),
+        b"\0" * (PREDICTION[VERSION].itemsize + 1),
+        bytes(56) + b"\xff" + bytes(18),
     ],
     ids=[
         "empty",

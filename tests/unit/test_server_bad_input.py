@@ -17,6 +17,10 @@ CLIENT = ("hello", "events", "targets", "trial", "configure", "reset", "bye")
 TARGET = {"id": "a", "x": 0, "y": 0, "width": 1, "height": 1}
 
 
+def told(conditions: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "trial", "action": "start", "conditions": conditions}
+
+
 def row(place: int, value: Any) -> list[Any]:
     changed: list[Any] = list(ROW)
     changed[place] = value
@@ -67,6 +71,15 @@ def test_what_is_not_json(text: str) -> None:
         ({"type": "trial"}, "$.action", "required"),
         ({"type": "trial", "action": "go"}, "$.action", "go"),
         ({"type": "trial", "action": "start", "target": {"x": 1, "y": 2}}, "$.target.width", "required"),
+        (told({"block": None}), "$.conditions.block", "null"),
+        (told({"block": 1, "at": [2]}), "$.conditions.at", "array"),
+        (told({"at": "a\n"}), "$.conditions.at", "regex"),
+        (told({"at": "a" * 257}), "$.conditions.at", "256"),
+        (told({"a,b": 1}), "$.conditions", "name of an entry"),
+        (told({"a\n": 1}), "$.conditions", "name of an entry"),
+        (told({"a" * 65: 1}), "$.conditions", "length <= 64"),
+        (told({str(i): i for i in range(33)}), "$.conditions", "32"),
+        (told({"user": "p"}), "$.conditions.user", "is a column of every table of trials; taken: dataset,"),
         ({"type": "configure", "precision": 1.1}, "$.precision", "received 1.1"),
         ({"type": "configure", "precision": -0.1}, "$.precision", "received -0.1"),
         ({"type": "configure", "reply": "both"}, "$.reply", "both"),
@@ -209,7 +222,7 @@ def test_hello_is_said_once(state: str) -> None:
     assert talk.session.stream.hello.predictor == "hold"
 
 
-@pytest.mark.parametrize("version", [0, 2, -1])
+@pytest.mark.parametrize("version", [0, 3, -1])
 def test_another_version_is_refused(version: int) -> None:
     talk = Talk(greet=False)
     error = talk.error(hello() | {"version": version})

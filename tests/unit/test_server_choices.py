@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from struct import Struct
 from typing import Any
 
 import pytest
@@ -78,6 +79,30 @@ def test_predictions_in_json_carry_the_likeliest_and_packed_ones_do_not() -> Non
     binary = talk_of("binary")
     frames = [one for row in reach(end=0.05) for one in binary.say(packed(row)) if isinstance(one, bytes)]
     assert [len(one) for one in frames] == [65] * 6
+
+
+@pytest.mark.parametrize("reply", ["frame", "event"])
+def test_a_prediction_tells_the_target_that_is_likeliest_of_all(reply: str) -> None:
+    """In JSON its id, in packed records of version 2 its place, in either null where it is none of them."""
+    registered = targets("left", "right", "up")
+    ids = [one["id"] for one in registered["targets"]]
+    texts, records = (
+        Talk(greet=hello("minimum-jerk", version=2, reply=reply, encoding=encoding))
+        for encoding in ("json", "binary")
+    )
+    for talk in (texts, records):
+        talk.say(registered)
+    rows, told, places = reach(), [], []
+    for part in (rows[:1], *(rows[i : i + 3] for i in range(1, len(rows), 3))):
+        told += [one for one in texts.say(events(*part)) if one["type"] == "prediction"]
+        frames = [one for one in records.say(packed(*part)) if isinstance(one, bytes)]
+        places += [place for *_, place in Struct("<dddddddBddh").iter_unpack(b"".join(frames))]
+    assert [None if place == -1 else ids[place] for place in places] == [one["target"] for one in told]
+    for one in told:
+        shares = [target["p"] for target in one["targets"]]
+        none = 1.0 - sum(shares)
+        assert one["target"] == (one["targets"][0]["id"] if shares[0] >= none else None)
+    assert (told[0]["target"], told[-1]["target"]) == (None, "right")
 
 
 def test_of_many_targets_only_the_likeliest_are_told() -> None:

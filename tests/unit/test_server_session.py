@@ -13,7 +13,7 @@ from pointpred_server.sessions.pointing import PointingSession
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]
-NULLS = {"region": None, "remaining_s": None}
+NULLS = {"region": None, "remaining_s": None, "remaining_spread": None}
 
 
 def test_hello_is_welcomed_with_the_limits() -> None:
@@ -85,7 +85,7 @@ def test_binary_reply_event_is_one_frame_of_a_record_an_event() -> None:
 def test_no_prediction_is_all_null_but_t() -> None:
     greet = hello("kep-quartic")
     first, second = [0.0, 1.0, 1.0, None, None, 0], [0.1, 1.0, 1.0, None, None, 0]
-    nothing = {"x": None, "y": None, "region": None, "phase": None, "remaining_s": None}
+    nothing = {"x": None, "y": None, "phase": None, **NULLS}
     assert Talk(greet=greet).say(events(first)) == [{"type": "prediction", "t": 0.0, **nothing}]
     for frame in (packed(first), packed(first, second)):
         (answer,) = Talk(greet={**greet, "encoding": "binary"}).say(frame)

@@ -11,7 +11,7 @@ import pytest
 
 from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.datasets import sample
-from pointpred.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Conditions, Goal, Hello
 from pointpred.protocol.server_messages import Limits
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, replay
@@ -109,7 +109,7 @@ def test_a_trial_that_cannot_be_scored_says_why(rows: list[Any]) -> None:
 
 def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
     keeper = TrialBuffer()
-    keeper.start(None)
+    keeper.start(None, {})
     table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
     for _ in range(10):
         keeper.add(table.table)
@@ -190,8 +190,8 @@ class Diary:
     def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
         self.lines.append((table.table.tobytes(), predictions.table.tobytes()))
 
-    def trial(self, action: str, target: Goal | None = None) -> None:
-        self.lines.append(("trial", action, target))
+    def trial(self, action: str, target: Goal | None = None, conditions: Conditions | None = None) -> None:
+        self.lines.append(("trial", action, target, conditions))
 
     def close(self) -> None:
         self.lines.append("close")
@@ -205,9 +205,10 @@ def test_who_looks_on_is_told_everything_that_was_taken_in(form: Any) -> None:
     talk.say(hello("linear"))
     rows = [[0.1 * i, 5.0 * i, 1.0, 3, 4, 0] for i in range(4)]
     talk.say(form(rows[0]))
-    talk.say({**START, "target": {"x": 1, "y": 2, "width": 3}})
+    told = {"block": 1.0, "participant": "p7"}
+    talk.say({**START, "target": {"x": 1, "y": 2, "width": 3}, "conditions": told})
     talk.say(form(rows[1], rows[3], rows[2]))
-    talk.say(END)
+    talk.say({**END, "conditions": {"block": 2, "hit": "yes"}})
     talk.say({"type": "configure", "predictor": "hold"})
     talk.say({"type": "bye"})
     talk.session.stop("again")
@@ -216,9 +217,22 @@ def test_who_looks_on_is_told_everything_that_was_taken_in(form: Any) -> None:
     assert diary.lines == [
         ("open", "name", "linear"),
         (first.table.tobytes(), run(build("linear"), first).table.tobytes()),
-        ("trial", "start", Goal(1.0, 2.0, 3.0)),
+        ("trial", "start", Goal(1.0, 2.0, 3.0), None),
         (taken.table.tobytes(), run(build("linear"), taken).table.tobytes()),
-        ("trial", "end", None),
+        ("trial", "end", None, {"block": 2.0, "participant": "p7", "hit": "yes"}),
         ("configure", "hold"),
         "close",
     ]
+
+
+def test_the_trials_of_a_session_have_the_conditions_of_the_first() -> None:
+    talk = Talk()
+    talk.say({**START, "conditions": {"block": 1}})
+    assert talk.say({**START, "conditions": {"block": 1, "size": 2}}) == []  # none has ended
+    assert talk.say({**END, "conditions": {"hit": "yes"}})[0]["type"] == "score"
+    assert talk.say({**START, "conditions": {"hit": "no"}}) == []
+    error = talk.error({**START, "conditions": {"phase": "practice"}})
+    assert (error["code"], error["path"]) == ("bad_field", "$.conditions.phase")
+    assert "first trial, which had: block, size, hit" in error["message"]
+    assert talk.error({**END, "conditions": {"phase": "practice"}})["path"] == "$.conditions.phase"
+    assert talk.say(END)[0]["type"] == "score"

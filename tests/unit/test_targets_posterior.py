@@ -166,15 +166,19 @@ def test_many_events_at_once_are_the_same_as_one_by_one() -> None:
     events = EventColumns.of_events(reach())
     answers = run_columns(build("minimum-jerk"), events)
     one, many = Chooser(PLACES, precision=0.5), Chooser(PLACES, precision=0.5)
-    changes, likely = [], []
+    changes, likely, heading = [], [], []
     for event, prediction in zip(events.events(), answers.predictions(), strict=True):
         changes += [(event.t, choice) for choice in one.update(prediction, event)]
         likely.append(one.likeliest())
+        best = int(np.argmax(one.shares))
+        heading.append(best if best < len(PLACES) else -1)
     assert changes
     for first, stop in ((0, 13), (13, 13), (13, 40)):
-        found, told = many.follow(events.table[first:stop], answers.table[first:stop])
+        found, told, places = many.follow(events.table[first:stop], answers.table[first:stop])
+        assert places == heading[first:stop]
         assert found == [change for change in changes if change[0] in events.t[first:stop]]
         assert told == likely[first:stop]
+    assert {-1} < set(heading)
     assert many.finish(0) == one.finish(0)
     assert many.shares.tolist() == one.shares.tolist()
     before = pickle.dumps(many)

@@ -30,15 +30,15 @@ import pyarrow.csv as pacsv
 
 from pointpred import EventColumns, build, run
 from pointpred.datasets import sample
+from pointpred.protocol.client_messages import VERSION
 from pointpred.protocol.frames import pack_events, pack_predictions, row_of_prediction, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
-from pointpred.recorder.files import PREDICTED
 from pointpred.recordings.arrow_tables import EVENT_COLUMNS
-from pointpred.records import PHASES, FloatArray
+from pointpred.records import EVENT_FIELDS, PHASES, PREDICTION_FIELDS, FloatArray
 
 CPI, DPI = 800.0, 96.0
 """The device and the screen that every client of the soak names."""
-PREDICTION_NUMBERS, EVENT_NUMBERS = 9, 6
+PREDICTION_NUMBERS, EVENT_NUMBERS = len(PREDICTION_FIELDS), len(EVENT_FIELDS)
 """How many numbers of a prediction and of an event are stored."""
 
 
@@ -70,10 +70,10 @@ class OfflineRun:
     def answered(self, frame: str | bytes) -> float:
         """Take in a frame of predictions; returns the time of the newest."""
         if isinstance(frame, bytes):
-            rows = np.array(unpack_predictions(frame))[:, :PREDICTION_NUMBERS]
+            rows = np.array(unpack_predictions(frame)[0])
         else:
             message = msgspec.json.decode(frame, type=PredictionMessage)
-            rows = np.array([row_of_prediction(message)[:PREDICTION_NUMBERS]])
+            rows = np.array([row_of_prediction(message)])
         self._answers.append(rows)
         return float(rows[-1, 0])
 
@@ -83,9 +83,9 @@ class OfflineRun:
             table = np.concatenate(self._waiting)
             self._waiting.clear()
             predictions = run(self._pipeline, EventColumns(table)).table
-            for file, rows in zip(self._files, (table, predictions[:, :PREDICTION_NUMBERS]), strict=True):
+            for file, rows in zip(self._files, (table, predictions), strict=True):
                 file.write(np.ascontiguousarray(rows).tobytes())
-            as_sent = np.array(unpack_predictions(pack_predictions(predictions)))[:, :PREDICTION_NUMBERS]
+            as_sent = np.array(unpack_predictions(pack_predictions(predictions))[0])
             self._times = np.concatenate([self._times, table[:, 0]])
             self._expected = np.concatenate([self._expected, as_sent])
         if not self._answers:
@@ -155,7 +155,7 @@ def difference(folder: Path, session: str, file: Path, *, whole: bool) -> str | 
 
 def _tables(file: Path, part: str) -> Iterator[FloatArray]:
     """The numbers of a recorded file, a block at a time."""
-    columns = EVENT_COLUMNS if part == "samples" else PREDICTED
+    columns = EVENT_COLUMNS if part == "samples" else [field.column for field in PREDICTION_FIELDS]
     options = pacsv.ReadOptions(skip_rows=1 if part == "samples" else 0, block_size=1 << 22)
     kinds = {name: pa.string() if name == "phase" else pa.float64() for name in columns}
     conversion = pacsv.ConvertOptions(include_columns=list(columns), column_types=kinds)
@@ -259,7 +259,7 @@ class StreamClient:
         os.close(descriptor)
         self.run = OfflineRun(predictor, Path(file))
         self._number, self._rate_hz, self._binary = number, rate_hz, encoding == "binary"
-        self._hello = {"type": "hello", "version": 1, "predictor": predictor, "encoding": encoding}
+        self._hello = {"type": "hello", "version": VERSION, "predictor": predictor, "encoding": encoding}
         self._hello |= {"reply": reply, "device": {"cpi": CPI}, "screen": {"dpi": DPI}}
         self._rest = b""
         self._upgraded = False

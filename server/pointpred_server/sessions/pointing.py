@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from pointpred.clock import Instant
 from pointpred.protocol.client_messages import (
-    VERSION,
+    VERSIONS,
     Bye,
     ClientMessage,
     Configure,
@@ -107,8 +107,8 @@ class PointingSession(Session):
         """Open the stream that the client asks for."""
         if self._stream is not None:
             raise ProtocolError("out_of_place", f"expected 'hello' once, the session is {self.state}")
-        if message.version != VERSION:
-            sentence = f"version must be {VERSION}, received {message.version}"
+        if message.version not in VERSIONS:
+            sentence = f"version must be {' or '.join(map(str, VERSIONS))}, received {message.version}"
             raise ProtocolError("bad_field", sentence, "$.version")
         self._stream = PredictionStream(message, self.outbox, self._coefficients)
         self._stream.observer = self._observe(self.name, message)
@@ -125,9 +125,9 @@ class PointingSession(Session):
     def handle_trial(self, message: TrialMark) -> None:
         """Start a trial, or end it: its score is sent once it is known."""
         if message.action == "start":
-            self.stream.start_trial(message.target)
+            self.stream.start_trial(message.target, message.conditions)
         else:
-            self.run_aside(self.stream.end_trial(message.target))
+            self.run_aside(self.stream.end_trial(message.target, message.conditions))
 
     def handle_configure(self, message: Configure) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
@@ -181,4 +181,5 @@ class PointingSession(Session):
 
     def _welcome(self) -> Welcome:
         self._weigh_events()
-        return Welcome(VERSION, self.name, self.stream.hello.predictor, self.limits)
+        hello = self.stream.hello
+        return Welcome(hello.version, self.name, hello.predictor, self.limits)

@@ -13,7 +13,16 @@ from msgspec import structs
 from pointpred.errors import EventError
 from pointpred.person import portable, restore
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Rectangle, cpi_of, dpi_of
+from pointpred.protocol.client_messages import (
+    Conditions,
+    Configure,
+    Enter,
+    Goal,
+    Hello,
+    Rectangle,
+    cpi_of,
+    dpi_of,
+)
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import prediction_frames, row_encoder
@@ -38,8 +47,8 @@ class SessionObserver(Protocol):
     def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
         """The events that the pipeline took in, and the prediction after each."""
 
-    def trial(self, action: str, target: Goal | None = None) -> None:
-        """A trial starts or ends."""
+    def trial(self, action: str, target: Goal | None = None, conditions: Conditions | None = None) -> None:
+        """A trial starts, or ends: then with all that it was."""
 
     def close(self) -> None:
         """The session has ended."""
@@ -79,7 +88,7 @@ class PredictionStream:
     def _answer_as(self, hello: Hello) -> None:
         """Answer as a hello asks from now on."""
         self.hello = hello
-        self._encode = row_encoder(binary=hello.encoding == "binary")
+        self._encode = row_encoder(binary=hello.encoding == "binary", version=hello.version)
         self._all_wanted = hello.reply == "event" or hello.places or self.assistance is not None
 
     def push(self, rows: Sequence[Row]) -> tuple[ErrorMessage | None, int]:
@@ -126,15 +135,19 @@ class PredictionStream:
             self._trial.add(table)
         if self.observer:
             self.observer.events(EventColumns(table), PredictionColumns(predictions))
-        each, likely = self.hello.reply == "event", None
+        each, aims = self.hello.reply == "event", None
         if self.tracker:
-            likely = self.tracker.follow(table, predictions, seen, each=each)
+            aims = self.tracker.follow(table, predictions, seen, each=each)
         elif seen is not None:
             if self.place_tracker is None:
                 self.place_tracker = PlaceTracker(self._outbox, self.precision)
             self.place_tracker.follow(table, predictions, seen)
         frames, count = prediction_frames(
-            predictions, binary=self.hello.encoding == "binary", each=each, likely=likely
+            predictions,
+            binary=self.hello.encoding == "binary",
+            each=each,
+            version=self.hello.version,
+            aims=aims,
         )
         if self.assistance:  # the cursor goes first, as text in either encoding
             frames = [self.assistance.cursor(self._last_t), *frames]
@@ -264,20 +277,24 @@ class PredictionStream:
             pipeline.enter(self._window.key, self._window.x, self._window.y)
         return pipeline
 
-    def start_trial(self, goal: Goal | None) -> None:
-        """A movement starts at the next event; its events are kept until the trial ends."""
-        self._trial.start(goal)
+    def start_trial(self, goal: Goal | None, conditions: Conditions) -> None:
+        """A movement starts at the next event; its events are kept until the trial ends.
+
+        Raises ProtocolError for a condition that has no column in the session's trials.
+        """
+        self._trial.start(goal, conditions)
         self.reset()
         if self.observer:
             self.observer.trial("start", goal)
 
-    def end_trial(self, goal: Goal | None) -> Callable[[], Score]:
-        """What scores the trial, in any thread; raises ProtocolError where none was started."""
+    def end_trial(self, goal: Goal | None, conditions: Conditions) -> Callable[[], Score]:
+        """What scores the trial, in any thread; raises ProtocolError where none runs, or for a condition."""
         if not self._trial.running:
             sentence = "expected 'trial' with action 'start' before 'end'"
             raise ProtocolError("out_of_place", sentence, "$.action")
+        known = self._trial.described(conditions)
         if self.observer:
-            self.observer.trial("end", goal)
+            self.observer.trial("end", goal, known)
         outcome = self.tracker.finish_trial(goal or self._trial.goal) if self.tracker else None
         return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello), outcome)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from pointpred.errors import ParameterError
 from pointpred.protocol.client_messages import Goal, Rectangle
 from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import Aim
 from pointpred.protocol.server_messages import ChoiceMessage, Likely
 from pointpred.records import FloatArray, Place
 from pointpred.targets import Choice, Chooser
@@ -80,23 +81,27 @@ class TargetTracker:
         seen: Sequence[Sequence[Place]] | None = None,
         *,
         each: bool,
-    ) -> list[list[Likely]]:
+    ) -> list[Aim]:
         """Decide after events and their predictions; choices go into the outbox.
 
         ``seen``: the person's places after each event, where they count; at the event where they change, the
-        weights change. Returns the likeliest targets after each event with ``each``, otherwise after the
-        last.
+        weights change. Returns the aim after each event with ``each``, otherwise after the last.
         """
-        likely: list[list[tuple[Hashable, float]]] = []
+        aims: list[Aim] = []
         for places, part in _runs(seen, len(table)):
             if places is not None:
                 self.expect(places)
             last = part.stop - part.start if each else int(part.stop == len(table))
-            made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
+            made, likely, headed = self._chooser.follow(
+                table[part], predictions[part], most=LIKELIEST, last=last
+            )
             self.announce(made)
-            likely += named
+            aims += [
+                Aim(place, [Likely(str(id), p) for id, p in one])
+                for place, one in zip(headed, likely, strict=True)
+            ]
         self._last_t = float(table[-1, 0])
-        return [[Likely(str(id), p) for id, p in one] for one in likely]
+        return aims
 
     def announce(self, choices: Sequence[tuple[float | None, Choice]]) -> None:
         """Send choices to the client."""

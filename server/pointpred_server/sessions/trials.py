@@ -9,10 +9,12 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import Goal
+from pointpred.protocol.client_messages import Conditions, Goal
+from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.scores import score_of
 from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording, Trial
+from pointpred.recordings.trials import TRIAL_COLUMNS
 from pointpred.records import EventColumns, FloatArray
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
@@ -27,12 +29,35 @@ class TrialBuffer:
 
     def __init__(self) -> None:
         self.running = False
+        self._names: tuple[str, ...] | None = None  # of the conditions of the session's first trial
+        self._conditions: Conditions = {}
         self._forget()
 
-    def start(self, goal: Goal | None) -> None:
-        """A trial starts; one that was running is dropped."""
+    def start(self, goal: Goal | None, conditions: Conditions) -> None:
+        """A trial starts; one that was running is dropped. Raises ProtocolError, nothing changed."""
+        self._check(conditions)
         self._forget(goal)
+        self._conditions = conditions
         self.running = True
+
+    def described(self, conditions: Conditions) -> Conditions:
+        """All that the running trial was, once its end has added these; raises ProtocolError."""
+        self._check(conditions)
+        known = self._conditions | conditions
+        self._names = tuple(known) if self._names is None else self._names
+        return known
+
+    def _check(self, conditions: Conditions) -> None:
+        """Raise ProtocolError for a name that cannot be a column of the session's recorded trials."""
+        for name in conditions:
+            if name in TRIAL_COLUMNS:
+                sentence = f"{name!r} is a column of every table of trials; taken: {', '.join(TRIAL_COLUMNS)}"
+            elif self._names is not None and name not in self._names:
+                those = ", ".join(self._names) or "none"
+                sentence = f"{name!r} is no condition of this session's first trial, which had: {those}"
+            else:
+                continue
+            raise ProtocolError("bad_field", sentence, f"$.conditions.{name}", field=name)
 
     def add(self, table: FloatArray) -> None:
         """Add events of the trial that runs."""

@@ -222,7 +222,7 @@ export interface Connection {
   unobserve(element: Element): void;
   targets(list: readonly { id: string; x: number; y: number; width: number; height: number; weight?: number }[]): void;
   probability(target: Element | string): number;
-  trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number }): void;
+  trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number } | null, conditions?: Record<string, string | number>): void;
   configure(changes: Record<string, unknown>): void;
   person(known?: string): Promise<string>;
   enter(key: string, x?: number, y?: number): void;

@@ -18,8 +18,10 @@
  *   service has ended a session without events, the next event opens another; `refused`: waits for configure(); `closed`: for good
  * @typedef {{type: "prediction", t: number, x: number|null, y: number|null,
  *   region: {sxx: number, sxy: number, syy: number, tail: number|null}|null, phase: "still"|"ballistic"|"corrective"|null,
- *   remaining_s: number|null, targets?: {id: string, p: number, element?: Element}[]}} Prediction null: there is
- *   no prediction now; targets: the likeliest five, with encoding "json"; element: the observed one
+ *   remaining_s: number|null, remaining_spread: number|null, target?: string|null,
+ *   targets?: {id: string, p: number, element?: Element}[]}} Prediction null: there is no prediction now;
+ *   remaining_spread: standard deviation of the logarithm of remaining_s; target: the id of the target that is likeliest of all, null:
+ *   none of them is; targets: the likeliest five, with encoding "json"; element: the observed one
  * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Ellipse centre and half axes, px; radians
  * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
  *   cursor, px, and how far assistance has moved it since the session began
@@ -70,6 +72,7 @@ import { ServiceChoices } from "./client/service-choices.js";
 import { Settings } from "./client/settings.js";
 import { RetryingSocket } from "./client/socket.js";
 import { Targets } from "./client/targets.js";
+import { VERSION } from "./laws/fields.js";
 import { RECOMMENDED } from "./laws/registry.js";
 
 export { regionOf } from "./client/regions.js";
@@ -98,6 +101,7 @@ export class Connection {
   /** Events sent to the service. */ sent = 0;
   #url; #options; #settings; #socket; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #queue; #unanswered = []; #sentAt = 0; #errorCode = ""; #warned = false;
+  #ids = []; #sentIds = []; // of the targets that the service has, and of those sent that it has not answered
   #sentTargets = NO_TARGETS; #targetCount = 0; #omitted = 0; #probabilities = []; #pointer = null; #targets; #person; #window = null;
   #newestTime = -Infinity; #eventAt = -Infinity; #paused = false; #scrolled = false; // s, ms; whether choices wait for an event
   #pageChoices; #serviceChoices; #proposals = new Proposals((choice) => this.#emit("choice", this.#withElement(choice)));
@@ -113,7 +117,7 @@ export class Connection {
     const { predictor, parameters = {}, device, reply, encoding, assist, places } = this.#options;
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
-    this.#settings = new Settings({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding, assist, places });
+    this.#settings = new Settings({ type: "hello", version: VERSION, predictor, parameters, device, screen, reply, encoding, assist, places });
     this.#person = new Person(this.#options.person ?? "", predictor, {
       send: (message) => this.#transmit(JSON.stringify(message)),
       onChange: (person) => this.#emit("person", { type: "person", person }) });
@@ -201,11 +205,13 @@ export class Connection {
 
   /**
    * Marks the start or the end of a movement; the end is answered by `score`.
-   * @param {"start"|"end"} action @param {Goal|Element} [target] the true target, if it is known
+   * @param {"start"|"end"} action @param {Goal|Element|null} [target] the true target, if it is known
+   * @param {Object<string, string|number>} [conditions] what the trial is (block, participant), which a service that records keeps;
+   *   those of the end add to those of the start, and all trials have the names of the first
    */
-  trial(action, target) {
+  trial(action, target, conditions) {
     const goal = target instanceof Element ? this.#targets.goal(target) : target;
-    this.#sendMessage(goal ? { type: "trial", action, target: goal } : { type: "trial", action });
+    this.#sendMessage({ type: "trial", action, ...(goal && { target: goal }), ...(conditions && { conditions }) });
   }
 
   /**
@@ -333,13 +339,14 @@ export class Connection {
 
   #receive(data) {
     if (data instanceof ArrayBuffer) {
-      for (const prediction of decode(data)) this.#addPrediction(prediction);
+      for (const prediction of decode(data, this.#ids)) this.#addPrediction(prediction);
       return;
     }
     const message = typeof data === "string" ? JSON.parse(data) : data;
     if (message.type === "prediction") return this.#addPrediction({ region: null, phase: null, remaining_s: null, ...message });
     if (message.type === "choice") return this.#serviceChoices.receive(this.#withElement(message));
     if (message.type === "person") return this.#person.receive(message.person, this.welcome.predictor);
+    if (message.type === "targets") this.#ids = this.#sentIds.shift() ?? [];
     if (message.type === "welcome") this.#beginSession(message);
     if (message.type === "error") this.#handleError(message);
     if (this.#listeners.has(message.type)) this.#emit(message.type, message);
@@ -368,7 +375,7 @@ export class Connection {
     for (const changes of this.#settings.takePending()) this.#request(changes);
     this.#person.beginSession();
     if (this.#window !== null) this.#transmit(JSON.stringify(this.#window));
-    this.#sentTargets = NO_TARGETS;
+    [this.#sentTargets, this.#sentIds, this.#ids] = [NO_TARGETS, [], []];
     this.#sendTargets();
     if (this.state === "closed") return; // by a listener of an error
     for (const { rows, message } of this.#queue.drain(welcome.limits, this.#targetCount, this.#settings.places)) {
@@ -386,6 +393,7 @@ export class Connection {
 
   #handleError({ code, path, message }) {
     this.#errorCode = code;
+    if (path?.startsWith("$.targets")) this.#sentIds.shift();
     if (path === "$.person") return this.#rejectPerson(message);
     if (this.state === "connecting" && (code === "unknown_predictor" || code === "bad_field")) {
       this.#errorCode = "hello";
@@ -478,10 +486,11 @@ export class Connection {
   /** Sends the targets if they have changed, or `always`. @returns {boolean} whether they were sent */
   #sendTargets(always = false) {
     if (!this.#socket.hasSession) return false;
-    const { text, omitted, count } = targetsFrame(this.#targets.list(), this.welcome.limits);
+    const list = this.#targets.list(), { text, omitted, count } = targetsFrame(list, this.welcome.limits);
     if (text === this.#sentTargets && !always) return false;
     [this.#sentTargets, this.#targetCount] = [text, count];
     if (count === 0) this.#probabilities = [];
+    this.#sentIds.push(list.slice(0, count).map(({ id }) => id));
     this.#transmit(text);
     const before = this.#omitted;
     this.#omitted = omitted;

@@ -1,10 +1,22 @@
 // Encodes events and targets as messages within the service's limits, and decodes packed predictions.
 
-import { PHASES } from "../prediction/row.js";
+import { EVENT_FIELDS, NO_COUNTS, PREDICTED } from "../laws/fields.js";
+import { messageOf } from "../prediction/row.js";
 
-const EVENT_BYTES = 30;
-const PREDICTION_BYTES = 65;
-const NO_COUNTS = -32768;
+const KINDS = { "<f8": ["Float64", 8], "<i2": ["Int16", 2], "<u2": ["Uint16", 2], "<u1": ["Uint8", 1] };
+
+/** How a record is packed: the bytes, and for each field its place and the methods of a DataView. */
+function layoutOf(fields) {
+  let bytes = 0;
+  const layout = fields.map(({ packed, optional }) => {
+    const [kind, size] = KINDS[packed], at = bytes;
+    bytes += size;
+    return { at, get: `get${kind}`, set: `set${kind}`, optional };
+  });
+  return { bytes, layout };
+}
+
+const EVENT = layoutOf(EVENT_FIELDS), PREDICTION = layoutOf(PREDICTED);
 const GRID = 64; // steps per px: the browser's layout has no finer ones
 const BYTES = new TextEncoder();
 
@@ -55,16 +67,14 @@ export function targetsFrame(targets, { max_targets: most, max_frame_bytes: byte
 
 /** Packed records. */
 function* binaryFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
-  const room = Math.max(1, Math.min(most, Math.floor(bytes / EVENT_BYTES)));
+  const room = Math.max(1, Math.min(most, Math.floor(bytes / EVENT.bytes)));
   for (let first = 0; first < rows.length; first += room) {
     const part = rows.slice(first, first + room);
-    const view = new DataView(new ArrayBuffer(EVENT_BYTES * part.length));
-    part.forEach(([t, x, y, dx, dy, buttons], i) => {
-      const at = EVENT_BYTES * i;
-      [t, x, y].forEach((value, k) => view.setFloat64(at + 8 * k, value, true));
-      view.setInt16(at + 24, dx === null || dy === null ? NO_COUNTS : dx, true);
-      view.setInt16(at + 26, dx === null || dy === null ? NO_COUNTS : dy, true);
-      view.setUint16(at + 28, buttons, true);
+    const view = new DataView(new ArrayBuffer(EVENT.bytes * part.length));
+    part.forEach((one, i) => {
+      const without = one.includes(null);
+      EVENT.layout.forEach(({ at, set, optional }, k) =>
+        view[set](EVENT.bytes * i + at, optional && without ? NO_COUNTS : one[k], true));
     });
     yield { frame: view.buffer, last: part[part.length - 1][0], count: part.length };
   }
@@ -87,15 +97,15 @@ function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes 
   yield { frame: head + part.join(",") + tail, last, count: part.length };
 }
 
-/** Packed predictions as the same objects that JSON gives. @returns {Generator<import("../pointpred.js").Prediction>} */
-export function* decode(buffer) {
+/**
+ * Packed predictions as the same objects that JSON gives.
+ * @param {ArrayBuffer} buffer @param {string[]} ids of the targets that the service has, in the order sent
+ * @returns {Generator<import("../pointpred.js").Prediction>}
+ */
+export function* decode(buffer, ids) {
   const view = new DataView(buffer);
-  for (let at = 0; at + PREDICTION_BYTES <= buffer.byteLength; at += PREDICTION_BYTES) {
-    const [t, x, y, sxx, sxy, syy, remaining] = Array.from({ length: 7 }, (_, k) => view.getFloat64(at + 8 * k, true));
-    const tail = view.getFloat64(at + 57, true), predicted = !Number.isNaN(x);
-    yield { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null,
-      region: Number.isNaN(sxx) ? null : { sxx, sxy, syy, tail: Number.isNaN(tail) ? null : tail },
-      phase: predicted ? PHASES[view.getUint8(at + 56)] : null,
-      remaining_s: Number.isNaN(remaining) ? null : remaining };
+  for (let first = 0; first + PREDICTION.bytes <= buffer.byteLength; first += PREDICTION.bytes) {
+    const row = PREDICTION.layout.map(({ at, get }) => view[get](first + at, true)), place = row.pop();
+    yield messageOf(row, ids.length ? ids[place] ?? null : undefined);
   }
 }

@@ -154,6 +154,12 @@ export class Chooser {
     return Array.from(order, (place) => ({ id: this.#ids[place], p: shares[place] }));
   }
 
+  /** The target that is likeliest of all, none of them included; null where none of them is. @returns {unknown} */
+  get target() {
+    const [best] = this.likeliest(1);
+    return best !== undefined && best.p >= this.#targets[2].at(-1) ? best.id : null;
+  }
+
   /**
    * How likely the cursor is heading for this rectangle, which need not be among the targets, rather than for anywhere else,
    * as it was after the last event. Throws a ParameterError.

@@ -1,6 +1,7 @@
 // What a client may say to a session in the page: the messages of `pointpred.v1` and their bounds, as in `pointpred/protocol`.
 
-import { CLIENT_MESSAGES, EVENT_FIELDS } from "../laws/messages.js";
+import { EVENT_FIELDS } from "../laws/fields.js";
+import { CLIENT_MESSAGES } from "../laws/messages.js";
 import { general, quoted } from "./words.js";
 
 
@@ -40,6 +41,7 @@ function check(schema, value, path) {
   if (typeof value === "number") checkNumber(schema, value, path);
   if (typeof value === "string" && (value.length < (schema.minLength ?? 0) || value.length > (schema.maxLength ?? Infinity)))
     refuse(`a text of ${schema.minLength ?? 0} to ${schema.maxLength} characters`, value, path);
+  if (typeof value === "string" && schema.pattern !== undefined && !new RegExp(schema.pattern, "u").test(value)) refuse(`a text like ${schema.pattern}`, value, path);
   if (Array.isArray(value)) value.forEach((one, i) => check(schema.items, one, `${path}[${i}]`));
   else if (kindOf(value) === "object") checkFields(schema, value, path);
 }
@@ -52,7 +54,9 @@ function checkNumber(schema, value, path) {
 }
 
 /** An object with the fields of a schema and no others; fields that are undefined count as missing. */
-function checkFields({ properties = {}, required = [], additionalProperties = true }, value, path) {
+function checkFields({ properties = {}, required = [], additionalProperties = true, propertyNames, maxProperties = Infinity }, value, path) {
+  if (Object.keys(value).length > maxProperties) refuse(`at most ${maxProperties} entries`, Object.keys(value).length, path);
+  if (propertyNames !== undefined) for (const name of Object.keys(value)) check(propertyNames, name, path);
   for (const name of Object.keys(value))
     if (additionalProperties === false && !Object.hasOwn(properties, name))
       throw new ProtocolError("bad_field", `unknown field ${quoted(name)}`, `${path}.${name}`);

@@ -1,6 +1,6 @@
 // A differentiator and a predictor, joined: events in, predictions out.
 
-import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/messages.js";
+import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/fields.js";
 import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
 import { EventError } from "./errors.js";
 import { PHASES, claimed, isRefused } from "./row.js";

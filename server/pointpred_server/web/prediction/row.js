@@ -13,5 +13,17 @@ export const isRefused = ([t]) => t !== t;
 /** A number of a row; null where it is not claimed. @param {number} value @returns {number|null} */
 export const claimed = (value) => (value === value ? value : null);
 
+/**
+ * A row as the message that a service sends. @param {number[]} row
+ * @param {string|null} [target] the id of the likeliest of all, null: none of the targets; undefined in a session without
+ * @param {{id: string, p: number}[]} [targets] the likeliest
+ */
+export function messageOf(row, target, targets) {
+  const [t, x, y, , , , remaining, phase, , spread] = row, predicted = x === x;
+  return { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null, region: predicted ? regionIn(row) : null,
+    phase: predicted ? PHASES[phase] : null, remaining_s: predicted ? claimed(remaining) : null,
+    remaining_spread: predicted ? claimed(spread) : null, ...(target !== undefined && { target }), ...(targets && { targets }) };
+}
+
 /** The law of the endpoint as `regionOf` takes it, px^2; null where none is claimed. @returns {{sxx: number, sxy: number, syy: number, tail: number|null}|null} */
 export const regionIn = ([, , , sxx, sxy, syy, , , tail]) => (sxx === sxx ? { sxx, sxy, syy, tail: claimed(tail) } : null);

@@ -1,11 +1,11 @@
 // A session in the page: it answers the messages of `pointpred.v1` as the service does, without a service.
 
+import { VERSION } from "../laws/fields.js";
 import { MOST_TARGETS } from "../laws/targets/rectangles.js";
 import { EventError } from "./errors.js";
 import { checked, ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
 
-const VERSION = 1;
 /** The limits of a session. The page serves one session, so most of them are off. @type {import("../pointpred.js").Limits} */
 const LIMITS = Object.freeze({ max_frame_bytes: Infinity, max_events_per_frame: Infinity, max_events_per_s: Infinity,
   max_targets: MOST_TARGETS, max_sessions: 1, idle_s: Infinity });
@@ -53,7 +53,8 @@ export class PageSession {
   /** What is done at each message; the answer is sent. */
   #handlers = {
     hello: async (hello) => {
-      if (hello.version !== VERSION) throw new ProtocolError("bad_field", `version must be ${VERSION}, received ${hello.version}`, "$.version");
+      if (hello.version < 1 || hello.version > VERSION)
+        throw new ProtocolError("bad_field", `version must be 1 to ${VERSION}, received ${hello.version}`, "$.version");
       const kind = hello.assist == null ? PredictionStream : (await import("./assisted-stream.js")).AssistedStream;
       this.#stream = await kind.open(hello, this.#send);
       return this.#welcome();
@@ -67,7 +68,7 @@ export class PageSession {
       this.#stream.replaceTargets(targets);
       return { type: "targets", count: targets.length };
     },
-    trial: ({ action, target = null }) => (action === "start" ? this.#stream.startTrial(target) : this.#stream.endTrial(target)),
+    trial: ({ action, target = null, conditions = {} }) => this.#stream[action === "start" ? "startTrial" : "endTrial"](target, conditions),
     enter: ({ key, x = 0, y = 0 }) => this.#stream.enter([key, x, y]),
     forget: () => ({ type: "person", person: this.#stream.forgetPerson() }),
     reset: () => this.#stream.reset(),
@@ -84,7 +85,7 @@ export class PageSession {
   }
 
   #welcome() {
-    return { type: "welcome", version: VERSION, session: "page", predictor: this.#stream.hello.predictor, limits: LIMITS };
+    return { type: "welcome", version: this.#stream.hello.version, session: "page", predictor: this.#stream.hello.predictor, limits: LIMITS };
   }
 
   /** Sends why something was not used. An internal error, or a file that cannot be fetched, ends the session. */

@@ -3,7 +3,7 @@
 import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
 import { checkRows, ProtocolError } from "./messages.js";
-import { PHASES, claimed, regionIn } from "./row.js";
+import { messageOf } from "./row.js";
 import { PlaceTracker, TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
@@ -82,7 +82,7 @@ export class PredictionStream {
   reply(rows, answers) {
     const each = this.hello.reply === "event", last = rows.length - 1, listed = this.#tracker !== null && this.hello.encoding === "json";
     this.#lastTime = rows[last][0];
-    const likely = [], seen = this.#seen;
+    const likely = [], headed = [], seen = this.#seen;
     this.#seen = [];
     if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
     for (let i = 0; i <= last; i++) {
@@ -90,10 +90,12 @@ export class PredictionStream {
       if (this.hello.places) this.#tracker?.expect(seen[i]);
       this.#tracker?.follow(rows[i], answers[i]);
       if (this.offersPlaces) this.#placeTracker.follow(rows[i], answers[i], seen[i]);
-      if (listed && (each || i === last)) likely.push(this.#tracker.likeliest);
+      if (!each && i < last) continue;
+      headed.push(this.#tracker?.target);
+      if (listed) likely.push(this.#tracker.likeliest);
     }
     this.beforePredictions(this.#lastTime);
-    (each ? answers : answers.slice(-1)).forEach((answer, i) => this.#send(messageOf(answer, listed ? likely[i] : undefined)));
+    (each ? answers : answers.slice(-1)).forEach((answer, i) => this.#send(messageOf(answer, headed[i], likely[i])));
   }
 
   /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
@@ -174,15 +176,16 @@ export class PredictionStream {
     return pipeline;
   }
 
-  /** A movement starts at the next event. @param {object|null} goal */
-  startTrial(goal) {
-    this.#trial.start(goal);
+  /** A movement starts at the next event. Throws a ProtocolError. @param {object|null} goal @param {object} conditions what the trial is */
+  startTrial(goal, conditions) {
+    this.#trial.start(goal, conditions);
     this.reset();
   }
 
-  /** Scores the trial; rejects with a ProtocolError where none was started. @param {object|null} goal @returns {Promise<object>} */
-  async endTrial(goal) {
+  /** Scores the trial; rejects with a ProtocolError where none was started. @param {object|null} goal @param {object} conditions @returns {Promise<object>} */
+  async endTrial(goal, conditions) {
     if (!this.#trial.running) throw new ProtocolError("out_of_place", "expected 'trial' with action 'start' before 'end'", "$.action");
+    this.#trial.describe(conditions);
     const outcome = this.#tracker?.finishTrial(goal ?? this.#trial.goal) ?? {}, trial = this.#trial.end();
     const { scoreOf } = await import("./scoring.js");
     return { ...(await scoreOf(trial, this.#pipeline.fresh())), ...outcome };
@@ -210,16 +213,6 @@ export class PredictionStream {
     const sentence = `t must not run backwards: ${t} s after ${before} s; dropped${also}`;
     return { used, dropped: new ProtocolError("out_of_order", sentence, `$.events[${row}][0]`, { field: "t", value: t }).answer };
   }
-}
-
-/** A row of predictions as the message that the service would send. */
-function messageOf(row, targets) {
-  const [t, x, y, , , , remaining, phase] = row, predicted = x === x;
-  const message = { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null,
-    region: predicted ? regionIn(row) : null,
-    phase: predicted ? PHASES[phase] : null, remaining_s: predicted ? claimed(remaining) : null };
-  if (targets !== undefined) message.targets = targets;
-  return message;
 }
 
 /** A fresh pipeline that knows the person of a hello; rejects with a ProtocolError. */

@@ -67,6 +67,11 @@ export class TargetTracker {
     return this.#chooser.likeliest();
   }
 
+  /** The target that is likeliest of all, null where none of them is. @returns {string|null} */
+  get target() {
+    return this.#chooser.target;
+  }
+
   /** Finishes the movement: how good its proposals were, null where the goal is unknown. @param {{x: number, y: number}|null} goal */
   finishTrial(goal) {
     if (goal === null) return null;

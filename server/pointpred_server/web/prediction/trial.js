@@ -1,5 +1,8 @@
 // The trial that a client marks: its events are kept until it ends.
 
+import { TRIAL_COLUMNS } from "../laws/messages.js";
+import { ProtocolError } from "./messages.js";
+
 /** A longer trial is not scored, so that memory stays bounded. */
 export const MOST_EVENTS = 100_000;
 
@@ -7,11 +10,26 @@ export const MOST_EVENTS = 100_000;
 export class TrialBuffer {
   /** Whether a trial runs. */ running = false;
   /** The target that the start named, if it did. @type {object|null} */ goal = null;
-  #rows = []; #count = 0;
+  #rows = []; #count = 0; #conditions = {}; #names = null;
 
-  /** A trial starts; one that was running is dropped. @param {object|null} goal */
-  start(goal) {
-    [this.running, this.goal, this.#rows, this.#count] = [true, goal, [], 0];
+  /** A trial starts; one that was running is dropped. Throws a ProtocolError. @param {object|null} goal @param {object} conditions */
+  start(goal, conditions) {
+    this.#check(conditions);
+    [this.running, this.goal, this.#rows, this.#count, this.#conditions] = [true, goal, [], 0, conditions];
+  }
+
+  /** What the running trial was, at its end: the first one of a session names all conditions. Throws a ProtocolError. @param {object} conditions */
+  describe(conditions) {
+    this.#check(conditions);
+    this.#names ??= Object.keys({ ...this.#conditions, ...conditions });
+  }
+
+  #check(conditions) {
+    for (const name of Object.keys(conditions)) {
+      if (!TRIAL_COLUMNS.includes(name) && (this.#names ?? [name]).includes(name)) continue;
+      const sentence = `'${name}' is a column of every table of trials, or no condition of this session's first trial`;
+      throw new ProtocolError("bad_field", sentence, `$.conditions.${name}`, { field: name });
+    }
   }
 
   /** Adds an event while a trial runs. @param {number[]} row */
