@@ -8,7 +8,7 @@ from functools import partial
 
 import pytest
 
-import pointpred_server.connection
+import pointpred_server.websocket_protocol
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, PATIENCE_S, event, running, told
 
@@ -28,13 +28,13 @@ def test_a_burst_within_the_limits_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        pointpred_server.connection, "STUCK_S", PATIENCE_S
+        pointpred_server.websocket_protocol, "STUCK_S", PATIENCE_S
     )  # it reads only when all is taken in
     with running(max_events_per_s=10**6) as here, here.greeted(PACKED, max_queue=1) as socket:
-        for frame in range(60):
-            socket.send(packed(1024 * frame, 1024))
+        for frame in range(960):
+            socket.send(packed(64 * frame, 64))
         (session,) = here.service._open
-        soon(lambda: session.outbox.predictions == 60 * 1024, "every frame is taken in")
+        soon(lambda: session.outbox.predictions == 960 * 64, "every frame is taken in")
         told_of = predicted = 0
         while True:
             answer = socket.recv(PATIENCE_S)
@@ -44,11 +44,11 @@ def test_a_burst_within_the_limits_is_answered(
                 told_of += int(said["message"].split()[0])
                 continue
             predicted += 1
-            if struct.unpack_from("<d", answer, len(answer) - 65)[0] == 1e-4 * (60 * 1024 - 1):
+            if struct.unpack_from("<d", answer, len(answer) - 65)[0] == 1e-4 * (960 * 64 - 1):
                 break
         assert told_of == session.outbox.dropped_total > 10_000
-        socket.send(packed(60 * 1024, 1))
-        assert struct.unpack_from("<d", socket.recv(PATIENCE_S))[0] == 1e-4 * 60 * 1024
+        socket.send(packed(960 * 64, 1))
+        assert struct.unpack_from("<d", socket.recv(PATIENCE_S))[0] == 1e-4 * 960 * 64
         timed = partial(here.service.metrics.registry.get_sample_value, f"{DELAY}_count")
         soon(lambda: timed() == predicted + 1, "every answer is timed, those that had to wait included")
 

@@ -16,7 +16,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred_server.connection
+import pointpred_server.websocket_protocol
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Curve
 from pointpred.transfer import TransferLearner
@@ -166,7 +166,7 @@ def test_viewers_count_as_sessions() -> None:
 def test_a_viewer_that_does_not_read_gets_the_newest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(pointpred_server.connection, "STUCK_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "STUCK_S", PATIENCE_S)
     moves = count()
     with attached() as (here, made), look(here, max_queue=1) as socket:
         hear(socket, "status")
