@@ -97,7 +97,7 @@ class PredictionStream:
             check_numbers(table)
             error, used = self._in_order(table)
             if len(used):
-                self._take_in(used.tolist())
+                self._take_in([tuple(row) for row in used.tolist()])
             return error, len(table) - len(used)
         return None, 0
 
