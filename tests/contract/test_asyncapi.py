@@ -19,7 +19,7 @@ from evidence import ROOT
 from evidence.reference.asyncapi import EVENT_ROWS, EXAMPLES, document, keys, schemas
 from pointpred.protocol import client_messages, server_messages
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, CLIENT_TYPES, ClientMessage
-from pointpred.protocol.decoding import decode_client_message, table_of_bytes
+from pointpred.protocol.decoding import decode_client_message, rows_of_bytes
 from pointpred.protocol.frames import EVENT, PREDICTION
 from pointpred.protocol.server_messages import SERVER_MESSAGES, Code, ServerMessage
 
@@ -108,7 +108,7 @@ def test_every_kind_of_field_is_shown() -> None:
 
 def test_packed_events_decode_to_the_numbers_they_stand_for() -> None:
     message = MESSAGES["binaryEvents"]
-    events = table_of_bytes(bytes.fromhex(message["examples"][0]["payload"]))
+    events = rows_of_bytes(bytes.fromhex(message["examples"][0]["payload"]))
     none = float("nan")
     expected = [[none if value == -32768 else value for value in row] for row in EVENT_ROWS]
     np.testing.assert_array_equal(events, expected)
