@@ -26,7 +26,7 @@ REQUESTS_MOST = 256
 """Connections beside those of sessions; a request on one more is answered with 503."""
 SEND_BUFFER_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be old predictions."""
-END_S = 6
+END_S = 4
 """Seconds that requests and sessions have to end when the service stops."""
 PROBE_S = 1.0
 """Seconds that the process on a port has to say whether it is pointpred."""
