@@ -28,7 +28,7 @@ from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Code, ErrorMessage, ServerMessage, encode
 from pointpred_server.access import HOST_REFUSED, Scope, admits_origin, believe_proxy, header, origin_advice
 from pointpred_server.service import Refusal, Service
-from pointpred_server.sessions.lifecycle import SLOW, STANDSTILL_S, Session
+from pointpred_server.sessions.lifecycle import RETRY_S, SLOW, STANDSTILL_S, Session
 
 log = logging.getLogger("pointpred.service")
 
@@ -319,7 +319,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         if session is None or session.close is not None:
             return
         if late_s > STANDSTILL_S:
-            self._paused_at = self._heard_at = at
+            self._paused_at, self._heard_at = at, Instant(at.s + min(late_s, RETRY_S))
         try:
             session.tick(at, late_s)
         except Exception as error:

@@ -194,6 +194,15 @@ def test_time_in_which_the_process_stood_still_is_no_silence(late_s: float, clos
     assert talk.closed == closed
 
 
+def test_after_a_standstill_tcp_may_need_as_long_again() -> None:
+    talk = Talk(idle_s=10.0)
+    talk.session.tick(Instant(50.0), late_s=50.0)
+    talk.session.tick(Instant(110.0))
+    assert talk.closed is None
+    talk.session.tick(Instant(110.1))
+    assert talk.closed == 1008
+
+
 def test_a_frame_that_is_refused_is_a_sign_of_life() -> None:
     talk = Talk(idle_s=1.0)
     talk.say("{", 1.5)
