@@ -194,7 +194,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         """
         read = self._buffer
         first, size = read[0], nbytes - HEAD_BYTES
-        if read[1] != MASKED + size or size > SHORT_BYTES or (first != BINARY and first != TEXT):
+        if not 0 <= size <= SHORT_BYTES or read[1] != MASKED + size or (first != BINARY and first != TEXT):
             return None
         mask = int.from_bytes((read[2:6].tobytes() * SHORT_BYTES)[:size])
         payload = (int.from_bytes(read[HEAD_BYTES:nbytes]) ^ mask).to_bytes(size)
