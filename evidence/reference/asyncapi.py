@@ -53,8 +53,8 @@ from pointpred.records import PHASES
 from pointpred.registry import RECOMMENDED
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
-from pointpred_server.websocket_protocol import NO_DEVICE
 from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.websocket_protocol import NO_DEVICE
 
 ABOUT = f"""One pointing session over a WebSocket: pointer events in, predictions of the endpoint out.
 

@@ -45,7 +45,8 @@ CONSTANTS = {
 """Limits of the service that are no settings, by their rows in its guide."""
 
 WORDS = {
-    f"once more for each {quota.TARGETS_AN_EVENT} targets, and {quota.EVENTS_FOR_PLACES} times more with places",
+    f"once more for each {quota.TARGETS_AN_EVENT} targets",
+    f"{quota.EVENTS_FOR_PLACES} times more with places",
     f"may send {Settings().max_events_per_s // (1 + quota.EVENTS_FOR_PLACES):,} events a second",
     f"Each {quota.BYTES_A_MESSAGE >> 10} KiB of a message counts once more",
     f"share {quota.SESSIONS_OF_AN_ADDRESS} times these two budgets",
