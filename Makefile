@@ -40,12 +40,12 @@ bench: $(READY)  ## measure the cost of each pipeline, and of the service
 	$(BIN)/python -m evidence costs service $(if $(BEFORE),--before '$(BEFORE)')
 	$(BIN)/python -m evidence
 
-load: $(READY)  ## measure delays under load, in ten minutes; WORKERS=N of the second server (2), BEFORE=COMMIT adds a build
-	$(BIN)/python -m evidence costs load $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+load: $(READY)  ## measure delays under load, in ten minutes; BEFORE=COMMIT adds a build
+	$(BIN)/python -m evidence costs load $(if $(BEFORE),--before '$(BEFORE)')
 	$(BIN)/python -m evidence
 
 load-short: $(READY)  ## print the same tables in two minutes, from shorter runs; writes nothing
-	$(BIN)/python -m evidence costs load --short $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+	$(BIN)/python -m evidence costs load --short $(if $(BEFORE),--before '$(BEFORE)')
 
 soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every prediction compared
 	$(BIN)/python -m evidence costs soak $(MINUTES)

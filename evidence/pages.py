@@ -33,7 +33,7 @@ def several(page: str, *parts: str) -> dict[str, Any]:
     return {part: data.stored(page, part) for part in parts}
 
 
-COSTS = ("events", "service", "longest_messages", "load", "soak", "scale", "devices", "in_page")
+COSTS = ("events", "service", "load", "soak", "scale", "devices", "in_page")
 EVIDENCE_PAGES: dict[str, Context] = {
     "results": results.context,
     "person": partial(several, "person", "adaptation", "places", "regions"),

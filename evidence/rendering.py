@@ -37,7 +37,6 @@ def environment() -> Environment:
         "columns": columns,
         "beside": beside,
         "turned": turned,
-        "largest": largest,
         "number": number,
         "share": share,
         "spread": spread,
@@ -102,16 +101,6 @@ def turned(one: Table) -> Table:
     """A row for each column, for tables of many columns and few rows."""
     head, *rows = zip(one.columns, *one.texts(), strict=True)
     return Table(list(head), [None] * len(head), [list(row) for row in rows])
-
-
-def largest(one: Table, *bounds: float) -> Table:
-    """The rows with at least a bound in one of some columns, given as ``column, bound, column, bound``."""
-    pairs = list(zip(map(int, bounds[::2]), bounds[1::2], strict=True))
-    return Table(
-        one.columns,
-        one.decimals,
-        [row for row in one.rows if any(float(row[at]) >= bound for at, bound in pairs)],
-    )
 
 
 def number(value: float | None, digits: int = 2) -> str:

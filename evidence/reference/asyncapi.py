@@ -343,7 +343,8 @@ def replies() -> dict[str, list[str]]:
     key_of = {kind: key for key, kind in server.items()}
     by_message: dict[str, list[str]] = {}
     for key, kind in client.items():
-        returned = get_type_hints(PointingSession.handlers[kind])["return"]
+        handler = PointingSession.handlers.get(kind)  # events have none
+        returned = get_type_hints(handler)["return"] if handler else None
         answers = [key_of[returned]] if returned in key_of else []
         choices = [] if key in NO_CHOICES else ["choice"]
         by_message[key] = answers + LATER.get(key, []) + choices

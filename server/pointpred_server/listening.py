@@ -14,6 +14,7 @@ import msgspec
 import uvicorn
 
 from pointpred.errors import SourceError
+from pointpred.garbage import tune_collector
 from pointpred_server.access import WILDCARDS
 from pointpred_server.app import create_app
 from pointpred_server.service import Service
@@ -25,7 +26,7 @@ REQUESTS_MOST = 256
 """Connections beside those of sessions; a request on one more is answered with 503."""
 SEND_BUFFER_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be old predictions."""
-END_S = 6
+END_S = 4
 """Seconds that requests and sessions have to end when the service stops."""
 PROBE_S = 1.0
 """Seconds that the process on a port has to say whether it is pointpred."""
@@ -115,6 +116,7 @@ def make_server(service: Service, announce: Callable[[], None]) -> uvicorn.Serve
 def serve(opened: socket.socket, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     server = make_server(service, announce)
+    tune_collector()
     hangup = getattr(signal, "SIGHUP", None)
     if hangup is not None and signal.getsignal(hangup) is signal.SIG_DFL:
         # A terminal that is closed sends it; ``nohup`` has it ignored.

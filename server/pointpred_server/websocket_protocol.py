@@ -28,7 +28,7 @@ from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Code, ErrorMessage, ServerMessage, encode
 from pointpred_server.access import HOST_REFUSED, Scope, admits_origin, believe_proxy, header, origin_advice
 from pointpred_server.service import Refusal, Service
-from pointpred_server.sessions.lifecycle import SLOW, STANDSTILL_S, Session
+from pointpred_server.sessions.lifecycle import RETRY_S, SLOW, STANDSTILL_S, Session
 
 log = logging.getLogger("pointpred.service")
 
@@ -207,7 +207,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         """
         read = self._buffer
         first, size = read[0], nbytes - HEAD_BYTES
-        if read[1] != MASKED + size or size > SHORT_BYTES or (first != BINARY and first != TEXT):
+        if not 0 <= size <= SHORT_BYTES or read[1] != MASKED + size or (first != BINARY and first != TEXT):
             return None
         mask = int.from_bytes((read[2:6].tobytes() * SHORT_BYTES)[:size])
         payload = (int.from_bytes(read[HEAD_BYTES:nbytes]) ^ mask).to_bytes(size)
@@ -335,7 +335,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         if session is None or session.close is not None:
             return
         if late_s > STANDSTILL_S:
-            self._paused_at = self._heard_at = at
+            self._paused_at, self._heard_at = at, Instant(at.s + min(late_s, RETRY_S))
         try:
             session.tick(at, late_s)
         except Exception as error:

@@ -33,6 +33,7 @@ MAY_IMPORT = {
     "files": set(),
     "logs": set(),
     "garbage": set(),
+    "clock": set(),
     "layout": set(),
     "compiled": {"layout"},
     "regions": {"errors"},
@@ -59,10 +60,11 @@ MAY_IMPORT = {
     "console": set(),
     "datasets": PIPELINE | {"simulation", "recordings"},
     "training": PIPELINE | {"scoring", "recordings", "pointpred"},
-    "protocol": PIPELINE | {"targets", "scoring"},
+    "protocol": PIPELINE | {"clock", "targets", "scoring"},
     "recorder": GROUND | {"protocol", "recordings"},
     "client": {"errors", "extras", "records", "registry", "protocol"},
-    "live": PIPELINE | {"console", "devices", "recordings", "scoring", "protocol", "client", "recorder"},
+    "live": PIPELINE
+    | {"clock", "console", "devices", "recordings", "scoring", "protocol", "client", "recorder"},
     "cli": PIPELINE
     | {
         "targets",
@@ -88,7 +90,7 @@ MAY_IMPORT = {
     "pointpred_server": PIPELINE
     | {
         *("console", "protocol", "targets", "simulation", "scoring", "recordings", "datasets", "recorder"),
-        *("live", "cli", "pointpred"),
+        *("clock", "live", "cli", "pointpred"),
     },
     "pointpred_observers": MATHS | {"drawing"},
     "pointpred_observers.camera": MATHS | {"pointpred_observers"},

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
+from pointpred.clock import Instant
 from pointpred.datasets import sample
 from pointpred.protocol.server_messages import Limits
 from pointpred.records import PHASES, FloatArray
@@ -152,11 +153,11 @@ def talking(
 
 
 def session(name: str, encoding: str, frame: int, version: int = 2) -> Iterator[bytes]:
-    one = PointingSession("session", LIMITS, 0.0)
+    one = PointingSession("session", LIMITS, Instant(0.0))
 
     def exchange(frames: list[str | bytes], count: int) -> list[Any]:
         for frame in frames:
-            one.receive(frame, 0.0)
+            one.receive(frame, Instant(0.0))
         answers = one.outbox.take()
         assert len(answers) == count
         return answers

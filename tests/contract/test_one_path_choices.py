@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from pointpred import PointerEvent, Prediction, build, run
+from pointpred.clock import Instant
 from pointpred.datasets import sample
 from pointpred.targets import Chooser, Target, around
 from pointpred_server.sessions.pointing import PointingSession
@@ -112,10 +113,10 @@ def test_one_by_one(name: str) -> None:
 @pytest.mark.parametrize("encoding", ["json", "binary"])
 @pytest.mark.parametrize("name", NAMES)
 def test_session(name: str, encoding: str, frame: int) -> None:
-    session = PointingSession("session", LIMITS, 0.0)
+    session = PointingSession("session", LIMITS, Instant(0.0))
 
     def exchange(frame: str | bytes) -> list[str | bytes]:
-        session.receive(frame, 0.0)
+        session.receive(frame, Instant(0.0))
         return session.outbox.take()
 
     assert talking(name, encoding, frame, exchange) == expected(name, encoding)

@@ -25,8 +25,8 @@ class Faults:
         self.environment = {
             **os.environ,
             "LD_PRELOAD": str(library),
-            "POINTPRED_FAULTS": str(self._file),
-            "POINTPRED_FAULTY_FOLDER": str(faulty),
+            "FAULTS_FILE": str(self._file),
+            "FAULTS_FOLDER": str(faulty),
         }
 
     def set(self, which: int, value: int) -> None:

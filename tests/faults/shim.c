@@ -1,7 +1,7 @@
 /* Faults inside a service, loaded with LD_PRELOAD: a disk that hangs or fails, and a wall clock that jumps.
 
-   POINTPRED_FAULTS names a file of four 64-bit numbers that the test changes while the service runs:
-   0: whether writes and syncs below POINTPRED_FAULTY_FOLDER wait, 1: the error they end with, 0 for none,
+   FAULTS_FILE names a file of four 64-bit numbers that the test changes while the service runs:
+   0: whether writes and syncs below FAULTS_FOLDER wait, 1: the error they end with, 0 for none,
    2: seconds that the wall clock is ahead, 3: how many writes and syncs have been held up so far. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -21,9 +21,9 @@ static volatile int64_t *faults;
 static const char *folder;
 
 __attribute__((constructor)) static void begin(void) {
-    const char *name = getenv("POINTPRED_FAULTS");
+    const char *name = getenv("FAULTS_FILE");
     int file = name ? open(name, O_RDWR) : -1;
-    folder = getenv("POINTPRED_FAULTY_FOLDER");
+    folder = getenv("FAULTS_FOLDER");
     if (file < 0) return;
     void *mapped = mmap(NULL, 32, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     if (mapped != MAP_FAILED) faults = mapped;

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.faults.conftest import WALL_CLOCK, Faults
-from tests.faults.service import Client, service, wait_until_ready
+from tests.faults.service import Client, service
 from tests.server.listener import soon
 
 DAY_S = 86_400
@@ -16,7 +16,6 @@ DAY_S = 86_400
 @pytest.mark.slow
 def test_a_wall_clock_that_jumps_changes_no_session(faults: Faults, tmp_path: Path) -> None:
     with service(tmp_path, environment=faults.environment) as running:
-        wait_until_ready(running)
         with Client(running.url) as client:
             client.exchange(50)
             names = set()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.service import Client, Running, service, wait_until_ready
+from tests.faults.service import Client, Running, service
 from tests.server.listener import soon
 
 FILES = 64
@@ -24,7 +24,6 @@ def port_of(running: Running) -> int:
 def test_too_many_open_files_refuse_newcomers_only(tmp_path: Path) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path))
-        wait_until_ready(running)
         client = opened.enter_context(Client(running.url))
         client.exchange(50)
         soon(lambda: len(client.recorded(running)) == 50, "it is recorded")

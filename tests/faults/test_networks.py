@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.faults.service import Client, Running, service, wait_until_ready
+from tests.faults.service import Client, Running, service
 from tests.server.listener import soon
 
 HERE, THERE = "10.213.77.1", "10.213.77.2"
@@ -55,13 +55,11 @@ def test_a_client_whose_network_is_cut_is_ended(own_network: list[str], tmp_path
         opened.callback(subprocess.run, ["ip", "link", "delete", CABLE], check=False, capture_output=True)
         running.address = running.address.replace("127.0.0.1", THERE)
         running.token = TOKEN
-        wait_until_ready(running)
         before = descriptors(running)
         silent, sending = (Client(running.url) for _ in range(2))
         for client in (silent, sending):
             opened.enter_context(client)
             client.exchange(50)
-        assert running.metric("pointpred_sessions ") == 2
         sending.send(500)  # whose answers are on the way, or never leave
         ip("link", "set", "cable", "down", inside=running.process.pid)
         soon(lambda: len(closed(running)) == 2, "both sessions have ended")

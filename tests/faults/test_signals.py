@@ -17,7 +17,7 @@ from websockets.exceptions import ConnectionClosed
 
 from evidence.costs.soak.sessions import PING, PONG, TEXT, frame, split, upgrade
 from pointpred.protocol.frames import PREDICTION
-from tests.faults.service import Client, service, wait_until_ready
+from tests.faults.service import Client, service
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S
 
@@ -30,7 +30,6 @@ PING_TIMEOUT_S = 20.0
 def test_a_service_that_is_stopped_answers_and_records_what_it_has(tmp_path: Path) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path))
-        wait_until_ready(running)
         clients = [opened.enter_context(Client(running.url, "switched")) for _ in range(4)]
         for client in clients:
             client.exchange(50)
@@ -72,7 +71,6 @@ def still(process_id: int, seconds: float) -> None:
 def test_a_service_that_stood_still_ends_no_session_but_silent_ones(tmp_path: Path) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path, "--idle-s", f"{IDLE_S}"))
-        wait_until_ready(running)
         one, other, silent = (opened.enter_context(Client(running.url)) for _ in range(3))
         for client in (one, other, silent):
             client.exchange(50)
@@ -98,7 +96,6 @@ def test_what_was_sent_meanwhile_is_answered(tmp_path: Path, seconds: float) -> 
     """Longer than the service waits for the answer to a ping, and for a client that does not read."""
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path, "--idle-s", "10"))
-        wait_until_ready(running)
         client = opened.enter_context(Client(running.url, reply="frame"))
         client.exchange(50)
         running.process.send_signal(signal.SIGSTOP)
@@ -122,7 +119,6 @@ def test_what_was_sent_meanwhile_is_answered(tmp_path: Path, seconds: float) -> 
 def test_an_answer_to_a_ping_that_came_meanwhile_counts(tmp_path: Path) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path))
-        wait_until_ready(running)
         port = int(running.address.rstrip("/").rpartition(":")[2])
         raw = opened.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE_S))
         raw.sendall(upgrade(port))

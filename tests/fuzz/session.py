@@ -11,14 +11,14 @@ import msgspec
 import numpy as np
 
 from pointpred.client.session import ClientSession, hello_message
+from pointpred.clock import Instant
 from pointpred.errors import PointpredError
 from pointpred.protocol.client_messages import ClientMessage
 from pointpred.protocol.decoding import (
     check_numbers,
     decode_client_message,
     decode_server_message,
-    table_of_bytes,
-    table_of_rows,
+    rows_of_bytes,
 )
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import PREDICTION, pack_events, pack_predictions
@@ -71,7 +71,7 @@ def frames_of(data: bytes) -> list[str | bytes]:
 def check_message(data: bytes) -> str:
     """One frame, as text and as packed records; a message is the same when it is encoded and read again."""
     try:
-        table = table_of_bytes(data)
+        table = np.array(rows_of_bytes(data)).reshape(-1, 6)
         check_numbers(table)
     except ProtocolError as error:
         refused(error)
@@ -89,19 +89,17 @@ def check_message(data: bytes) -> str:
 
 
 def message_seeds() -> list[bytes]:
-    return [json.dumps(one).encode() for one in MESSAGES] + [pack_events(table_of_rows(EVENTS))]
+    return [json.dumps(one).encode() for one in MESSAGES] + [pack_events(np.array(EVENTS, np.float64))]
 
 
 def check_session(data: bytes) -> str:
     """Frames to a session that was greeted: it answers in messages of the protocol, or ends."""
-    session = PointingSession("fuzz", LIMITS, 0.0)
+    session = PointingSession("fuzz", LIMITS, Instant(0.0))
     predictor = PREDICTORS[data[0] % len(PREDICTORS)] if data else PREDICTORS[0]
     hello = {**HELLO, "predictor": predictor}
     answered = 0
     for place, frame in enumerate([json.dumps(hello), *frames_of(data[1:])]):
-        session.receive(frame, 0.01 * place)
-        if session.work is not None:
-            session.finish(session.work())
+        session.receive(frame, Instant(0.01 * place))
         for answer in session.outbox.take():
             answered += 1
             if isinstance(answer, bytes):
@@ -116,7 +114,7 @@ def check_session(data: bytes) -> str:
 
 def session_seeds() -> list[bytes]:
     texts = [json.dumps(one) for one in MESSAGES]
-    binary = pack_events(table_of_rows(EVENTS))
+    binary = pack_events(np.array(EVENTS, np.float64))
     whole = joined(*texts[4:14])
     return [b"\1" + joined(one) for one in texts] + [b"\0" + joined(binary), b"\2" + whole]
 
@@ -139,12 +137,10 @@ def check_client(data: bytes) -> str:
 
 
 def client_seeds() -> list[bytes]:
-    session = PointingSession("fuzz", LIMITS, 0.0)
+    session = PointingSession("fuzz", LIMITS, Instant(0.0))
     answers: list[str | bytes] = []
     for message in (HELLO, *MESSAGES[4:]):
-        session.receive(json.dumps(message), 0.0)
-        if session.work is not None:
-            session.finish(session.work())
+        session.receive(json.dumps(message), Instant(0.0))
         answers += session.outbox.take()
     pipeline = build("hold")
     rows = np.array([pipeline.advance(tuple(map(float, row))) for row in EVENTS[:3]])

@@ -31,7 +31,7 @@ def check(data: bytes) -> str:
     headers = [(b"host", host), (b"origin", origin), (b"authorization", authorization)]
     scope = {"type": "http", "scheme": "http", "headers": headers, "query_string": query}
     rule = HostRule("127.0.0.1", ["lab.example"])
-    if rule.admits(host.decode("latin-1")):
+    if rule.admits(scope):
         assert PORT.sub(b"", host.strip(b" \t").lower()) in SERVED
     if admits_origin(scope, ("https://lab.example",)):
         assert origin in (b"https://lab.example", b"http://" + host)

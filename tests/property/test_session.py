@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import REGISTRY
-from pointpred.protocol.decoding import ONE_EVENT, decode_server_message
+from pointpred.clock import Instant
+from pointpred.protocol.decoding import decode_server_message
 from pointpred.protocol.server_messages import ErrorMessage, Limits, Score
 from pointpred_server.sessions.pointing import PointingSession
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
@@ -89,13 +90,13 @@ def check(answer: str | bytes) -> Any:
 def test_any_frames_are_answered_or_end_the_session(
     greet: dict[str, Any] | None, frames: list[tuple[str | bytes, float]], reads: bool
 ) -> None:
-    session, now = PointingSession("s", LIMITS, 0.0), 0.0
+    session, now = PointingSession("s", LIMITS, Instant(0.0)), 0.0
     if greet:
-        session.receive(json.dumps(greet), now)
+        session.receive(json.dumps(greet), Instant(now))
     for sent, pause in frames:
         now += pause
-        session.tick(now)
-        session.receive(sent, now)
+        session.tick(Instant(now))
+        session.receive(sent, Instant(now))
         answers = [check(answer) for answer in session.outbox.take()] if reads else []
         errors = [a for a in answers if isinstance(a, ErrorMessage)]
         assert all(e.recoverable for e in errors) or session.state == "closed"
@@ -105,10 +106,10 @@ def test_any_frames_are_answered_or_end_the_session(
         assert len(session.close.reason.encode()) <= 123
         return
     session.outbox.take()
-    session.receive(json.dumps(hello()), now)
-    session.receive('{"type": "reset"}', now)
+    session.receive(json.dumps(hello()), Instant(now))
+    session.receive('{"type": "reset"}', Instant(now))
     session.outbox.take()
-    session.receive(json.dumps(events([1.0, 2.0, 3.0, None, None, 0])), now + 5.0)
+    session.receive(json.dumps(events([1.0, 2.0, 3.0, None, None, 0])), Instant(now + 5.0))
     (answer,) = session.outbox.take()
     assert answer
     assert not isinstance(check(answer), ErrorMessage)
@@ -130,20 +131,20 @@ def test_events_in_json_and_packed_give_the_same_predictions(
     name: str, frames: list[list[tuple[Any, ...]]], marks: bool
 ) -> None:
     device = {"device": {"cpi": 800}, "reply": "event"}
-    text, binary = (PointingSession("s", Limits(), 0.0) for _ in range(2))
-    text.receive(json.dumps(hello(name, **device)), 0.0)
-    binary.receive(json.dumps(hello(name, encoding="binary", **device)), 0.0)
+    text, binary = (PointingSession("s", Limits(), Instant(0.0)) for _ in range(2))
+    text.receive(json.dumps(hello(name, **device)), Instant(0.0))
+    binary.receive(json.dumps(hello(name, encoding="binary", **device)), Instant(0.0))
     for session in (text, binary):
         session.outbox.take()
         if marks:
-            session.receive('{"type": "trial", "action": "start"}', 0.0)
+            session.receive('{"type": "trial", "action": "start"}', Instant(0.0))
     for rows in frames:
         fitting = [
             (*row[:3], *(None if n is None else max(NO_COUNTS + 1, min(32767, n)) for n in row[3:5]), row[5])
             for row in rows
         ]
-        text.receive(json.dumps(events(*fitting)), 0.0)
-        binary.receive(packed(*fitting), 0.0)
+        text.receive(json.dumps(events(*fitting)), Instant(0.0))
+        binary.receive(packed(*fitting), Instant(0.0))
         told = [check(answer) for answer in text.outbox.take()]
         bare = [check(answer) for answer in binary.outbox.take()]
         assert [e for e in told if isinstance(e, ErrorMessage)] == [
@@ -154,27 +155,7 @@ def test_events_in_json_and_packed_give_the_same_predictions(
         assert all(same(one, row) for one, row in zip(said, records, strict=True))
     if marks:
         for session in (text, binary):
-            session.receive('{"type": "trial", "action": "end"}', 0.0)
-            assert session.work is not None
-            session.finish(session.work())
+            session.receive('{"type": "trial", "action": "end"}', Instant(0.0))
         (first,), (second,) = (map(check, session.outbox.take()) for session in (text, binary))
         assert isinstance(first, Score)
         assert first == second
-
-
-@given(
-    st.sampled_from(list(REGISTRY)),
-    st.lists(
-        st.lists(good_row | any_row, min_size=1, max_size=1).map(lambda rows: events(*rows)), max_size=6
-    ),
-)
-def test_one_event_is_answered_alike_in_a_short_text_and_a_long_one(
-    name: str, messages: list[dict[str, Any]]
-) -> None:
-    short, long = (PointingSession("s", Limits(), 0.0) for _ in range(2))
-    for session, blanks in ((short, 0), (long, ONE_EVENT)):
-        session.receive(json.dumps(hello(name)), 0.0)
-        for sent in messages:
-            session.receive(json.dumps(sent) + " " * blanks, 0.0)
-    assert short.outbox.take() == long.outbox.take()
-    assert (short.events, short.refusals, short.state) == (long.events, long.refusals, long.state)

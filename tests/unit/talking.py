@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from struct import Struct
 from typing import Any
 
@@ -49,6 +49,13 @@ class Talk:
         """Send a frame and read every answer."""
         self.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, Instant(now))
         return self.hear()
+
+    def feed(
+        self, rows: Sequence[Row], form: Callable[..., Any] = events, size: int = 64, now: float = 0.0
+    ) -> list[Any]:
+        """Send events in frames of at most so many."""
+        frames = [form(*rows[first : first + size]) for first in range(0, len(rows), size)]
+        return [answer for frame in frames for answer in self.say(frame, now)]
 
     def hear(self) -> list[Any]:
         """What the session has to say."""

@@ -33,7 +33,7 @@ def counts(*medians: float, unanswered: int = 0) -> Counts:
 
 def point(clients: int, p99_ms: float, *, growing: bool = False) -> Point:
     delays = (0.1, p99_ms, p99_ms, growing)
-    return Point("this build", "one core", "`hold`", 1, clients, *delays, 20.0, 1.0, 0.2, 0.01, {})
+    return Point("this build", "`hold`", 1, clients, *delays, 20.0, 1.0, 0.2, 0.01, {})
 
 
 @pytest.mark.parametrize(

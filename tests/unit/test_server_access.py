@@ -7,12 +7,19 @@ from typing import Any
 
 import pytest
 
+from pointpred.clock import Instant
 from pointpred_server import access
 from pointpred_server.access import HostRule, has_token, network_of
-from pointpred_server.service import Service
+from pointpred_server.service import Refusal, Service
+from pointpred_server.sessions.lifecycle import Session
 from pointpred_server.settings import Settings
 
 TOKEN = "a-token-of-24-characters"
+
+
+def asked(host: str) -> dict[str, Any]:
+    """A request to a host of that name."""
+    return {"headers": [(b"host", host.encode("latin-1"))]}
 
 
 def shown(token: str) -> list[dict[str, Any]]:
@@ -27,8 +34,8 @@ def shown(token: str) -> list[dict[str, Any]]:
     "name", ["\xa0127.0.0.1", "127.0.0.1\x85", "\x1c[::1]:80", "local host", "localhost,localhost"]
 )
 def test_only_what_headers_may_stand_in_is_taken_from_a_name(name: str) -> None:
-    assert not HostRule().admits(name)
-    assert HostRule().admits(" 127.0.0.1\t")
+    assert not HostRule().admits(asked(name))
+    assert HostRule().admits(asked(" 127.0.0.1\t"))
 
 
 def test_a_token_is_compared_in_constant_time(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -66,9 +73,30 @@ def test_sessions_count_by_the_network_that_one_customer_has(address: str, netwo
     assert network_of(address) == network
 
 
+class Socket:
+    """The socket of a session that nobody speaks over."""
+
+    messages = 0
+
+    def flush(self) -> None:
+        """Nothing is sent."""
+
+    def tick(self, at: Instant, late_s: float) -> None:
+        """Nothing is due."""
+
+
 def test_one_network_has_one_share_however_many_of_its_addresses_connect() -> None:
     service = Service(Settings(host="0.0.0.0", token=TOKEN, max_per_address=1))
-    place = service.place_of_address
-    with place("2001:db8::1") as first, place("2001:db8::2") as second, place("2001:db8:0:1::1") as third:
-        assert (first, second, third) == (True, False, True)
+
+    def opened(address: str) -> Session | Refusal:
+        scope = {"path": "/v1/stream", "client": (address, 1), **shown(TOKEN)[0]}
+        return service.open_session(scope, Socket())
+
+    first, second, third = map(opened, ("2001:db8::1", "2001:db8::2", "2001:db8:0:1::1"))
+    assert isinstance(first, Session)
+    assert isinstance(second, Refusal)
+    assert (second.code, second.close) == ("too_many", 1013)
+    assert isinstance(third, Session)
+    service.close_session(first)
+    assert isinstance(opened("2001:db8::2"), Session)
     service.shut_down()

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from struct import Struct
 from typing import Any
 
 import pytest
 
-from pointpred_server.sessions import pointing
 from pointpred_server.sessions.target_tracker import LIKELIEST
 from tests.unit.talking import Talk, events, hello, packed
 
@@ -255,25 +253,6 @@ def test_events_that_run_backwards_do_not_reach_the_decisions() -> None:
         found += choices(late.say(events(row, (-1.0, *row[1:]))))
     assert found == expected
     assert expected[-1] == ("propose", "right")
-
-
-@pytest.mark.parametrize("encoding", ["json", "binary"])
-def test_a_frame_with_many_targets_is_work_aside_and_answered_the_same(
-    encoding: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    rows, heard = reach(end=0.4), []
-    frame = packed(*rows) if encoding == "binary" else events(*rows)
-    for at_once_s in (1.0, 1e-5):
-        monkeypatch.setattr(pointing, "AT_ONCE_S", at_once_s)
-        talk = talk_of(encoding)
-        talk.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, 0.0)
-        assert (talk.session.work is None) == (at_once_s == 1.0)
-        heard.append([*talk.hear(), *talk.say({"type": "reset"})])  # which waits for the work
-    assert heard[0] == heard[1]
-    assert choices([one for one in heard[1] if isinstance(one, dict)])[-2:] == [
-        ("propose", "right"),
-        ("retract", "right"),
-    ]
 
 
 def test_an_event_counts_more_where_there_are_many_targets() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent, build
+from pointpred.clock import Instant
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
@@ -32,7 +33,7 @@ def other(path: Path) -> Path:
 
 def talk_with(files: dict[str, Path], greet: dict[str, Any]) -> tuple[Talk, list[Any]]:
     talk = Talk(greet=False)
-    talk.session = PointingSession("name", Limits(), 0.0, coefficients=files)
+    talk.session = PointingSession("name", Limits(), Instant(0.0), coefficients=files)
     return talk, talk.say(greet)
 
 

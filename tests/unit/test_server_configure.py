@@ -24,7 +24,7 @@ def configure(**fields: Any) -> dict[str, Any]:
 
 
 def last(talk: Talk) -> tuple[float, float]:
-    (answer,) = talk.say(events(*ROWS))
+    answer = talk.feed(ROWS)[-1]
     return answer["x"], answer["y"]
 
 
@@ -167,9 +167,9 @@ def test_the_reply_changes_without_forgetting() -> None:
     talk, other = (Talk(greet=hello("switched")) for _ in range(2))
     talk.say(events(*ROWS[:10]))
     assert talk.say(configure(reply="event"))[0]["type"] == "welcome"
-    answers = talk.say(events(*ROWS[10:]))
+    answers = talk.feed(ROWS[10:])
     assert len(answers) == 90
-    assert answers[-1:] == other.say(events(*ROWS))
+    assert answers[-1] == other.feed(ROWS)[-1]
 
 
 @pytest.mark.parametrize(
@@ -180,7 +180,7 @@ def test_a_configure_that_is_refused_changes_nothing(wrong: dict[str, Any]) -> N
     for one in (talk, other):
         one.say(events(*ROWS[:10]))
     talk.error(configure(reply="frame", precision=0.5, **wrong))
-    assert talk.say(events(*ROWS[10:])) == other.say(events(*ROWS[10:]))
+    assert talk.feed(ROWS[10:]) == other.feed(ROWS[10:])
     assert talk.session.stream is not None
     assert talk.session.stream.precision is None
 
@@ -196,9 +196,9 @@ def test_the_precision_is_remembered() -> None:
 
 def test_configure_counts_on() -> None:
     talk = Talk()
-    talk.say(events(*ROWS))
+    talk.feed(ROWS)
     talk.say(configure(predictor="switched"))
-    talk.say(events(*ROWS))
+    talk.feed(ROWS)
     assert talk.session.state == "streaming"
     assert talk.session.stream is not None
     assert talk.session.stream.events == 200

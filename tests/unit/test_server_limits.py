@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
+from pointpred.clock import Instant
+from pointpred.protocol.server_messages import Limits
 from pointpred.protocol.token_bucket import TokenBucket
-from pointpred_server.sessions.quota import MESSAGES_PER_S
+from pointpred_server.sessions.pointing import PointingSession
+from pointpred_server.sessions.quota import (
+    BUILDING,
+    BYTES_A_MESSAGE,
+    MESSAGES_PER_S,
+    SESSIONS_OF_AN_ADDRESS,
+    Address,
+    Addresses,
+)
 from tests.unit.talking import Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]
@@ -46,13 +57,12 @@ def test_too_large_ends_the_session_in_every_state(greet: bool) -> None:
 
 
 @pytest.mark.parametrize("form", [events, packed])
-def test_a_frame_holds_at_most_1024_events(form: Any) -> None:
+def test_a_frame_holds_at_most_64_events(form: Any) -> None:
     talk = Talk()
-    assert len(talk.say(form(*[ROW] * 1024))) == 1
-    error = talk.error(form(*[ROW] * 1025))
+    assert len(talk.say(form(*[ROW] * 64))) == 1
+    error = talk.error(form(*[ROW] * 65))
     assert (error["code"], error["path"], talk.closed) == ("too_large", "$.events", 1009)
-    assert "1024" in error["message"]
-    assert "1025" in error["message"]
+    assert "at most 64 events, received 65" in error["message"]
 
 
 @pytest.mark.parametrize("form", [events, packed])
@@ -94,11 +104,11 @@ def test_a_flood_of_whatever_it_is_ends_as_too_fast(kind: str, greet: bool) -> N
 
 
 def test_messages_have_a_limit_apart_from_events() -> None:
-    talk = Talk(max_events_per_s=100)
+    talk = Talk(max_events_per_s=64)
     for k in range(3 * MESSAGES_PER_S):
         talk.say('{"type":"reset"}', 1.0 + k / MESSAGES_PER_S)
         assert talk.closed is None
-    assert len(talk.say(packed(*[ROW] * 100), 5.0)) == 1
+    assert len(talk.say(packed(*[ROW] * 64), 5.0)) == 1
     for k in range(MESSAGES_PER_S):
         talk.say('{"type":"reset"}', 5.0)
         assert talk.closed is None, k
@@ -107,20 +117,40 @@ def test_messages_have_a_limit_apart_from_events() -> None:
     assert f"{MESSAGES_PER_S} messages" in error["message"]
 
 
-def test_long_frames_that_cannot_be_used_count_for_more() -> None:
+@pytest.mark.parametrize(
+    ("frame", "count"),
+    [
+        ("[" * BYTES_A_MESSAGE, 2),
+        ("[" * 65_536, 5),
+        ('{"type":"reset"}' + " " * (3 * BYTES_A_MESSAGE), 4),
+        ('{"type":"configure","reply":"frame"}', BUILDING),
+        ('{"type":"person"}', BUILDING),
+        ('{"type":"trial","action":"start"}', BUILDING),
+    ],
+)
+def test_what_takes_long_counts_for_more(frame: str, count: int) -> None:
     talk = Talk()
-    long = "[" * 60_000
-    count = 0
-    while talk.closed is None:
-        talk.say(long, 1.0)
-        count += 1
+    for _ in range(MESSAGES_PER_S // count):
+        talk.say(frame, 2.0)
+        assert talk.closed is None
+    talk.say(frame, 2.0)
     assert talk.closed == 1008
-    assert 10 < count < MESSAGES_PER_S / 10
+
+
+def test_pings_and_pieces_of_messages_count_as_messages() -> None:
+    talk = Talk()
+    for _ in range(MESSAGES_PER_S):
+        talk.session.receive_piece(Instant(2.0))
+    assert talk.closed is None
+    talk.session.receive_piece(Instant(2.0))
+    talk.session.receive_piece(Instant(2.0))
+    (error,) = talk.hear()
+    assert (error["code"], talk.closed) == ("too_fast", 1008)
 
 
 def test_a_goodbye_is_heard_however_much_came_before() -> None:
     talk = Talk()
-    for _ in range(MESSAGES_PER_S - 1):
+    for _ in range(MESSAGES_PER_S - BUILDING):  # hello was the rest
         talk.say('{"type":"reset"}', 0.0)
     talk.say('{"type":"bye"}', 0.0)
     assert talk.closed == 1000
@@ -134,34 +164,100 @@ def test_a_session_may_send_its_rate_for_ever() -> None:
             assert len(talk.say(packed(*[ROW] * 8), now)) == 1
 
 
+def taking(most: float) -> Callable[[float, float], bool]:
+    """What takes out of a budget, at a time in seconds."""
+    rate = TokenBucket(most, Instant(0.0))
+    return lambda count, now: rate.take(count, Instant(now))
+
+
 def test_the_budget_holds_no_more_than_one_second() -> None:
-    rate = TokenBucket(100, 0.0)
-    assert rate.take(100, 0.0)
-    assert not rate.take(1, 0.005)
-    assert rate.take(100, 50.0)
-    assert not rate.take(1, 50.0)
-    assert rate.take(50, 50.5)
+    take = taking(100)
+    assert take(100, 0.0)
+    assert not take(1, 0.005)
+    assert take(100, 50.0)
+    assert not take(1, 50.0)
+    assert take(50, 50.5)
 
 
 def test_a_refusal_takes_nothing_and_a_clock_that_stands_gives_nothing() -> None:
-    rate = TokenBucket(10, 0.0)
-    assert not rate.take(11, 0.0)
-    assert rate.take(10, 0.0)
-    assert not rate.take(1, -5.0)
-    assert not rate.take(6, -4.5)
-    assert rate.take(5, -4.5)
+    take = taking(10)
+    assert not take(11, 0.0)
+    assert take(10, 0.0)
+    assert not take(1, -5.0)
+    assert not take(6, -4.5)
+    assert take(5, -4.5)
 
 
 def test_what_comes_after_the_process_stood_still_is_within_the_budget() -> None:
-    rate = TokenBucket(10, 0.0)
-    assert rate.take(10, 0.0)
+    rate = TokenBucket(10, Instant(0.0))
+    assert rate.take(10, Instant(0.0))
     rate.extend(3.0)
-    assert rate.take(40, 4.0)
-    assert not rate.take(1, 4.0)
+    assert rate.take(40, Instant(4.0))
+    assert not rate.take(1, Instant(4.0))
     rate.extend(1e6)
-    assert rate.take(610, 5.0)
-    assert not rate.take(1, 5.0)
-    assert not rate.take(11, 6.0)
+    assert rate.take(610, Instant(5.0))
+    assert not rate.take(1, Instant(5.0))
+    assert not rate.take(11, Instant(6.0))
+
+
+LIMITS = Limits(max_events_per_s=64)
+
+
+def of_address(address: Address, at: Instant) -> PointingSession:
+    """A session of an address, after its hello."""
+    session = PointingSession("name", LIMITS, at, address)
+    session.receive(json.dumps(hello()), at)
+    return session
+
+
+@pytest.mark.parametrize(
+    ("frame", "frames"),
+    [(packed(*[ROW] * 64), 1), ('{"type":"reset"}', MESSAGES_PER_S - BUILDING)],
+)
+def test_who_comes_again_has_no_fresh_budget(frame: str | bytes, frames: int) -> None:
+    """Sessions of one address, one after another, share what so many may send at a time."""
+    known = Addresses(LIMITS)
+
+    def session_of(name: str, at: float) -> PointingSession:
+        session = of_address(known.of(name, Instant(at)), Instant(at))
+        for _ in range(frames):
+            session.receive(frame, Instant(at))
+        return session
+
+    for _ in range(SESSIONS_OF_AN_ADDRESS):
+        assert session_of("192.0.2.1", 0.0).close is None
+    close = session_of("192.0.2.1", 0.0).close
+    assert close is not None
+    assert (close.code, "of this address" in close.reason) == (1008, True)
+    assert session_of("192.0.2.2", 0.0).close is None
+    assert session_of("192.0.2.1", 1.0).close is None
+
+
+def test_addresses_that_are_idle_are_forgotten() -> None:
+    known = Addresses(LIMITS)
+
+    def used(name: str) -> Address:
+        address = known.of(name, Instant(0.0))
+        address.events.take(1, Instant(0.0))
+        return address
+
+    idle, busy, open_ = map(used, ("idle", "busy", "open"))
+    open_.sessions = 1
+    busy.events.take(1, Instant(1.0))
+    known.of("another", Instant(1.0))
+    assert known.of("open", Instant(1.0)) is open_
+    assert known.of("busy", Instant(1.0)) is busy
+    assert known.of("idle", Instant(1.0)) is not idle
+
+
+def test_a_moment_has_no_difference_with_a_number_or_another_moment() -> None:
+    moment: Any = Instant(1.0)
+    for other in (0.5, Instant(0.5)):
+        with pytest.raises(TypeError):
+            moment - other
+        with pytest.raises(TypeError):
+            other - moment
+    assert moment.since(Instant(0.5)) == 0.5
 
 
 def targets(count: int) -> dict[str, Any]:
@@ -185,7 +281,7 @@ def test_targets_replace_the_set_and_are_at_most_1000() -> None:
 def test_predictions_that_are_not_read_give_way_and_are_counted() -> None:
     talk = Talk()
     for t in range(100):
-        talk.session.receive(json.dumps(events([t, t, 0, None, None, 0])), t)
+        talk.session.receive(json.dumps(events([t, t, 0, None, None, 0])), Instant(t))
     slow, newest = talk.hear()
     assert (slow["code"], slow["recoverable"]) == ("slow", True)
     assert slow["message"].startswith("99 ")
@@ -198,22 +294,22 @@ def test_predictions_that_are_not_read_give_way_and_are_counted() -> None:
 def test_predictions_that_nobody_reads_leave_the_memory_flat(greet: dict[str, Any]) -> None:
     """How long nobody reads is for the connection to notice: how many gave way says nothing of it."""
     talk = Talk(greet=greet, max_events_per_s=10**9)
-    frame = packed(*[ROW] * 100)
+    frame = packed(*[ROW] * 50)
     for _ in range(1000):
-        talk.session.receive(frame, 0.0)
+        talk.session.receive(frame, Instant(0.0))
         assert talk.closed is None
     slow, *newest = talk.hear()
-    assert slow["message"].startswith("99900 ")
-    assert len(newest) <= 100
+    assert slow["message"].startswith("49950 ")
+    assert len(newest) <= 50
     assert len(talk.say(events(ROW))) == 1
 
 
 def test_other_answers_that_are_not_read_end_the_session_too() -> None:
     talk = Talk()
     for k in range(1024):
-        talk.session.receive("{", k / 100)
+        talk.session.receive("{", Instant(k / 100))
     assert talk.closed is None
-    talk.session.receive("{", 10.24)
+    talk.session.receive("{", Instant(10.24))
     assert talk.closed == 1013
     assert len(talk.hear()) == 1026
 

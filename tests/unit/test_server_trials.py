@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import pickle
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 
 from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred.clock import Instant
 from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Conditions, Goal, Hello
-from pointpred.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits, ServerMessage
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, replay
 from pointpred_server.sessions.pointing import PointingSession
@@ -33,21 +34,19 @@ def greeting(name: str = "switched") -> dict[str, Any]:
     return hello(name, device={"cpi": CPI} if CPI else None, screen={"dpi": DPI})
 
 
-def scored(talk: Talk, number: int, form: Any = packed, frame: int = 1000, **marks: Any) -> dict[str, Any]:
+def scored(talk: Talk, number: int, frame: int = 64) -> dict[str, Any]:
     """Run a trial of the embedded sample through a session."""
-    talk.say({**START, **marks.get("start", {})})
-    rows = rows_of(number)
-    for first in range(0, len(rows), frame):
-        talk.say(form(*rows[first : first + frame]))
-    (score,) = talk.say({**END, **marks.get("end", {})})
+    talk.say(START)
+    talk.feed(rows_of(number), packed, frame)
+    (score,) = talk.say(END)
     found: dict[str, Any] = score
     return found
 
 
-@pytest.mark.parametrize("frame", [1, 7, 1000])
+@pytest.mark.parametrize("frame", [1, 7, 64])
 @pytest.mark.parametrize("name", ["switched", "kep-quartic-gated", "hold"])
 def test_the_score_is_that_of_the_offline_scorer(name: str, frame: int) -> None:
-    score = scored(Talk(greet=greeting(name)), 0, packed, frame)
+    score = scored(Talk(greet=greeting(name)), 0, frame)
     recording = Recording.of("one", [sample().rows(0)], [sample().trials[0]])
     prepared = prepare(recording, cpi=CPI, dpi=DPI, threads=1)
     errors = replay(prepared, build(name, cpi=CPI, dpi=DPI), threads=1)
@@ -71,9 +70,9 @@ def test_the_score_does_not_depend_on_what_was_before() -> None:
 
 def test_a_trial_starts_a_movement() -> None:
     talk, other = Talk(greet=greeting()), Talk(greet=greeting())
-    talk.say(packed(*rows_of(0)[:500]))
+    talk.feed(rows_of(0)[:500])
     assert talk.say(START) == []
-    assert talk.say(packed(*rows_of(1)[:500])) == other.say(packed(*rows_of(1)[:500]))
+    assert talk.feed(rows_of(1)[:500]) == other.feed(rows_of(1)[:500])
 
 
 def test_another_predictor_within_a_trial_scores_the_whole_trial() -> None:
@@ -82,8 +81,7 @@ def test_another_predictor_within_a_trial_scores_the_whole_trial() -> None:
     rows = rows_of(0)
     talk.say(packed(*rows[:30]))
     talk.say({"type": "configure", "predictor": "linear"})
-    for first in range(30, len(rows), 1000):
-        talk.say(packed(*rows[first : first + 1000]))
+    talk.feed(rows[30:])
     (score,) = talk.say(END)
     assert score == scored(Talk(greet=greeting("linear")), 0)
 
@@ -119,59 +117,20 @@ def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
     assert str(MOST_EVENTS) in str(score.reason)
 
 
-def test_a_score_is_work_for_the_caller_and_comes_before_later_answers() -> None:
-    talk, other = Talk(greet=greeting()), Talk(greet=greeting())
-    rows = packed(*rows_of(0)[:500])
-    for one in (talk, other):
-        one.say(START)
-        one.say(rows)
-    (score,) = other.say(END)
-    talk.session.receive(json.dumps(END), 0.0)
-    assert talk.session.work is not None
-    assert talk.hear() == [], "nothing was scored yet"
-    talk.session.receive(json.dumps({"type": "targets", "targets": []}), 0.0)  # a caller in a hurry
-    assert talk.session.work is None
-    assert talk.hear() == [score, {"type": "targets", "count": 0}]
-
-
-def test_work_shares_nothing_with_what_comes_after() -> None:
+def test_a_score_made_aside_shares_nothing_with_what_comes_after() -> None:
     talk, other = Talk(greet=greeting()), Talk(greet=greeting())
     score = scored(other, 0)
+    aside: list[Callable[[], ServerMessage]] = []
+    talk.session.run_aside = aside.append
     talk.say(START)
-    rows = rows_of(0)
-    for first in range(0, len(rows), 1000):
-        talk.say(packed(*rows[first : first + 1000]))
-    talk.session.receive(json.dumps(END), 0.0)
-    work, talk.session.work = talk.session.work, None  # another thread has not come to it
-    assert work is not None
-    talk.say({"type": "configure", "predictor": "linear"})
+    talk.feed(rows_of(0))
+    assert talk.say(END) == []
+    assert talk.say({"type": "configure", "predictor": "linear"})[0]["type"] == "welcome"
     talk.say(START)
     talk.say(events([1e6, 1.0, 2.0, None, None, 0]))
-    talk.hear()
-    talk.session.finish(work())
+    (work,) = aside
+    talk.session.send(work())
     assert talk.hear() == [score]
-
-
-def test_a_server_that_stops_finishes_the_score_first() -> None:
-    talk = Talk()
-    talk.say(START)
-    talk.session.receive(json.dumps(END), 0.0)
-    talk.session.stop("enough")
-    assert (talk.closed, talk.hear()) == (None, [])
-    assert talk.session.work is not None
-    talk.session.finish(talk.session.work())
-    assert [answer["type"] for answer in talk.hear()] == ["score", "bye"]
-    assert talk.closed == 1001
-
-
-def test_a_score_that_comes_after_the_end_is_not_said() -> None:
-    talk = Talk()
-    talk.say(START)
-    talk.session.receive(json.dumps(END), 0.0)
-    assert talk.session.work is not None
-    talk.session.connection_lost()
-    talk.session.finish(talk.session.work())
-    assert talk.hear() == []
 
 
 class Diary:
@@ -200,7 +159,7 @@ class Diary:
 @pytest.mark.parametrize("form", [events, packed])
 def test_who_looks_on_is_told_everything_that_was_taken_in(form: Any) -> None:
     diary, talk = Diary(), Talk(greet=False)
-    talk.session = PointingSession("name", Limits(), 0.0, observe=diary.open)
+    talk.session = PointingSession("name", Limits(), Instant(0.0), observe=diary.open)
     talk.say(events([0.0, 1.0, 1.0, None, None, 0]))
     talk.say(hello("linear"))
     rows = [[0.1 * i, 5.0 * i, 1.0, 3, 4, 0] for i in range(4)]

@@ -8,7 +8,7 @@ import msgspec
 
 from evidence.costs.load.generator import Counts, Group, Plan, hello, run
 from evidence.costs.load.servers import Server
-from evidence.machine import ALL, LAST
+from evidence.machine import LAST
 
 RATE_HZ = 1000.0
 LOADS = {1: "1 kHz", 8: "8 kHz in frames of 8"}
@@ -27,29 +27,22 @@ WINDOWS = 6
 
 
 class Series(msgspec.Struct, frozen=True):
-    """What answers: a build, on so many workers, with a predictor; ``""`` is an echo."""
+    """What answers: a build, with a predictor; ``""`` is an echo."""
 
     build: str
     server: Server
     predictor: str
-    workers: int = 1
 
     @property
     def name(self) -> str:
         """What answers, without the build."""
         return f"`{self.predictor}`" if self.predictor else "ASGI echo"
 
-    @property
-    def where(self) -> str:
-        """How much answers."""
-        return "one core" if self.workers == 1 else f"{self.workers} workers"
-
 
 class Point(msgspec.Struct, frozen=True):
     """One number of clients of a series."""
 
     build: str
-    where: str
     name: str
     size: int
     clients: int
@@ -86,12 +79,11 @@ def grows(counts: Counts) -> bool:
 def measured(series: Series, clients: int, size: int, seconds: float) -> Point:
     """One run."""
     plan = Plan((group(series, clients, size),), seconds, warm=0.3, drain=2.0, window=seconds / PARTS)
-    result = run(plan, LAST if series.workers == 1 else ALL)
+    result = run(plan, LAST)
     (counts,) = result.groups
     delay = counts.delay
     return Point(
         series.build,
-        series.where,
         series.name,
         size,
         clients,

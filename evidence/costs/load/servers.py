@@ -56,11 +56,9 @@ def checkout(commit: str) -> Path:
 
 
 @contextmanager
-def service(
-    *, cores: set[int] = FIRST, workers: int = 1, root: Path = ROOT, raised: bool = False
-) -> Iterator[Server]:
+def service(*, cores: set[int] = FIRST, root: Path = ROOT, raised: bool = False) -> Iterator[Server]:
     """``pointpred serve`` of the source tree in ``root``, once it is ready."""
-    words = ["-m", "pointpred", "serve", "--port", "0", *(["--workers", str(workers)] if workers > 1 else [])]
+    words = ["-m", "pointpred", "serve", "--port", "0"]
     limits = RAISED if raised else {"POINTPRED_MAX_SESSIONS": "1000"}
     path = os.pathsep.join((str(root), str(root / "server")))
     with _process(words, cores, root, {**limits, "PYTHONPATH": path}) as (process, lines):

@@ -19,6 +19,8 @@ HELLO_S = 10.0
 """A client sends hello within this time."""
 STANDSTILL_S = 1.0
 """A process that is late by more than this stood still: it was stopped, or the machine slept."""
+RETRY_S = 120.0
+"""What could not be delivered meanwhile, TCP sends again after as long as it has tried, at most so long."""
 SLOW = "the answers are not read"
 FAILED = "the server failed; the session ends"
 LOST = 1006
@@ -124,6 +126,8 @@ class Session:
                 self.fail("idle", f"expected 'hello' within {HELLO_S:g} s", 1008)
         elif silent_s > self.limits.idle_s:
             self.fail("idle", f"nothing was received for {self.limits.idle_s:g} s", 1008)
+        if late_s > STANDSTILL_S:
+            self.last_received = Instant(self.last_received.s + min(late_s, RETRY_S))
 
     def stop(self, reason: str) -> None:
         """The server stops."""

@@ -72,18 +72,18 @@ class PointingSession(Session):
         return self._stream.events if self._stream else 0
 
     def _receive(self, frame: str | bytes, now: Instant) -> None:
-        if isinstance(frame, bytes):
-            rows = rows_of_bytes(frame)
-        else:
-            try:
-                message = decode_client_message(frame)
-            except ProtocolError:
-                self._quota.take_message(now, len(frame))
-                raise
-            if not isinstance(message, Events):
-                self._handle(message, len(frame), now)
-                return
+        try:
+            message = rows_of_bytes(frame) if isinstance(frame, bytes) else decode_client_message(frame)
+        except ProtocolError:
+            self._quota.take_message(now, len(frame))
+            raise
+        if isinstance(message, list):
+            rows = message
+        elif isinstance(message, Events):
             rows = rows_of_message(message)
+        else:
+            self._handle(message, len(frame), now)
+            return
         self._quota.take_events(len(rows), now)
         error, dropped = self.stream.push(rows)
         if rows:

@@ -1,0 +1,55 @@
+"""Short messages, which the service reads by hand, are those that websockets reads."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+from uvicorn.config import Config
+from uvicorn.server import ServerState
+from websockets.frames import Frame, Opcode
+from websockets.protocol import State
+from websockets.server import ServerProtocol
+
+from pointpred_server.service import Service
+from pointpred_server.websocket_protocol import SHORT_BYTES, WebSocketProtocol
+
+PROTOCOL = WebSocketProtocol(Service(), Config(None), ServerState(), {})
+payload = st.text(max_size=SHORT_BYTES).map(str.encode) | st.binary(max_size=SHORT_BYTES + 5)
+frames = st.builds(Frame, st.sampled_from([Opcode.CONT, Opcode.TEXT, Opcode.BINARY]), payload, st.booleans())
+masked = frames.map(lambda frame: frame.serialize(mask=True))
+sent = st.lists(masked, max_size=2).map(b"".join) | st.binary(max_size=12)
+
+
+@given(sent, sent, st.integers(0, 200))
+def test_a_short_message_is_the_one_that_websockets_reads(before: bytes, data: bytes, cut: int) -> None:
+    """``before`` is what the last read left in the buffer."""
+    read, whole = PROTOCOL.get_buffer(0), data[: max(cut, 1)]
+    read[: len(before)] = before
+    read[: len(whole)] = whole
+    message = PROTOCOL._short_message(len(whole)) if whole else None
+    if message is None:
+        return
+    checked = ServerProtocol(state=State.OPEN)
+    checked.receive_data(whole)
+    (frame,) = checked.events_received()
+    assert isinstance(frame, Frame)
+    assert frame.fin
+    assert bytes(frame.data) == (message.encode() if isinstance(message, str) else message)
+    assert frame.opcode is (Opcode.TEXT if isinstance(message, str) else Opcode.BINARY)
+
+
+def test_short_messages_are_read_by_hand() -> None:
+    for opcode, data, message in (
+        (Opcode.TEXT, b"", ""),
+        (Opcode.TEXT, "ü".encode() * 62, "ü" * 62),
+        (Opcode.BINARY, bytes(range(SHORT_BYTES)), bytes(range(SHORT_BYTES))),
+    ):
+        frame = Frame(opcode, data).serialize(mask=True)
+        PROTOCOL.get_buffer(0)[: len(frame)] = frame
+        assert PROTOCOL._short_message(len(frame)) == message
+    assert PROTOCOL._short_message(1) is None
+
+
+def test_what_the_last_read_left_is_not_taken_for_a_length() -> None:
+    PROTOCOL.get_buffer(0)[:2] = b"\x81\x7b"  # 123 is what a payload of -5 bytes would have
+    assert PROTOCOL._short_message(1) is None
