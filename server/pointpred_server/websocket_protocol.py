@@ -259,7 +259,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         except Exception as error:
             self._fail(error)
         self.flush()
-        if session.outbox.predictions != predictions:
+        if session.outbox.predictions != predictions and not session.outbox.waiting:
             self._service.metrics.delays.observe(perf_counter() - at.s)
 
     def _fail(self, error: Exception) -> None:

@@ -75,7 +75,7 @@ def test_the_service_moves_the_cursor_as_the_library_does_bit_for_bit() -> None:
 def test_frames_of_any_length_and_either_encoding_give_the_same_cursor(encoding: str) -> None:
     rows, places = reach(), []
     for size in (1, 7, 120):
-        talk = Talk(greet={**asking(), "encoding": encoding})
+        talk = Talk(greet={**asking(), "encoding": encoding}, max_events_per_frame=120)
         for first in range(0, len(rows), size):
             part = rows[first : first + size]
             answers = talk.say(packed(*part) if encoding == "binary" else events(*part))
@@ -95,7 +95,7 @@ def test_without_strength_it_is_the_function_alone() -> None:
     ):
         table = np.array(rows)
         moved = PixelTransfer(function, cpi=CPI).run(table[:, 0], table[:, 3], table[:, 4])
-        answers = Talk(greet=asking(**assist)).say(events(*rows))
+        answers = Talk(greet=asking(**assist), max_events_per_frame=1000).say(events(*rows))
         assert cursors(answers) == [tuple(np.array(START) + moved.sum(axis=0))]
         assert answers[0]["added_px"] == 0.0
 
@@ -176,7 +176,7 @@ def test_a_frame_that_the_pipeline_refuses_changes_nothing(
 ) -> None:
     """Refused at event 55: in the middle of a frame, or alone in it."""
     rows = reach()
-    part = rows[first:] if first == 50 else rows[55:56]
+    part = rows[first : first + 60] if first == 50 else rows[55:56]
     talk, other = Talk(greet=asking()), Talk(greet=asking())
     for one in (talk, other):
         one.say(events(*rows[:first]))
@@ -231,7 +231,7 @@ def test_a_frame_in_which_a_law_fails_changes_nothing(count: int, monkeypatch: p
 
 def test_targets_and_trials_see_the_assisted_cursor() -> None:
     rows = reach()
-    talk = Talk(greet=asking())
+    talk = Talk(greet=asking(), max_events_per_frame=1000)
     talk.say(
         {"type": "targets", "targets": [{"id": "a", "x": 500.0, "y": 450.0, "width": 90.0, "height": 90.0}]}
     )

@@ -43,5 +43,5 @@ def test_who_does_not_ask_hears_no_cursor_over_a_real_socket() -> None:
         with service.greeted(plain) as socket:
             socket.send(json.dumps(events(*rows)))
             assert json.loads(socket.recv(PATIENCE_S)).keys() == {
-                "type", "t", "x", "y", "region", "phase", "remaining_s"
+                "type", "t", "x", "y", "region", "phase", "remaining_s", "remaining_spread"
             }  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import struct
-from functools import partial
 
 import pytest
 
@@ -12,7 +11,6 @@ import pointpred_server.websocket_protocol
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, PATIENCE_S, event, running, told
 
-DELAY = "pointpred_event_to_prediction_seconds"
 PACKED = HELLO[:-1] + ',"encoding":"binary","reply":"event"}'
 
 
@@ -35,7 +33,7 @@ def test_a_burst_within_the_limits_is_answered(
             socket.send(packed(64 * frame, 64))
         (session,) = here.service._open
         soon(lambda: session.outbox.predictions == 960 * 64, "every frame is taken in")
-        told_of = predicted = 0
+        told_of = 0
         while True:
             answer = socket.recv(PATIENCE_S)
             if isinstance(answer, str):
@@ -43,14 +41,11 @@ def test_a_burst_within_the_limits_is_answered(
                 assert (said["code"], said["recoverable"]) == ("slow", True)
                 told_of += int(said["message"].split()[0])
                 continue
-            predicted += 1
             if struct.unpack_from("<d", answer, len(answer) - 65)[0] == 1e-4 * (960 * 64 - 1):
                 break
         assert told_of == session.outbox.dropped_total > 10_000
         socket.send(packed(960 * 64, 1))
         assert struct.unpack_from("<d", socket.recv(PATIENCE_S))[0] == 1e-4 * 960 * 64
-        timed = partial(here.service.metrics.registry.get_sample_value, f"{DELAY}_count")
-        soon(lambda: timed() == predicted + 1, "every answer is timed, those that had to wait included")
 
 
 @pytest.mark.parametrize("predictor", ["switched", "hold"])

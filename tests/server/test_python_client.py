@@ -47,8 +47,8 @@ def test_every_prediction_is_that_of_the_batch(listener: Listener, encoding: str
             heard = connection.columns().table
             assert np.array_equal(heard, wanted[first : first + 500], equal_nan=True)
     with connect(listener.url, reply="frame", **options) as connection:
-        assert connection.send(MOVEMENT.rows(0, 300)) == 1
-        (newest,) = connection.predictions()
+        assert connection.send(MOVEMENT.rows(0, 300)) == 5, "frames of 64 events"
+        *_, newest = connection.predictions()
         assert newest.t == wanted[299, 0]
         x = math.nan if newest.x is None else newest.x
         assert np.array_equal(x, wanted[299, 1], equal_nan=True)
