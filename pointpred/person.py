@@ -16,7 +16,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.layout import Slot
-from pointpred.records import FloatArray
+from pointpred.records import BoolArray, FloatArray, IntArray
 from pointpred.stage import CompiledStage
 
 LARGEST = 16384
@@ -107,13 +107,21 @@ def _digest(body: bytes) -> bytes:
 
 def _bounds(slots: tuple[Slot, ...], known: FloatArray) -> str:
     """The first number that is not within the bounds of its slot, in words; empty where there is none."""
-    at = 0
-    for slot in slots:
-        values = known[at : at + slot.count]
-        outside = ~((values >= slot.low) & (values <= slot.high))
-        if outside.any():
-            return f"{slot.name} must lie in [{slot.low:g}, {slot.high:g}], is {values[outside][0]:g}"
-        if slot.whole and (values != np.floor(values)).any():
-            return f"{slot.name} must be whole, is {values[0]:g}"
-        at += slot.count
-    return ""
+    low, high, whole, slot_of = _each_bound(slots)
+    inside = (known >= low) & (known <= high)
+    wrong = ~inside | (whole & (known != np.floor(known)))
+    if not wrong.any():
+        return ""
+    place = int(wrong.argmax())
+    slot, value = slots[slot_of[place]], known[place]
+    if inside[place]:
+        return f"{slot.name} must be whole, is {value:g}"
+    return f"{slot.name} must lie in [{slot.low:g}, {slot.high:g}], is {value:g}"
+
+
+@cache
+def _each_bound(slots: tuple[Slot, ...]) -> tuple[FloatArray, FloatArray, BoolArray, IntArray]:
+    """Of each number: the lowest and highest value, whether it is whole, and the place of its slot."""
+    slot_of = np.repeat(np.arange(len(slots)), [slot.count for slot in slots])
+    low, high = (np.array([[slot.low, slot.high] for slot in slots])[slot_of]).T
+    return low, high, np.array([slot.whole for slot in slots])[slot_of], slot_of
