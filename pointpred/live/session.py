@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from math import log10
@@ -10,6 +9,7 @@ from threading import Event
 
 import msgspec
 
+from pointpred.clock import NEVER, Instant, now
 from pointpred.devices.cursor_paths import CursorPath, MotorPath, Space
 from pointpred.devices.first_moving import moves
 from pointpred.devices.source import DeviceSource
@@ -60,8 +60,7 @@ class LiveSession:
     integrates the counts and says so in ``words``. ``pipeline`` is any stage from events to predictions: the
     step is the one that runs everywhere. One thread drives a session, others may ask for ``state`` and read
     ``newest``. Memory is bounded over any time. Limitation: reports that the source lost leave a hole in a
-    path that integrates. ``clock`` is that of sources that call theirs monotonic: ``time.perf_counter``,
-    which is finer than ``time.monotonic`` on Windows and the same elsewhere.
+    path that integrates. ``clock`` is that of sources that call theirs monotonic.
 
     >>> from types import SimpleNamespace
     >>> from pointpred import build
@@ -80,7 +79,7 @@ class LiveSession:
         pipeline: Stage[PointerEvent, Prediction | None],
         *,
         watchers: Sequence[Watcher] = (),
-        clock: Callable[[], float] = time.perf_counter,
+        clock: Callable[[], Instant] = now,
     ) -> None:
         self.source = source
         self.path = path or MotorPath()
@@ -96,7 +95,7 @@ class LiveSession:
         self.note: Callable[[], str | None] = lambda: None
         """What ``state`` says of the device in words; replace it to say something."""
         self._why: str | None = None
-        self._last_t = self._reported_at = float("-inf")
+        self._last_t, self._reported_at = float("-inf"), NEVER
         self._clock = clock
         self.delays = DelayHistogram()
         """From a report's stamp to its prediction, over the whole session."""
@@ -136,7 +135,7 @@ class LiveSession:
                 continue
             pairs.append((event, prediction))
             if comparable and event.t > self._last_t:  # not for a correction of an earlier place
-                delay = self._clock() - event.t
+                delay = self._clock().since(Instant(event.t))
                 self.delays.add(delay)
                 self._recent.add(event.t, delay)
             self._last_t = event.t
@@ -159,12 +158,12 @@ class LiveSession:
 
     def state(self) -> LiveState:
         """Counts, rates and delays now; any thread may ask."""
-        source, recent, now = self.source, self._recent, self._clock()
+        source, recent, moment = self.source, self._recent, self._clock()
         return LiveState(
             source.plugged,
             self.reports,
-            self._pace.rate(now),
-            now - self._reported_at,
+            self._pace.rate(moment),
+            moment.since(self._reported_at),
             source.lost,
             source.unreadable,
             source.resynchronised,
@@ -251,22 +250,22 @@ class ReportRate:
 
     >>> pace = ReportRate()
     >>> for i in range(3000):
-    ...     pace.add(0.001 * i, 1)
-    >>> 970 <= pace.rate(3.0) <= 1030, pace.rate(9.0)
+    ...     pace.add(Instant(0.001 * i), 1)
+    >>> 970 <= pace.rate(Instant(3.0)) <= 1030, pace.rate(Instant(9.0))
     (True, 0.0)
     """
 
     def __init__(self) -> None:
-        self._pieces: deque[tuple[float, int]] = deque(maxlen=2 + int(SPAN_S / PIECE_S))
+        self._pieces: deque[tuple[Instant, int]] = deque(maxlen=2 + int(SPAN_S / PIECE_S))
 
-    def add(self, now: float, count: int) -> None:
-        """So many came at ``now`` s."""
+    def add(self, at: Instant, count: int) -> None:
+        """So many came at this moment."""
         pieces = self._pieces
-        if pieces and now - pieces[-1][0] < PIECE_S:
+        if pieces and at.since(pieces[-1][0]) < PIECE_S:
             pieces[-1] = (pieces[-1][0], pieces[-1][1] + count)
         else:
-            pieces.append((now, count))
+            pieces.append((at, count))
 
-    def rate(self, now: float) -> float:
-        """So many a second, seen from ``now`` s."""
-        return sum(count for at, count in tuple(self._pieces) if now - at < SPAN_S) / SPAN_S
+    def rate(self, seen: Instant) -> float:
+        """So many a second, seen from this moment."""
+        return sum(count for at, count in tuple(self._pieces) if seen.since(at) < SPAN_S) / SPAN_S

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PointerEvent, build, run
+from pointpred.clock import Instant
 from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
 from pointpred.live.session import DelayHistogram, LiveSession, ReportRate
@@ -82,7 +83,7 @@ def test_what_the_source_lost_is_part_of_the_state() -> None:
 
 
 def test_delays_run_from_the_stamp_to_the_prediction() -> None:
-    moments = iter([10.0, 10.25, 10.5, 11.0, 11.0])
+    moments = map(Instant, [10.0, 10.25, 10.5, 11.0, 11.0])
     reports = [Report(10.0, 1, 0), Report(10.2, 1, 0)]
     session = LiveSession(FakeMouse(reports), None, build("hold"), clock=lambda: next(moments))
     session.advance(0.0)
@@ -97,7 +98,7 @@ def test_a_place_that_is_corrected_later_is_no_late_prediction() -> None:
         def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
             return super().events(reports) or [PointerEvent(10.0, 7.0, 0.0, 0.0, 0.0)]
 
-    moments = iter([10.0, 10.001, 12.0, 12.0])
+    moments = map(Instant, [10.0, 10.001, 12.0, 12.0])
     session = LiveSession(
         FakeMouse([Report(10.0, 1, 0)]), Corrected(), build("hold"), clock=lambda: next(moments)
     )
@@ -168,7 +169,7 @@ def test_percentiles_bound_the_share_they_name() -> None:
 def test_a_rate_forgets_what_is_older_than_a_second() -> None:
     pace = ReportRate()
     for i in range(8000):
-        pace.add(i / 8000, 1)
-    assert pace.rate(1.0) == pytest.approx(8000, rel=0.03)
-    assert pace.rate(1.5) == pytest.approx(4000, rel=0.05)
-    assert pace.rate(2.1) == 0.0
+        pace.add(Instant(i / 8000), 1)
+    assert pace.rate(Instant(1.0)) == pytest.approx(8000, rel=0.03)
+    assert pace.rate(Instant(1.5)) == pytest.approx(4000, rel=0.05)
+    assert pace.rate(Instant(2.1)) == 0.0
