@@ -150,7 +150,7 @@ def service(tree: Tree) -> dict[str, Any]:
         command(["serve", "--port", str(port)])
     client.join()
     shortest = min(tries, key=lambda calls: len(set(calls)))
-    first = next(i for i, (_, name) in enumerate(shortest) if name.endswith(".data_received"))
+    first = next(i for i, (_, name) in enumerate(shortest) if name.endswith((".buffer_updated", ".data_received")))
     trace.calls = shortest[first:]
     return {"an event in JSON to its answer": trace.counts()}
 
@@ -173,10 +173,11 @@ def command(words: list[str]) -> None:
 
 def target(tree: Tree) -> dict[str, Any]:
     """An event in JSON to its answer where one target is known, in the session: without a socket."""
-    session = tree.named("PointingSession")("traced", tree.named("Limits")(), 0.0)
+    at = tree.named("Instant")
+    session = tree.named("PointingSession")("traced", tree.named("Limits")(), at(0.0))
 
     def send(message: str, t: float) -> None:
-        session.receive(message, t)
+        session.receive(message, at(t))
         list(session.outbox.take())
 
     send(HELLO, 0.0)
@@ -190,7 +191,7 @@ def target(tree: Tree) -> dict[str, Any]:
         0.3,
     )
     with Trace(tree, parts=True) as trace:
-        session.receive(events(0.32, 125.0, 73.0), 0.32)
+        session.receive(events(0.32, 125.0, 73.0), at(0.32))
         list(session.outbox.take())
     return {"the same with one target, in the session": trace.counts()}
 
