@@ -150,7 +150,9 @@ def service(tree: Tree) -> dict[str, Any]:
         command(["serve", "--port", str(port)])
     client.join()
     shortest = min(tries, key=lambda calls: len(set(calls)))
-    first = next(i for i, (_, name) in enumerate(shortest) if name.endswith((".buffer_updated", ".data_received")))
+    first = next(
+        i for i, (_, name) in enumerate(shortest) if name.endswith((".buffer_updated", ".data_received"))
+    )
     trace.calls = shortest[first:]
     return {"an event in JSON to its answer": trace.counts()}
 

@@ -11,6 +11,7 @@ import typer
 from rich.live import Live
 
 from pointpred.cli.output_files import AsJson, print_json
+from pointpred.clock import now
 from pointpred.console import counted, plain, remark, results, table
 from pointpred.devices.screen_cursor import CursorSource
 from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
@@ -168,7 +169,7 @@ class DeviceWatch:
     def add(self, reports: list[Report]) -> None:
         """Count some reports."""
         self.reports += len(reports)
-        self._pace.add(time.monotonic(), len(reports))
+        self._pace.add(now(), len(reports))
         for report in reports:
             self.x += report.dx
             self.y += report.dy
@@ -183,7 +184,7 @@ class DeviceWatch:
         return [
             ("device", f"{source.path} ({source.name})" + ("" if source.plugged else ": unplugged, waiting")),
             ("reports", f"{self.reports}"),
-            ("a second", f"{self._pace.rate(time.monotonic()):.0f}"),
+            ("a second", f"{self._pace.rate(now()):.0f}"),
             ("x, y", f"{self.x:+.0f}, {self.y:+.0f} {self._unit}"),
             ("wheel, pan", f"{self.wheel:+.0f}, {self.pan:+.0f} steps"),
             ("pressed", ", ".join(pressed) or "none"),

@@ -33,13 +33,14 @@ class JsonLines(logging.Formatter):
         return json.dumps(entry | fields_of(record))
 
 
-def set_up(style: Literal["json", "text"] | None = None) -> None:
+def set_up(style: Literal["json", "text"] | None = None) -> Literal["json", "text"]:
     """Send every entry of this process to stderr: ours from info on, others' from warning on.
 
-    Without a style it is text where stderr is a terminal, JSON elsewhere.
+    Without a style it is text where stderr is a terminal, JSON elsewhere. Returns the style.
     """
     style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(JsonLines() if style == "json" else PlainLines())
     logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
     logging.getLogger(OWN).setLevel(logging.INFO)
+    return style

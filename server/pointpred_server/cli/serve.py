@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from pathlib import Path
 from socket import socket
 from typing import TYPE_CHECKING, Annotated, Any
@@ -110,11 +111,12 @@ def serve(
     from pointpred_server.service import Service
 
     settings = settings_of(options).guarded()
-    set_up(settings.log_format)
+    style = set_up(settings.log_format)
     opened = open_port(settings)
     if settings.port is None and opened.getsockname()[1] != PORT:
         remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
-    starting = ServiceStart(settings, address(settings.host, opened))
+    say = logging.getLogger("pointpred.service").info if style == "json" else None
+    starting = ServiceStart(settings, address(settings.host, opened), say)
     service = Service(settings)
     if settings.metrics_port is not None:
         starting.tell_metrics(serve_metrics(service, settings.metrics_port))

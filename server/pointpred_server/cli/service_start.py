@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, TextIO
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -14,15 +15,15 @@ if TYPE_CHECKING:
 
 
 class ServiceStart:
-    """Prints the settings, the address, and that the page can be used.
+    """Says the settings, the address, and that the page can be used.
 
-    The address goes to stdout, all else to ``screen``.
+    The address goes to stdout; all else is ``said``: on stderr, or as entries of a log that is JSON.
     """
 
-    def __init__(self, settings: Settings, address: str, screen: TextIO | None = None) -> None:
+    def __init__(self, settings: Settings, address: str, say: Callable[[str], None] | None = None) -> None:
         self.settings = settings
         self.address = address
-        self._screen = screen or sys.stderr
+        self._say = say or _on_stderr
         self._say(f"Settings: {changed_settings(settings)}")
 
     def announce(self) -> None:
@@ -35,9 +36,10 @@ class ServiceStart:
         """Where Prometheus finds the metrics."""
         self._say(f"Metrics: http://127.0.0.1:{port}/metrics")
 
-    def _say(self, words: str) -> None:
-        self._screen.write(plain(words) + "\n")
-        self._screen.flush()
+
+def _on_stderr(words: str) -> None:
+    sys.stderr.write(plain(words) + "\n")
+    sys.stderr.flush()
 
 
 def changed_settings(settings: Settings) -> str:
