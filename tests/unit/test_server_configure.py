@@ -185,6 +185,14 @@ def test_a_configure_that_is_refused_changes_nothing(wrong: dict[str, Any]) -> N
     assert talk.session.stream.precision is None
 
 
+def test_a_configure_that_is_refused_leaves_assistance_as_it_was() -> None:
+    rows = [[0.01 * i, 0.0, 0.0, 3 * i, i, 0] for i in range(20)]
+    greet = hello("linear", device={"cpi": 800}, assist={"strength": 1.0})
+    talk, other = Talk(greet=greet), Talk(greet=greet)
+    talk.error(configure(assist={"strength": 0.0, "function": "constant", "gain": 9.0}, parameters={"x": 1}))
+    assert talk.feed(rows) == other.feed(rows)
+
+
 def test_the_precision_is_remembered() -> None:
     talk = Talk()
     for precision in (0.0, 0.9, 1.0):
