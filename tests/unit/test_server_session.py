@@ -197,6 +197,7 @@ def test_time_in_which_the_process_stood_still_is_no_silence(late_s: float, clos
 def test_after_a_standstill_tcp_may_need_as_long_again() -> None:
     talk = Talk(idle_s=10.0)
     talk.session.tick(Instant(50.0), late_s=50.0)
+    talk.say(events(ROW), 50.1)
     talk.session.tick(Instant(110.0))
     assert talk.closed is None
     talk.session.tick(Instant(110.1))
