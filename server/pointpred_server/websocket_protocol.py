@@ -185,9 +185,10 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
             self._take(frame, at)
         self._send()
         if frames.state is not State.OPEN and self.session is not None:
-            ended = frames.close_rcvd or frames.close_sent  # it left, or broke a rule of WebSockets
-            if ended is not None:
-                self.session.end(ended.code, ended.reason)
+            if frames.close_rcvd is not None:  # its code says nothing of the session: a tab was closed
+                self.session.connection_lost()
+            elif (broken := frames.close_sent) is not None:  # a rule of WebSockets
+                self.session.end(broken.code, broken.reason)
 
     def _short_message(self, nbytes: int) -> str | bytes | None:
         """What was read where that is one short message in one frame: a fifth of the time of all checks.
