@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-from evidence.reference.asyncapi import schemas
 from pointpred import REGISTRY, PointerEvent, build
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.protocol.client_messages import Hello
@@ -210,12 +209,3 @@ def test_configure_counts_on() -> None:
     assert talk.session.state == "streaming"
     assert talk.session.stream is not None
     assert talk.session.stream.events == 200
-
-
-def test_the_schemas_name_every_message() -> None:
-    assert schemas()["Screen"]["properties"]["dpi"] == {
-        "type": "number",
-        "minimum": 1.0,
-        "maximum": 1e5,
-        "default": 96.0,
-    }
