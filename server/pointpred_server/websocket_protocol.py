@@ -28,7 +28,7 @@ from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Code, ErrorMessage, ServerMessage, encode
 from pointpred_server.access import HOST_REFUSED, Scope, admits_origin, believe_proxy, header, origin_advice
 from pointpred_server.service import Refusal, Service
-from pointpred_server.sessions.lifecycle import RETRY_S, SLOW, STANDSTILL_S, Session
+from pointpred_server.sessions.lifecycle import LOST, SLOW, STANDSTILL_S, Session
 
 log = logging.getLogger("pointpred.service")
 
@@ -45,6 +45,8 @@ STUCK_S = 10.0
 """A session ends whose client has read too little for so long, although answers wait."""
 LINGER_S = 5.0
 """So long a client may take to read its last frames and close."""
+STOP_LINGER_S = 3.0
+"""So long where the service stops: less than uvicorn waits."""
 PING_S, PONG_S = 20.0, 20.0
 """A client that sends nothing for so long is asked whether it is there, and is gone where nothing comes."""
 
@@ -55,6 +57,8 @@ SHORT_BYTES, HEAD_BYTES = 125, 6
 """Payloads up to this have their length in the second byte; then the mask and the payload follow."""
 STOPS = "the server stops"
 """What clients are told at the end."""
+CLEAN = (1000, 1001, 1005)
+"""Codes of a client that leaves in order; others would be any label of a metric that a client likes."""
 PATHS = ("/v1/stream", "/v1/live")
 NO_REQUEST = b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
 NO_DEVICE = (
@@ -193,7 +197,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         if session is None or session.close is not None:
             return
         if left is not None:
-            session.end(left.code, left.reason)
+            session.end(left.code if left.code in CLEAN else LOST, "the client has left")
         elif sent is not None and sent.code == CloseCode.MESSAGE_TOO_BIG:
             session.fail("too_large", f"a message holds at most {MESSAGE_BYTES} bytes", sent.code)
         elif sent is not None:
@@ -309,7 +313,8 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
     def _linger(self) -> None:
         """Abort the connection where the client does not close it in time."""
         if self._closing is None:
-            self._closing = self._loop.call_later(LINGER_S, self._transport.abort)
+            seconds = STOP_LINGER_S if self._service.stopping else LINGER_S
+            self._closing = self._loop.call_later(seconds, self._transport.abort)
 
     def _run_aside(self, work: Callable[[], ServerMessage]) -> None:
         """Have another thread do what takes long, and send what comes of it."""
@@ -335,14 +340,14 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         if session is None or session.close is not None:
             return
         if late_s > STANDSTILL_S:
-            self._paused_at, self._heard_at = at, Instant(at.s + min(late_s, RETRY_S))
+            self._paused_at = self._heard_at = at
         try:
             session.tick(at, late_s)
         except Exception as error:
             self._fail(error)
         if not self._can_write and at.since(self._paused_at) >= STUCK_S:
             session.fail("slow", SLOW, 1013)
-        silent_s = at.since(self._heard_at)
+        silent_s = at.since(max(self._heard_at, session.patient_until))
         if silent_s >= PING_S + PONG_S:
             session.end(1011, "nothing comes, not even the answer to a ping")
         elif silent_s < PING_S:
@@ -377,6 +382,10 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
     def shutdown(self) -> None:
         """Uvicorn stops: tell the client."""
         self._service.stopping = True
+        if self._closing is not None:
+            self._closing.cancel()
+            self._closing = None
+            self._linger()
         if self.session is None:
             self._transport.close()
         else:

@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-from evidence.reference.asyncapi import schemas
 from pointpred import REGISTRY, PointerEvent, build
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.protocol.client_messages import Hello
@@ -185,6 +184,14 @@ def test_a_configure_that_is_refused_changes_nothing(wrong: dict[str, Any]) -> N
     assert talk.session.stream.precision is None
 
 
+def test_a_configure_that_is_refused_leaves_assistance_as_it_was() -> None:
+    rows = [[0.01 * i, 0.0, 0.0, 3 * i, i, 0] for i in range(20)]
+    greet = hello("linear", device={"cpi": 800}, assist={"strength": 1.0})
+    talk, other = Talk(greet=greet), Talk(greet=greet)
+    talk.error(configure(assist={"strength": 0.0, "function": "constant", "gain": 9.0}, parameters={"x": 1}))
+    assert talk.feed(rows) == other.feed(rows)
+
+
 def test_the_precision_is_remembered() -> None:
     talk = Talk()
     for precision in (0.0, 0.9, 1.0):
@@ -202,12 +209,3 @@ def test_configure_counts_on() -> None:
     assert talk.session.state == "streaming"
     assert talk.session.stream is not None
     assert talk.session.stream.events == 200
-
-
-def test_the_schemas_name_every_message() -> None:
-    assert schemas()["Screen"]["properties"]["dpi"] == {
-        "type": "number",
-        "minimum": 1.0,
-        "maximum": 1e5,
-        "default": 96.0,
-    }

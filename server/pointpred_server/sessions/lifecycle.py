@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from msgspec import Struct
 
-from pointpred.clock import Instant
+from pointpred.clock import NEVER, Instant
 from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Bye
 from pointpred.protocol.errors import ProtocolError
@@ -68,6 +68,8 @@ class Session:
         """What was refused, by error code: events that run backwards, frames for all else."""
         self.last_received = now
         """When the client last sent something."""
+        self.patient_until = NEVER
+        """No silence counts before: the process stood still, and the client may not know that it goes on."""
         self.run_aside: Callable[[Callable[[], ServerMessage]], None] = lambda work: self.send(work())
         """Has work done that takes long, in another thread where one is given, and sends what comes of it."""
         self._quota = Quota(limits, now, address)
@@ -120,14 +122,14 @@ class Session:
         if late_s > STANDSTILL_S:
             self.last_received = Instant(self.last_received.s + late_s)
             self._quota.extend(late_s)
-        silent_s = now.since(self.last_received)
+        silent_s = now.since(max(self.last_received, self.patient_until))
         if self.state is State.CONNECTING:
             if silent_s > HELLO_S:
                 self.fail("idle", f"expected 'hello' within {HELLO_S:g} s", 1008)
         elif silent_s > self.limits.idle_s:
             self.fail("idle", f"nothing was received for {self.limits.idle_s:g} s", 1008)
         if late_s > STANDSTILL_S:
-            self.last_received = Instant(self.last_received.s + min(late_s, RETRY_S))
+            self.patient_until = Instant(now.s + min(late_s, RETRY_S))
 
     def stop(self, reason: str) -> None:
         """The server stops."""

@@ -207,15 +207,15 @@ class PredictionStream:
             assist=message.assist or self.hello.assist,
             places=self.hello.places if message.places is None else message.places,
         )
-        if message.assist is not None and self.assistance is not None:
-            before, self.assistance = self.assistance, Assistance(hello, message.assist)
-            self.assistance.follow(before)
         if another or message.parameters:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, self.pipeline.person)
             self.pipeline = pipeline
             self._forget()
+        if message.assist is not None and self.assistance is not None:
+            before, self.assistance = self.assistance, Assistance(hello, message.assist)
+            self.assistance.follow(before)
         self._answer_as(hello)
         if not hello.places:
             self._leave_places()

@@ -1,7 +1,8 @@
-"""Short messages, which the service reads by hand, are those that websockets reads."""
+"""The socket's side: short messages, which are read by hand, and what a client's close frame means."""
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from uvicorn.config import Config
@@ -12,6 +13,8 @@ from websockets.server import ServerProtocol
 
 from pointpred_server.service import Service
 from pointpred_server.websocket_protocol import SHORT_BYTES, WebSocketProtocol
+from tests.server.listener import soon
+from tests.server.running import running
 
 PROTOCOL = WebSocketProtocol(Service(), Config(None), ServerState(), {})
 payload = st.text(max_size=SHORT_BYTES).map(str.encode) | st.binary(max_size=SHORT_BYTES + 5)
@@ -53,3 +56,16 @@ def test_short_messages_are_read_by_hand() -> None:
 def test_what_the_last_read_left_is_not_taken_for_a_length() -> None:
     PROTOCOL.get_buffer(0)[:2] = b"\x81\x7b"  # 123 is what a payload of -5 bytes would have
     assert PROTOCOL._short_message(1) is None
+
+
+@pytest.mark.parametrize(("code", "counted"), [(1000, "1000"), (1001, "1001"), (4321, "1006")])
+def test_a_client_that_leaves_in_order_is_counted_as_that(code: int, counted: str) -> None:
+    """Codes of its own are no labels of metrics."""
+    with running() as here:
+        with here.connect() as socket:
+            socket.close(code)
+            assert socket.close_code == code
+        soon(lambda: not here.service.metrics.sessions._value.get(), "the session has ended")
+        (ended,) = here.service.metrics.ended.collect()
+        codes = {one.labels["code"]: one.value for one in ended.samples if one.name.endswith("_total")}
+        assert codes == {counted: 1.0}
