@@ -6,7 +6,6 @@ from typing import Any
 
 import msgspec
 from fastapi import Request, Response
-from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 
 from pointpred.protocol.errors import ProtocolError
@@ -49,9 +48,10 @@ def error_response(
     return Response(encode(error), status, media_type="application/json")
 
 
-def crosses_sites(headers: Headers) -> bool:
+def crosses_sites(request: Request) -> bool:
     """Whether another site's page asks; somebody who follows its link to our page does not."""
-    return headers.get("sec-fetch-site") == "cross-site" and headers.get("sec-fetch-mode") != "navigate"
+    followed = request.method in READ and request.headers.get("sec-fetch-mode") == "navigate"
+    return request.headers.get("sec-fetch-site") == "cross-site" and not followed
 
 
 async def guard(request: Request, forward: Any) -> Response:
@@ -59,7 +59,7 @@ async def guard(request: Request, forward: Any) -> Response:
     service, path = request.app.state.service, request.url.path
     if not service.hosts.admits(request.scope):
         response = error_response("unauthorized", HOST_REFUSED, 403)
-    elif crosses_sites(request.headers) and not path.startswith(CLIENT):
+    elif crosses_sites(request) and not path.startswith(CLIENT):
         response = error_response("unauthorized", "pages of another site may not ask for this", 403)
     elif not path.startswith(OPEN) and not service.has_token(request.scope):
         response = error_response("unauthorized", TOKEN_NEEDED, 401)

@@ -48,8 +48,7 @@ def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal:
         with chromium.tab(f"{origin}/cards.html") as page:
             places = page.evaluate(f"({WATCH})()")
             assert len(places) == 4
-            sessions = service.service.metrics.text
-            soon(lambda: "pointpred_sessions 1.0" in sessions().decode(), "the page's session")
+            soon(lambda: len(service.service._open) == 1, "the page's session")
             x, y = (places[goal][a] + places[goal][b] / 2 for a, b in (("x", "width"), ("y", "height")))
             s = np.linspace(0.0, 1.0, 60)
             way = 10 * s**3 - 15 * s**4 + 6 * s**5

@@ -184,7 +184,7 @@ def test_a_movement_has_its_choice_at_entry_at_the_latest(
         rows = np.array(page.evaluate("rows"))
         events = EventColumns.of(rows[:, 0], rows[:, 1], rows[:, 2], buttons=rows[:, 3])
         on_grid = [Target(p.id, *(round(64 * v) / 64 for v in (p.x, p.y, p.width, p.height))) for p in places]
-        changes, _ = Chooser(on_grid).follow(events.table, run(build(RECOMMENDED), events).table, last=0)
+        changes, *_ = Chooser(on_grid).follow(events.table, run(build(RECOMMENDED), events).table, last=0)
         decided = [{"id": one.id, "action": one.action, "reason": one.reason, "t": t} for t, one in changes]
         wanted = until_left(decided, page.evaluate("over"))
         soon(lambda: len(page.evaluate("heard.choice")) >= len(wanted), "every choice")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 import subprocess
@@ -22,17 +23,22 @@ pytestmark = browser.needed
 
 
 @pytest.fixture
-def url() -> Iterator[str]:
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as service:
+def served() -> Iterator[tuple[str, str]]:
+    """The addresses of the page and of the metrics of a service in a process of its own."""
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--metrics-port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as service:
         assert service.stdout is not None
-        yield service.stdout.readline().strip()
+        assert service.stderr is not None
+        said = json.loads(next(line for line in service.stderr if "Metrics: " in line))["message"]
+        yield service.stdout.readline().strip(), said.removeprefix("Metrics: ")
         service.terminate()
 
 
-def test_the_service_counts_every_event_of_a_page(url: str, tmp_path: Path) -> None:
+def test_the_service_counts_every_event_of_a_page(served: tuple[str, str], tmp_path: Path) -> None:
+    url, metrics = served
+
     def counted() -> float:
-        with urlopen(f"{url}metrics") as answer:
+        with urlopen(metrics) as answer:
             found = re.search(r"^pointpred_events_total (\S+)$", answer.read().decode(), re.MULTILINE)
         return float(found[1]) if found else 0.0
 
