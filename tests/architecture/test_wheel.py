@@ -23,7 +23,7 @@ NEEDED = 77  # the first setuptools that reads a licence expression
 INSTALLED = int(importlib.metadata.version("setuptools").split(".")[0])
 LEFT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "build", "dist", "tests")
 OPTIONAL = {
-    *("fastapi", "httptools", "prometheus_client", "pydantic_settings", "starlette", "uvicorn", "uvloop"),
+    *("fastapi", "prometheus_client", "pydantic_settings", "starlette", "uvicorn", "uvloop"),
     *("websockets", "hidraw", "Xlib", "pylsl"),
     *("clarabel", "cvxpy", "sympy", "cv2"),
 }
