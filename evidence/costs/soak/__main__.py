@@ -7,6 +7,7 @@ with Ctrl-C and judges what it has, and exits with 1 where something wanted does
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 import sys
@@ -43,7 +44,8 @@ LOST = "pointpred_recorder_events_lost_total"
 @contextmanager
 def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str], int]]:
     """A service that records, ready to answer; and its port."""
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--record", str(recordings)]
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--metrics-port", "0"]
+    command += ["--record", str(recordings)]
     with log.open("w", encoding="utf-8") as errors:
         process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=errors, text=True, start_new_session=True
@@ -146,9 +148,11 @@ class Soak:
         time.sleep(0.5)  # for the last lines to be read
 
 
-def lost_events(port: int) -> int:
-    """Events that the recorder lost, by the service's own count."""
-    with urlopen(f"http://127.0.0.1:{port}/metrics") as answer:
+def lost_events(log: Path) -> int:
+    """Events that the recorder lost, by the service's own count; ``log`` says where that is."""
+    address = re.search(r"^Metrics: (http\S+)$", log.read_text(encoding="utf-8"), re.MULTILINE)
+    assert address is not None
+    with urlopen(address[1]) as answer:
         lines = answer.read().decode().splitlines()
     return int(next(float(line.split()[1]) for line in lines if line.startswith(LOST)))
 
@@ -182,7 +186,7 @@ def main(minutes: float, file: Path = FILE) -> int:
                 soak.wrong.append(str(error))
             soak.stop()
             time.sleep(SETTLE_S)
-            after, lost = soak.look(), lost_events(port)
+            after, lost = soak.look(), lost_events(log)
         if process.returncode not in {0, -signal.SIGTERM}:
             soak.wrong.append(f"the service ended with {process.returncode}")
         soak.wrong += errors_in(log)
