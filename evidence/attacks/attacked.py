@@ -113,7 +113,7 @@ def long_queries(port: int, until: float) -> int:
     """Requests with 30,000 empty parameters."""
 
     def ask(one: socket.socket) -> None:
-        one.sendall(b"GET /metrics?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        one.sendall(b"GET /v1/samples?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
         one.recv(4096)
 
     return again(port, until, ask)

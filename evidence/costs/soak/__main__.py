@@ -7,7 +7,7 @@ with Ctrl-C and judges what it has, and exits with 1 where something wanted does
 
 from __future__ import annotations
 
-import json
+import re
 import signal
 import subprocess
 import sys
@@ -42,10 +42,10 @@ LOST = "pointpred_recorder_events_lost_total"
 
 
 @contextmanager
-def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str], int, str]]:
-    """A service that records, ready to answer; its port, and the address of its metrics."""
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--record", str(recordings)]
-    command += ["--metrics-port", "0", "--log-format", "json"]
+def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str], int]]:
+    """A service that records, ready to answer; and its port."""
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--metrics-port", "0"]
+    command += ["--record", str(recordings)]
     with log.open("w", encoding="utf-8") as errors:
         process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=errors, text=True, start_new_session=True
@@ -56,9 +56,7 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             if not address:
                 raise SystemExit(f"the service did not start: {log.read_text(encoding='utf-8')[-500:]}")
             wait_until_ready(address)
-            entries = map(json.loads, log.read_text(encoding="utf-8").splitlines())
-            told = next(one["message"] for one in entries if one["message"].startswith("Metrics: "))
-            yield process, int(address.rstrip("/").rpartition(":")[2]), told.removeprefix("Metrics: ")
+            yield process, int(address.rstrip("/").rpartition(":")[2])
         finally:
             process.terminate()
             process.wait(60)
@@ -150,9 +148,11 @@ class Soak:
         time.sleep(0.5)  # for the last lines to be read
 
 
-def lost_events(metrics: str) -> int:
-    """Events that the recorder lost, by the service's own count."""
-    with urlopen(metrics) as answer:
+def lost_events(log: Path) -> int:
+    """Events that the recorder lost, by the service's own count; ``log`` says where that is."""
+    address = re.search(r"^Metrics: (http\S+)$", log.read_text(encoding="utf-8"), re.MULTILINE)
+    assert address is not None
+    with urlopen(address[1]) as answer:
         lines = answer.read().decode().splitlines()
     return int(next(float(line.split()[1]) for line in lines if line.startswith(LOST)))
 
@@ -175,7 +175,7 @@ def main(minutes: float, file: Path = FILE) -> int:
     with tempfile.TemporaryDirectory(prefix="pointpred-soak-") as folder:
         recordings, scratch, log = (Path(folder) / name for name in ("recordings", "sent", "log"))
         scratch.mkdir()
-        with service(recordings, log) as (process, port, metrics):
+        with service(recordings, log) as (process, port):
             before = usage_of(process.pid, 0.0)
             soak = Soak(Plan(port, process.pid, str(log), str(scratch), str(recordings)))
             try:
@@ -186,7 +186,7 @@ def main(minutes: float, file: Path = FILE) -> int:
                 soak.wrong.append(str(error))
             soak.stop()
             time.sleep(SETTLE_S)
-            after, lost = soak.look(), lost_events(metrics)
+            after, lost = soak.look(), lost_events(log)
         if process.returncode not in {0, -signal.SIGTERM}:
             soak.wrong.append(f"the service ended with {process.returncode}")
         soak.wrong += errors_in(log)

@@ -167,11 +167,11 @@ Script = Callable[[Link, random.Random], Awaitable[bool]]
 
 
 async def burst(link: Link, chance: random.Random) -> bool:
-    """Many events at once, in one frame or in many, then nothing for a moment."""
+    """Many events at once, in few frames or in many, then nothing for a moment."""
     until = time.monotonic() + LASTS_S
     while time.monotonic() < until:
         count = chance.choice((8, 64, 512))
-        frames = link.client.frames(count, time.perf_counter(), a_frame=chance.choice((1, 8, min(count, 64))))
+        frames = link.client.frames(count, time.perf_counter(), a_frame=chance.choice((1, 8, 64)))
         link.writer.write(frames)
         await link.read_for(chance.uniform(0.2, 1.0))
     await link.leave()
@@ -494,7 +494,7 @@ def visit(plan: Plan, reporter: Reporter, number: int) -> None:
 
 
 def play_visitors(plan: Plan, reporter: Reporter) -> None:
-    """People with a browser, and what collects metrics, until stdin is closed."""
+    """People with a browser, until stdin is closed."""
     threads = [threading.Thread(target=visit, args=(plan, reporter, n)) for n in range(VISITORS)]
     for thread in threads:
         thread.start()
