@@ -119,8 +119,16 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
             opened.run_aside = self._run_aside
             self.flush()
         # uvicorn sets this protocol next; only from then on the transport may read into its buffer.
+        self._read_later()
+
+    def _read_later(self) -> None:
+        """Read on once all others have had their turn: uvloop reads up to 32 times before it asks them."""
         self._transport.pause_reading()
-        self._loop.call_soon(self._transport.resume_reading)
+        self._loop.call_soon(self._read_on)
+
+    def _read_on(self) -> None:
+        if not self._transport.is_closing():
+            self._transport.resume_reading()
 
     def _scope(self, request: Request) -> Scope:
         """The request as ASGI has it; the client is the one that a trusted proxy names."""
@@ -170,6 +178,8 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
     def buffer_updated(self, nbytes: int) -> None:
         """Take in the messages of what was read."""
         self._heard_at = at = now()
+        if nbytes == READ_BYTES:
+            self._read_later()
         message = None if self._partial or self._pieces else self._short_message(nbytes)
         if message is not None:
             self._receive(message, at)
