@@ -83,6 +83,8 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._paused_at = self._heard_at = now()
         self._pinged = False
         self._closing: asyncio.TimerHandle | None = None
+        self._deaf = False
+        """Whether a client goes on to send much after the end: that is not even looked at."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Uvicorn hands the connection over."""
@@ -180,6 +182,9 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._heard_at = at = now()
         if nbytes == READ_BYTES:
             self._read_later()
+            self._deaf = self._deaf or self._closing is not None
+        if self._deaf:
+            return
         message = None if self._partial or self._pieces else self._short_message(nbytes)
         if message is not None:
             self._receive(message, at)

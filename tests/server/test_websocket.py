@@ -16,6 +16,7 @@ import pytest
 from httpx2 import get
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.frames import Opcode
+from websockets.server import ServerProtocol
 
 import pointpred_server.service
 import pointpred_server.websocket_protocol
@@ -316,6 +317,24 @@ def test_a_client_that_sends_much_leaves_others_their_turn(monkeypatch: pytest.M
         soon(lambda: len(order) == 1502, "all is heard")
     before = order.index(packed(2)) - 1
     assert before * len(frame(BINARY, packed(1))) <= 2 * pointpred_server.websocket_protocol.READ_BYTES
+
+
+def test_what_comes_after_the_end_is_not_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A client that goes on to send takes no time from others, and is cut."""
+    real, looked_at = ServerProtocol.receive_data, []
+
+    def noted(self: ServerProtocol, data: bytes) -> None:
+        looked_at.append(len(data))
+        real(self, data)
+
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "LINGER_S", 1.0)
+    with running() as here, Client(here.port) as flooding:
+        monkeypatch.setattr(ServerProtocol, "receive_data", noted)
+        flooding.send(frame(PING, b"") * 2000)
+        assert flooding.closed() == (1008, ["too_fast"])
+        flooding.send(frame(PING, b"") * 50_000)
+        soon(lambda: not here.server.server_state.connections, "the connection is cut")
+    assert sum(looked_at) < 20_000
 
 
 def test_a_slow_reader_gets_the_newest_and_goes_on() -> None:
