@@ -87,6 +87,8 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._paused_at = self._heard_at = now()
         self._pinged = False
         self._closing: asyncio.TimerHandle | None = None
+        self._deaf = False
+        """Whether a client goes on to send much after the end: that is not even looked at."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Uvicorn hands the connection over."""
@@ -123,8 +125,16 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
             opened.run_aside = self._run_aside
             self.flush()
         # uvicorn sets this protocol next; only from then on the transport may read into its buffer.
+        self._read_later()
+
+    def _read_later(self) -> None:
+        """Read on once all others have had their turn: uvloop reads up to 32 times before it asks them."""
         self._transport.pause_reading()
-        self._loop.call_soon(self._transport.resume_reading)
+        self._loop.call_soon(self._read_on)
+
+    def _read_on(self) -> None:
+        if not self._transport.is_closing():
+            self._transport.resume_reading()
 
     def _scope(self, request: Request) -> Scope:
         """The request as ASGI has it; the client is the one that a trusted proxy names."""
@@ -174,6 +184,11 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
     def buffer_updated(self, nbytes: int) -> None:
         """Take in the messages of what was read."""
         self._heard_at = at = now()
+        if nbytes == READ_BYTES:
+            self._read_later()
+            self._deaf = self._deaf or self._closing is not None
+        if self._deaf:
+            return
         message = None if self._partial or self._pieces else self._short_message(nbytes)
         if message is not None:
             self._receive(message, at)

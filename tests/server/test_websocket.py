@@ -6,6 +6,7 @@ import json
 import logging
 import socket
 import struct
+import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from functools import partial
@@ -15,6 +16,7 @@ import pytest
 from httpx2 import get
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.frames import Opcode
+from websockets.server import ServerProtocol
 
 import pointpred_server.service
 import pointpred_server.websocket_protocol
@@ -291,6 +293,48 @@ def test_a_client_that_never_reads_is_told_and_then_cut(monkeypatch: pytest.Monk
         value = here.service.metrics.registry.get_sample_value
         assert value("pointpred_sessions_ended_total", {"code": "1013"}) == 1.0
         assert (value("pointpred_predictions_dropped_total") or 0.0) > 1000
+
+
+def test_a_client_that_sends_much_leaves_others_their_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever waits of one client: after ``READ_BYTES`` of it, all others are heard."""
+    real, order, busy, go_on = PointingSession.receive, [], threading.Event(), threading.Event()
+
+    def noted(self: PointingSession, sent: str | bytes, now: Instant) -> None:
+        if sent == '{"type":"reset"}':
+            busy.set()
+            assert go_on.wait(PATIENCE_S)
+        order.append(sent)
+        real(self, sent, now)
+
+    with running() as here, Client(here.port) as third, Client(here.port) as much, Client(here.port) as one:
+        monkeypatch.setattr(PointingSession, "receive", noted)
+        third.send(frame(TEXT, b'{"type":"reset"}'))
+        assert busy.wait(PATIENCE_S)
+        much.send(frame(BINARY, packed(1)) * 1500)
+        one.send(frame(BINARY, packed(2)))
+        go_on.set()
+        assert one.predicted() == 2
+        soon(lambda: len(order) == 1502, "all is heard")
+    before = order.index(packed(2)) - 1
+    assert before * len(frame(BINARY, packed(1))) <= 2 * pointpred_server.websocket_protocol.READ_BYTES
+
+
+def test_what_comes_after_the_end_is_not_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A client that goes on to send takes no time from others, and is cut."""
+    real, looked_at = ServerProtocol.receive_data, []
+
+    def noted(self: ServerProtocol, data: bytes) -> None:
+        looked_at.append(len(data))
+        real(self, data)
+
+    monkeypatch.setattr(pointpred_server.websocket_protocol, "LINGER_S", 1.0)
+    with running() as here, Client(here.port) as flooding:
+        monkeypatch.setattr(ServerProtocol, "receive_data", noted)
+        flooding.send(frame(PING, b"") * 2000)
+        assert flooding.closed() == (1008, ["too_fast"])
+        flooding.send(frame(PING, b"") * 50_000)
+        soon(lambda: not here.server.server_state.connections, "the connection is cut")
+    assert sum(looked_at) < 20_000
 
 
 def test_a_slow_reader_gets_the_newest_and_goes_on() -> None:
