@@ -19,6 +19,10 @@ class Instant(NamedTuple):
         """Seconds since then."""
         return self.s - earlier.s
 
+    def later(self, seconds: float) -> Instant:
+        """The moment so many seconds after this one."""
+        return Instant(self.s + seconds)
+
 
 NEVER = Instant(float("-inf"))
 

@@ -80,11 +80,13 @@ upgrade. A token is needed where one is set; one is generated for an address tha
 CLOSES = {
     1000: "after `bye`",
     1001: "the server stops, after its `bye`",
+    1002: "a frame that breaks a rule of WebSockets",
     1007: "a text that is not UTF-8",
-    1008: "no `hello` within 10 s, nothing heard for `idle_s`, over `max_events_per_s`, no valid token",
+    1008: "no `hello` within 10 s, nothing heard for `idle_s`, too many events or messages a second of the "
+    "session or of its address, no valid token",
     1009: "a frame over `max_frame_bytes` or with more than `max_events_per_frame` events",
-    1011: "something failed in the server",
-    1013: "more sessions than `max_sessions`, or the answers are not read",
+    1011: "something failed in the server, or nothing came for 40 s, not even the answer to a ping",
+    1013: "more sessions than `max_sessions` or than one address may have, or the answers are not read",
 }
 CODES = {
     "bad_json": "the text is not JSON; the frame is dropped",

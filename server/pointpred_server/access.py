@@ -20,6 +20,8 @@ LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
 WILDCARDS = frozenset({"0.0.0.0", "::"})
 MAPPED = "::ffff:"
 """Before an IPv4 address on a socket for both kinds."""
+HOP = re.compile(r"^\[([0-9a-fA-F:.]+)\](?::[0-9]+)?$|^([0-9.]+):[0-9]+$")
+"""An address in brackets or with a port, as some proxies write it."""
 HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
 HOST_REFUSED = "this host name is not served here"
 TOKEN_NEEDED = "show the token as ?token= or Authorization: Bearer"
@@ -59,9 +61,12 @@ def header(scope: Scope, name: bytes) -> str | None:
 def believe_proxy(scope: Scope, proxies: Iterable[str]) -> None:
     """Take the client and the scheme from the headers of a proxy, where it is among those that are trusted.
 
-    The client is the last address that no trusted proxy has, as the nearest of them wrote it.
+    The client is the last address that no trusted proxy has, as the nearest of them wrote it; the proxy where
+    what it wrote is no address.
     """
     client = scope["client"]
+    if client is not None:
+        client = scope["client"] = client[0].removeprefix(MAPPED), client[1]
     trusted = [ip_network(proxy) for proxy in proxies]
 
     def trusts(address: str) -> bool:
@@ -71,9 +76,10 @@ def believe_proxy(scope: Scope, proxies: Iterable[str]) -> None:
         return
     if (scheme := header(scope, b"x-forwarded-proto")) in ("http", "https", "ws", "wss"):
         scope["scheme"] = scheme
-    hops = [hop.strip() for hop in (header(scope, b"x-forwarded-for") or "").split(",") if hop.strip()]
-    if hops:
-        scope["client"] = next((hop for hop in reversed(hops) if not trusts(hop)), hops[0]), 0
+    hops = [HOP.sub(r"\1\2", hop.strip()) for hop in (header(scope, b"x-forwarded-for") or "").split(",")]
+    first = next((hop for hop in reversed(hops) if not trusts(hop)), hops[0])
+    if is_address(first):
+        scope["client"] = first, 0
 
 
 def network_of(address: str) -> str:

@@ -64,4 +64,4 @@ def text_response(kind: str) -> Responses:
     return {200: {"description": "As text.", "content": {kind: {"schema": {"type": "string"}}}}}
 
 
-NOT_READY: Responses = {503: {"model": Readiness, "description": "Not yet, or no more."}}
+NOT_READY: Responses = {503: {"model": Readiness, "description": "The service stops."}}

@@ -114,6 +114,14 @@ class Settings(BaseSettings):
     )
     _token_made_up: bool = PrivateAttr(default=False)
 
+    @field_validator("record", mode="before")
+    @classmethod
+    def _folder(cls, folder: object) -> object:
+        """An empty variable of a compose file would record into the current folder."""
+        if folder == "":
+            raise ValueError("name a folder to record in, or leave it away to record nothing")
+        return folder
+
     @field_validator("allow_host")
     @classmethod
     def _hosts(cls, hosts: tuple[str, ...]) -> tuple[str, ...]:
@@ -165,10 +173,9 @@ class Settings(BaseSettings):
         for variable in os.environ:
             prefix, _, name = variable.partition("_")
             if prefix.upper() == "POINTPRED" and name.upper() not in names | ELSEWHERE:
-                near = get_close_matches(name.upper(), names, 1, 0.0)[0]
-                raise ValueError(
-                    f"unknown variable {variable} in the environment; the nearest is POINTPRED_{near}"
-                )
+                near = get_close_matches(name.upper(), names, 1)
+                nearest = f"; the nearest is POINTPRED_{near[0]}" if near else ""
+                raise ValueError(f"unknown variable {variable} in the environment{nearest}")
         return self
 
     @property

@@ -113,7 +113,8 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._frames.send_response(response)
         self._send()
         if response.status_code != HTTPStatus.SWITCHING_PROTOCOLS:
-            self._service.count_refusal("unauthorized" if response.status_code == 403 else "bad_field")
+            if refused is None:
+                self._service.count_refusal("bad_field")
             self._linger()
             return
         opened = self._service.open_session(scope, self)
@@ -172,6 +173,7 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
 
     def _response(self, status: HTTPStatus, code: Code, message: str) -> Response:
         """An error in the shape that errors have everywhere."""
+        self._service.count_refusal(code)
         response = self._frames.reject(status, encode(ErrorMessage(code, message)).decode())
         del response.headers["Content-Type"]
         response.headers["Content-Type"] = "application/json"

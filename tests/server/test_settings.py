@@ -58,6 +58,7 @@ REFUSED = [
     ("token", "short", "token"),
     *(("allow_host", [host], "a host reads like") for host in HOSTS),
     *(("allow_origin", [origin], "an origin reads like") for origin in ORIGINS),
+    ("record", "", "name a folder to record in"),
     *(("trust_proxy", [proxy], "a proxy is an address or a network") for proxy in PROXIES),
 ]
 

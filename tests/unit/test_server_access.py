@@ -100,3 +100,30 @@ def test_one_network_has_one_share_however_many_of_its_addresses_connect() -> No
     service.close_session(first)
     assert isinstance(opened("2001:db8::2"), Session)
     service.shut_down()
+
+
+@pytest.mark.parametrize(
+    ("peer", "forwarded", "client"),
+    [
+        ("127.0.0.1", "192.0.2.7", "192.0.2.7"),
+        ("::ffff:127.0.0.1", "192.0.2.7", "192.0.2.7"),
+        ("127.0.0.1", "198.51.100.1, 192.0.2.7", "192.0.2.7"),
+        ("127.0.0.1", "192.0.2.7, 10.0.0.4", "192.0.2.7"),
+        ("127.0.0.1", "192.0.2.7:4001", "192.0.2.7"),
+        ("127.0.0.1", "[2001:db8::1]:4001", "2001:db8::1"),
+        ("127.0.0.1", "[2001:db8::1]", "2001:db8::1"),
+        ("127.0.0.1", "localhost", "127.0.0.1"),
+        ("127.0.0.1", "", "127.0.0.1"),
+        ("192.0.2.1", "192.0.2.7", "192.0.2.1"),
+    ],
+)
+def test_a_client_is_who_the_nearest_trusted_proxy_says(peer: str, forwarded: str, client: str) -> None:
+    """However it writes the address; what is none is the proxy's own, and so is another peer's word."""
+    scope = {
+        "client": (peer, 1),
+        "scheme": "ws",
+        "headers": [(b"x-forwarded-for", forwarded.encode()), (b"x-forwarded-proto", b"https")],
+    }
+    access.believe_proxy(scope, ["127.0.0.1", "10.0.0.0/8"])
+    assert scope["client"][0] == client
+    assert scope["scheme"] == ("ws" if peer == "192.0.2.1" else "https")

@@ -1,4 +1,18 @@
-"""The life of a session: its states, and every way in which it ends."""
+"""The life of a session: its states, and how it ends.
+
+| close code | why | where it is decided |
+| --- | --- | --- |
+| 1000 | the client said ``bye`` | `pointing.py`, `viewing.py` |
+| 1000, 1001, 1005 | the client closed the WebSocket | `websocket_protocol.py` |
+| 1001 | the server stops | ``Session.stop`` |
+| 1002, 1007 | a rule of WebSockets is broken, or a text is not UTF-8 | `websocket_protocol.py` |
+| 1006 | the connection was lost | ``Session.connection_lost`` |
+| 1008 | no ``hello`` in time, or silence | ``Session.tick`` |
+| 1008 | too many events or messages a second | `quota.py` |
+| 1009 | a frame or message is too long | `quota.py`, `websocket_protocol.py` |
+| 1011 | something failed here, or a ping went unanswered | ``Session.fail``, `websocket_protocol.py` |
+| 1013 | answers are not read: too many wait, or for too long | ``Session.receive``, `websocket_protocol.py` |
+"""
 
 from __future__ import annotations
 
@@ -120,7 +134,7 @@ class Session:
         because the process stood still, and what came meanwhile comes all at once.
         """
         if late_s > STANDSTILL_S:
-            self.last_received = Instant(self.last_received.s + late_s)
+            self.last_received = self.last_received.later(late_s)
             self._quota.extend(late_s)
         silent_s = now.since(max(self.last_received, self.patient_until))
         if self.state is State.CONNECTING:
@@ -129,7 +143,7 @@ class Session:
         elif silent_s > self.limits.idle_s:
             self.fail("idle", f"nothing was received for {self.limits.idle_s:g} s", 1008)
         if late_s > STANDSTILL_S:
-            self.patient_until = Instant(now.s + min(late_s, RETRY_S))
+            self.patient_until = now.later(min(late_s, RETRY_S))
 
     def stop(self, reason: str) -> None:
         """The server stops."""

@@ -35,7 +35,7 @@ from pointpred_server.sessions.place_tracker import PlaceTracker
 from pointpred_server.sessions.target_tracker import TargetTracker
 from pointpred_server.sessions.trials import TrialBuffer
 
-NEVER = float("-inf")
+EARLIEST_T = float("-inf")
 
 
 class SessionObserver(Protocol):
@@ -81,7 +81,7 @@ class PredictionStream:
         """Events taken in."""
         self._outbox = outbox
         self._window: Enter | None = None
-        self._last_t = NEVER
+        self._last_t = EARLIEST_T
         self._trial = TrialBuffer()
         self._answer_as(self.hello)
 
@@ -299,7 +299,7 @@ class PredictionStream:
         return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello), outcome)
 
     def _forget(self) -> None:
-        self._last_t = NEVER
+        self._last_t = EARLIEST_T
         if self.assistance:
             self.assistance.reset()
         if self.tracker:

@@ -20,8 +20,8 @@ from pointpred.registry import build
 from pointpred.scoring import prepare, replay
 from pointpred_server.sessions.target_tracker import Outcome
 
-MOST_EVENTS = 100_000
-"""A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""
+MOST_EVENTS = 20_000
+"""A longer trial is not scored: 20 s at 1 kHz. Memory stays bounded, and scoring takes 60 ms at most."""
 
 
 class TrialBuffer:
