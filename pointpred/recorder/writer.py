@@ -48,7 +48,6 @@ class Item(msgspec.Struct, frozen=True):
     """The trial the events belong to, or the one that has ended."""
     predictor: str = ""
     parameters: str | None = None
-    starts: bool = False
     ends: bool = False
     target: tuple[float, float, float] | None = None
     samples: int = 0
@@ -100,7 +99,6 @@ class SessionRecorder:
         if action == "start":
             self._trials += 1
             self._running, self._goal, self._samples = str(self._trials), target, 0
-            self._put(self, Item(starts=True))
         elif self._running is not None:
             goal = target or self._goal
             place = (goal.x, goal.y, goal.width) if goal else None
@@ -128,9 +126,8 @@ def rows_of(user: str, items: Sequence[Item]) -> Iterator[tuple[str, bytes]]:
             "samples",
             sample_rows(user, merged(marks), np.concatenate([item.events for item in with_events])),
         )
-    marked = [item for item in items if item.starts or item.ends]
-    if marked:
-        ended = [item for item in marked if item.ends]
+    ended = [item for item in items if item.ends]
+    if ended:  # not before: the first that ends says what the columns are
         yield (
             "trials",
             b"".join(
@@ -210,7 +207,7 @@ class Recorder:
 
     def _put(self, session: SessionRecorder, item: Item) -> None:
         """Queue something for the thread; events beyond the bound are lost and counted."""
-        count, mark = len(item), item.starts or item.ends
+        count, mark = len(item), item.ends
         with self._lock:
             full = self.waiting + count > self._most or (mark and self._marks >= self._most)
             over = session.failed or self._stopping.is_set()
@@ -258,7 +255,7 @@ class Recorder:
             self._write_session(session, own)
         with self._lock:
             self.waiting -= sum(len(item) for _, item in items)
-            self._marks -= sum(item.starts or item.ends for _, item in items)
+            self._marks -= sum(item.ends for _, item in items)
 
     def _write_session(self, session: SessionRecorder, items: list[Item]) -> None:
         left = {"samples": sum(len(item) for item in items), "trials": sum(item.ends for item in items)}

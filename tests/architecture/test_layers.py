@@ -67,6 +67,7 @@ MAY_IMPORT = {
     | {"clock", "console", "devices", "recordings", "scoring", "protocol", "client", "recorder"},
     "cli": PIPELINE
     | {
+        "clock",
         "targets",
         "simulation",
         "scoring",

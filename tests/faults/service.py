@@ -48,7 +48,7 @@ class Running:
 
     def metric(self, name: str) -> float:
         """A metric, as it was within the last second."""
-        address = re.search(r"^Metrics: (http://\S+)$", self.log.read_text(), re.MULTILINE)
+        address = re.search(r"Metrics: (http://[^\s\"]+)", self.log.read_text())
         assert address is not None
         with urlopen(address[1], timeout=PATIENCE_S) as answer:
             lines = answer.read().decode().splitlines()

@@ -16,6 +16,7 @@ from pointpred.recording import Recording
 from pointpred.recordings import read, read_any
 from pointpred.records import EventColumns
 from pointpred.scoring import score
+from tests.server.listener import soon
 from tests.server.recorded import Opened, begin, feed, record
 
 
@@ -85,13 +86,15 @@ def test_conditions_of_trials_are_columns_that_are_read_again(opened: Opened, tm
         {"participant": "8", "block": 2.5},
         {"note": "", "block": 3.0, "participant": "\u00e4"},
     ]
+    samples = tmp_path / "kept" / f"{session.name}_samples.csv"
     for index, conditions in enumerate(told):
         session.trial("start")
         feed(session, sample().rows(index))
+        soon(samples.exists, "the beginning of the first trial is on the disk before its end")
         session.trial("end", None, conditions)
     session.close()
     assert recorder.close()
-    back = read(tmp_path / "kept" / f"{session.name}_samples.csv")
+    back = read(samples)
     del told[2]["note"]  # an empty cell
     assert [trial.condition for trial in back.trials] == told
     assert not back.skipped
