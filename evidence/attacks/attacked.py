@@ -1,315 +1,213 @@
-"""What a session notices while the service is attacked: ``python -m evidence attacks attacked``.
+"""What a service refuses, and what a session beside it notices: ``python -m evidence attacks attacked``.
 
-A client sends an event each 10 ms and takes the time from when it was due to its prediction. Meanwhile
-another process does one of ``ATTACKS``. The table has how often it did that (connections, or blocks of
-frames), the delay before, during and after it, the share of a processor that the service takes, and its
-memory. It ends where an attack fails or does nothing. Linux only.
+A service runs with nginx before it, as in ``deploy/nginx.conf``, without TLS. A client sends an event each
+10 ms, takes the time from when it was due to its prediction, and compares every prediction with an offline
+run. Meanwhile another process does one of ``ATTACKS``, directly and then through nginx, from an address of
+its own and with the token. All are done twice: the second time is shown, and what the service holds after
+each time is compared. Needs Linux and nginx.
 """
 
 from __future__ import annotations
 
 import multiprocessing
-import re
-import resource
-import socket
-import subprocess
-import sys
 import time
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Sequence
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
-from typing import Any
+from select import select
+from tempfile import TemporaryDirectory
 
+import msgspec
 import numpy as np
-from websockets.frames import Frame, Opcode
-from websockets.sync.client import ClientConnection, connect
 
 from evidence.arguments import parse
+from evidence.attacks.attackers import (
+    ATTACKS,
+    LONG,
+    PREDICTOR,
+    TOKEN,
+    UPGRADE,
+    Attack,
+    Here,
+    carry_out,
+    hello,
+)
 from evidence.costs.load.servers import wait_until_ready
+from evidence.costs.soak.sessions import BINARY, CPI, DPI, PING, PONG, events, frame, split
+from evidence.costs.soak.verdicts import usage_of
 from evidence.data import Table, keep
 from evidence.machine import machine, processor_s
+from pointpred import build
+from pointpred.protocol.frames import pack_events, row_encoder
+from tests.server.process import Served, served
+from tests.server.reverse_proxies import proxy
 
-SECONDS, EVERY_S = 8.0, 0.01
+SECONDS, LONG_S, BEFORE_S, EVERY_S = 3.0, 12.0, 1.0, 0.01
+"""An attack lasts so long; one that waits for nginx's patience of 10 s to end, longer."""
 FILES = 1024
 """Descriptors of the service; more connections than that are tried."""
-MANY = 1200
-HELLO = '{"type":"hello","version":1,"predictor":"kinematic-adaptive"}'
-GET = b"GET /v1/stream HTTP/1.1\r\nHost: 127.0.0.1\r\n"
-UPGRADE = GET + (
-    b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-    b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
-)
-LARGEST_FILE = b"GET /web/vendor/uPlot.esm.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
-COLUMNS = (
-    "attack",
-    "times",
-    "p50 before, ms",
-    "p50",
-    "p99",
-    "p50 after",
-    "share of a processor",
-    "memory, MB",
-)
-
-
-def dial(port: int) -> socket.socket:
-    return socket.create_connection(("127.0.0.1", port), 10)
-
-
-def opened(port: int, most: int) -> list[socket.socket]:
-    """So many connections, or as many as the service and this process can have."""
-    connections: list[socket.socket] = []
-    with suppress(OSError):
-        while len(connections) < most:
-            connections.append(dial(port))
-    return connections
-
-
-def keep_open(connections: list[socket.socket], until: float) -> int:
-    """Do nothing with connections, then close them; how many they were."""
-    time.sleep(max(0.0, until - time.monotonic()))
-    for one in connections:
-        one.close()
-    return len(connections)
-
-
-def again(port: int, until: float, attack: Callable[[socket.socket], object]) -> int:
-    """Do something on one new connection after another; how often that was begun."""
-    count = 0
-    while time.monotonic() < until:
-        with suppress(OSError), dial(port) as one:
-            count += 1
-            attack(one)
-    return count
-
-
-def silent(port: int, until: float) -> int:
-    """More connections than descriptors, which say nothing."""
-    return keep_open(opened(port, MANY), until)
-
-
-def slow_headers(port: int, until: float) -> int:
-    """Five hundred requests that go on by one byte each half second."""
-    connections = opened(port, 500)
-    while time.monotonic() < until:
-        for one in connections:
-            with suppress(OSError):
-                one.send(b"X")
-        time.sleep(0.5)
-    return len(connections)
-
-
-def unread(port: int, until: float) -> int:
-    """Five hundred connections that ask for the largest file sixteen times and read nothing."""
-    connections = opened(port, 500)
-    for one in connections:
-        with suppress(OSError):
-            one.sendall(LARGEST_FILE * 16)
-    return keep_open(connections, until)
-
-
-def long_queries(port: int, until: float) -> int:
-    """Requests with 30,000 empty parameters."""
-
-    def ask(one: socket.socket) -> None:
-        one.sendall(b"GET /v1/samples?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
-        one.recv(4096)
-
-    return again(port, until, ask)
-
-
-def handshakes(port: int, until: float) -> int:
-    """One upgrade after another, each left at once."""
-
-    def upgrade(one: socket.socket) -> None:
-        one.sendall(UPGRADE)
-        one.recv(4096)
-
-    return again(port, until, upgrade)
-
-
-def requests(port: int, until: float) -> int:
-    """The largest file, asked for again and again on connections of their own."""
-
-    def ask(one: socket.socket) -> None:
-        one.sendall(LARGEST_FILE.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
-        while one.recv(65536):
-            pass
-
-    return again(port, until, ask)
-
-
-def flood(port: int, until: float, frames: bytes, hello: bool = True) -> int:
-    """Frames as fast as they are taken, and a new connection where it is ended; how often they were sent."""
-    greeting = Frame(Opcode.TEXT, HELLO.encode()).serialize(mask=True) if hello else b""
-    count = 0
-
-    def send(one: socket.socket) -> None:
-        nonlocal count
-        one.settimeout(1)
-        one.sendall(UPGRADE + greeting)
-        while time.monotonic() < until:
-            one.sendall(frames)
-            count += 1
-            if not one.recv(65536):
-                break
-
-    again(port, until, send)
-    return count
-
-
-def text(words: bytes) -> bytes:
-    return Frame(Opcode.TEXT, words).serialize(mask=True)
-
-
-def pings(port: int, until: float) -> int:
-    """Pings of the most bytes."""
-    return flood(port, until, Frame(Opcode.PING, b"x" * 125).serialize(mask=True) * 200)
-
-
-def bad_text(port: int, until: float) -> int:
-    """Text that is no UTF-8."""
-    return flood(port, until, text(b"\xed\xa0\x80"))
-
-
-def nested(port: int, until: float) -> int:
-    """JSON of the most bytes, as deep as it is long."""
-    return flood(port, until, text(b"[" * 65_000))
-
-
-def unknown(port: int, until: float) -> int:
-    """Messages of the most bytes with thousands of unknown parameters."""
-    names = b",".join(b'"p%d":1' % number for number in range(5000))
-    return flood(port, until, text(b'{"type":"configure","parameters":{' + names + b"}}"))
-
-
-def fragments(port: int, until: float) -> int:
-    """Messages in 64 fragments."""
-    middle = [Frame(Opcode.CONT, b"", fin=False)] * 62
-    frames = [Frame(Opcode.TEXT, b"{", fin=False), *middle, Frame(Opcode.CONT, b"")]
-    return flood(port, until, b"".join(one.serialize(mask=True) for one in frames) * 4)
-
-
-def refused_targets(port: int, until: float) -> int:
-    """More targets than a session may have."""
-    one = b'{"id":"%d","x":0,"y":0,"width":1,"height":1}'
-    many = b",".join(one % number for number in range(1300))
-    return flood(port, until, text(b'{"type":"targets","targets":[' + many + b"]}"))
-
-
-Attack = Callable[[int, float], int]
-ATTACKS: tuple[Attack, ...] = (
-    silent,
-    slow_headers,
-    unread,
-    long_queries,
-    handshakes,
-    requests,
-    pings,
-    bad_text,
-    nested,
-    unknown,
-    fragments,
-    refused_targets,
-)
-
-
-def carry_out(attack: Attack, port: int, until: float, count: Any) -> None:
-    """In a process of its own, with as many descriptors as it may have."""
-    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
-    resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
-    count.value = attack(port, until)
+WAYS = ("directly", "behind nginx")
+MEASURED = ("p50 before", "p99 before", "p50", "p99", "processor", "MB before", "MB after")
+"""Delays in ms, the share of a processor, memory."""
+SETTLED_S = 12.0
+"""By then a service has cut every connection that was left to it."""
 
 
 class Attacker:
-    """A process that attacks a service for some seconds."""
+    """A process that attacks."""
 
-    def __init__(self, attack: Attack, port: int, seconds: float) -> None:
-        context = multiprocessing.get_context("spawn")
-        self._attack, self._count = attack, context.Value("q", 0)
-        until = time.monotonic() + seconds
-        self._process = context.Process(target=carry_out, args=(attack, port, until, self._count))
+    def __init__(self, attack: Attack, here: Here) -> None:
+        context = multiprocessing.get_context("fork")
+        self._name = attack.__name__
+        self._result, theirs = context.Pipe(False)
+        self._process = context.Process(target=carry_out, args=(attack, here, theirs))
         self._process.start()
+        theirs.close()
 
-    def finish(self) -> int:
-        """How often it was done; raises SystemExit where the attack failed, did not end or did nothing."""
+    def finish(self) -> Counter[str]:
+        """How often it was answered what; raises SystemExit where it failed, did not end or did nothing."""
+        heard: Counter[str] = Counter()
+        with suppress(EOFError):
+            heard = self._result.recv() if self._result.poll(60) else heard
         self._process.join(60)
         self._process.kill()
         self._process.join()
-        if self._process.exitcode != 0 or self._count.value == 0:
-            name, code = self._attack.__name__, self._process.exitcode
-            raise SystemExit(
-                f"the attack '{name}' did nothing: exit code {code}, done {self._count.value} times"
-            )
-        return int(self._count.value)
+        if self._process.exitcode != 0 or not heard:
+            code = self._process.exitcode
+            raise SystemExit(f"the attack '{self._name}' did nothing: exit code {code}, heard {dict(heard)}")
+        return heard
 
 
-def delays(session: ClientConnection, first: int, seconds: float) -> np.ndarray:
-    """Milliseconds from when each event was due to its prediction; ``first``: the number of the first."""
-    result = []
-    begin = time.monotonic()
-    for number in range(int(seconds / EVERY_S)):
-        due = begin + number * EVERY_S
-        time.sleep(max(0.0, due - time.monotonic()))
-        t = (first + number) * EVERY_S
-        session.send(f'{{"type":"events","events":[[{t},{number % 500},6,null,null,0]]}}')
-        while '"prediction"' not in str(session.recv(60)):
-            pass
-        result.append(1e3 * (time.monotonic() - due))
-    return np.array(result)
+class Innocent:
+    """A session that keeps to the rules, and the offline run of its events."""
+
+    def __init__(self, port: int) -> None:
+        self.port, self._rest = port, b""
+        self._pipeline, self._encode = build(PREDICTOR, cpi=CPI, dpi=DPI), row_encoder(binary=True)
+        self._socket = Here(port, "127.0.0.2", 0.0).dial()
+        greeting = hello(encoding="binary", device={"cpi": CPI}, screen={"dpi": DPI})
+        self._socket.sendall(UPGRADE)
+        assert self._socket.recv(2**16).startswith(b"HTTP/1.1 101")
+        self._socket.sendall(greeting)
+        assert b"welcome" in self._socket.recv(2**16)
+        self.compared = self.different = 0
+
+    def delays(self, seconds: float) -> np.ndarray:
+        """Milliseconds from when each event was due to its prediction."""
+        count = int(seconds / EVERY_S)
+        tables = [events(0, 1 / EVERY_S, self.compared + number, 1) for number in range(count)]
+        frames = [frame(BINARY, pack_events(table)) for table in tables]
+        answers: list[bytes] = []
+        result: list[float] = []
+        sent, begin = 0, time.monotonic()
+        while len(answers) < count:
+            while sent < count and begin + sent * EVERY_S <= time.monotonic():
+                self._socket.sendall(frames[sent])
+                sent += 1
+            pause = begin + sent * EVERY_S - time.monotonic() if sent < count else 60.0
+            if select([self._socket], [], [], max(0.0, pause))[0]:
+                answers += self._receive()
+                at = time.monotonic()
+                result += [1e3 * (at - begin - n * EVERY_S) for n in range(len(result), len(answers))]
+        expected = [self._encode(self._pipeline.advance(tuple(table[0].tolist()))) for table in tables]
+        self.compared += count
+        self.different += sum(one != other for one, other in zip(answers, expected, strict=True))
+        return np.array(result)
+
+    def _receive(self) -> list[bytes]:
+        part = self._socket.recv(2**16)
+        if not part:
+            raise SystemExit("the innocent session has ended")
+        frames, self._rest = split(self._rest + part)
+        if other := [payload for opcode, payload in frames if opcode not in (BINARY, PING)]:
+            raise SystemExit(f"the innocent session was told {other}")
+        for opcode, payload in frames:
+            if opcode == PING:
+                self._socket.sendall(frame(PONG, payload))
+        return [payload for opcode, payload in frames if opcode == BINARY]
 
 
-def memory_mb(pid: int) -> float:
-    status = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
-    found = re.search(r"VmRSS:\s+(\d+)", status)
-    return int(found[1]) / 1024 if found else 0.0
+def shown(heard: Counter[str]) -> str:
+    """The most frequent answers with their shares."""
+    return ", ".join(
+        f"{what} ({count / heard.total():.0%})" if count < heard.total() else what
+        for what, count in heard.most_common(3)
+        if count >= heard.total() / 100
+    )
 
 
-def attacked(attack: Attack, port: int, pid: int) -> tuple[str, ...]:
-    """One line of the table."""
-    with connect(
-        f"ws://127.0.0.1:{port}/v1/stream", compression=None, proxy=None, open_timeout=600
-    ) as session:
-        session.send(HELLO)
-        session.recv(600)
-        before = np.median(delays(session, 0, 2.0))
-        attacker = Attacker(attack, port, SECONDS + 3.0)
-        time.sleep(2.0)
-        used, began = processor_s(pid), time.monotonic()
-        during = delays(session, 1000, SECONDS)
-        share = (processor_s(pid) - used) / (time.monotonic() - began)
-        times = attacker.finish()
-        after = np.median(delays(session, 5000, 2.0))
-    numbers = (before, np.median(during), np.quantile(during, 0.99), after)
-    about = " ".join((attack.__doc__ or "").split()).rstrip(".")
-    shown = (f"{number:.1f}" for number in numbers)
-    return about, str(times), *shown, f"{share:.2f}", f"{memory_mb(pid):.0f}"
+def attacked(attack: Attack, here: Here, innocent: Innocent, pid: int) -> tuple[Counter[str], list[str]]:
+    """What an attack was answered; and delays before and meanwhile, share of a processor, memory."""
+    memory = usage_of(pid, 0.0).memory_mb
+    before = innocent.delays(BEFORE_S)
+    seconds = LONG_S if attack in LONG else SECONDS
+    here.until = time.monotonic() + seconds + 0.2
+    attacker = Attacker(attack, here)
+    used, began = processor_s(pid), time.monotonic()
+    during = innocent.delays(seconds)
+    share = (processor_s(pid) - used) / (time.monotonic() - began)
+    heard = attacker.finish()
+    delays = (np.quantile(part, at) for part in (before, during) for at in (0.5, 0.99))
+    after = usage_of(pid, 0.0).memory_mb
+    return heard, [*(f"{one:.1f}" for one in delays), f"{share:.2f}", f"{memory:.0f}", f"{after:.0f}"]
+
+
+def held(pid: int) -> tuple[str, ...]:
+    """Memory in MB, threads and descriptors of a service once whatever attacked it is gone."""
+    time.sleep(SETTLED_S)
+    usage = usage_of(pid, 0.0)
+    return f"{usage.memory_mb:.1f}", str(usage.threads), str(usage.descriptors)
+
+
+def attack_all(service: Served, port: int, attacks: Sequence[Attack]) -> None:
+    """Attack a service twice, directly and behind the proxy at a port, and keep the tables."""
+    where, pid = machine(load=True), service.process.pid
+    learned = build(PREDICTOR, cpi=CPI, dpi=DPI)
+    learned.push(events(0, 1 / EVERY_S, 0, 20_000))
+    innocents = [Innocent(one) for one in (service.port, port)]
+    usages = [("before", *held(pid))]
+    for turn in ("once", "twice"):
+        refused, beside = [], []
+        for number, attack in enumerate(attacks):
+            about, answers, numbers = " ".join((attack.__doc__ or "").split()).rstrip("."), [], []
+            for way, innocent in zip(WAYS, innocents, strict=True):
+                here = Here(innocent.port, f"127.0.{1 + WAYS.index(way)}.{1 + number}", 0.0, learned.person)
+                heard, measured = attacked(attack, here, innocent, pid)
+                answers += [str(heard.total()), shown(heard)]
+                numbers += measured
+            refused.append((about, *answers))
+            beside.append((about, *numbers))
+            print(*refused[-1], *numbers, sep=" | ", flush=True)
+        usages.append((f"after all attacks, {turn}", *held(pid)))
+    entries = [msgspec.json.decode(line) for line in service.log if line.startswith("{")]
+    errors = [one for one in entries if one["level"] not in ("info", "warning")]
+    print(*usages, *errors[:20], sep="\n")
+    counts = {
+        "seconds": SECONDS,
+        "long_s": LONG_S,
+        "files": FILES,
+        "errors": len(errors),
+        "compared": sum(one.compared for one in innocents),
+        "different": sum(one.different for one in innocents),
+    }
+    tables = {
+        "refused": Table.of(("attack", "times", WAYS[0], "times", WAYS[1]), refused),
+        "beside": Table.of(("attack", *(f"{name} {way}" for way in WAYS for name in MEASURED)), beside),
+        "held": Table.of(("", "memory, MB", "threads", "descriptors"), usages),
+    }
+    keep("attacks", tables, part="attacked", machine=where, numbers=counts)
 
 
 def main() -> None:
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--log-format", "json"]
-    limit = partial(resource.setrlimit, resource.RLIMIT_NOFILE, (FILES, FILES))
-    where = machine(load=True)
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=limit
-    ) as service:
-        assert service.stdout is not None
-        found = re.search(r":(\d+)/", service.stdout.readline())
-        assert found is not None
-        port = int(found[1])
-        wait_until_ready(f"http://127.0.0.1:{port}/")
-        try:
-            rows = []
-            for attack in ATTACKS:
-                rows.append(attacked(attack, port, service.pid))
-                print(*rows[-1], sep=", ", flush=True)
-        finally:
-            service.terminate()
-    about = {"seconds": SECONDS, "files": FILES}
-    keep("attacks", {"attacked": Table.of(COLUMNS, rows)}, part="attacked", machine=where, numbers=about)
+    chosen = parse(__doc__, metavar="ATTACK", choices=[one.__name__ for one in ATTACKS])
+    attacks = [one for one in ATTACKS if one.__name__ in chosen or not chosen]
+    words = ("--trust-proxy", "127.0.0.1", "--token", TOKEN)
+    with TemporaryDirectory() as folder, served(*words, files=FILES) as service:
+        wait_until_ready(f"{service.url}/")
+        with proxy("nginx", Path(folder), [service.port] * 2, tls=False) as port:
+            attack_all(service, port, attacks)
 
 
 if __name__ == "__main__":
-    parse(__doc__)
     main()
