@@ -41,7 +41,7 @@ class Limits(Struct, frozen=True):
     max_frame_bytes: int = 65536
     max_events_per_frame: int = 64
     max_events_per_s: int = 20000
-    max_targets: int = 1000
+    max_targets: int = 256
     max_sessions: int = 64
     idle_s: float = 60.0
 

@@ -108,7 +108,7 @@ class Settings(BaseSettings):
         default=20_000, ge=1, le=10**8, description="Most events a second in one session."
     )
     max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Most bytes in one frame.")
-    max_targets: int = Field(default=1000, ge=0, le=10**5, description="Most targets in one session.")
+    max_targets: int = Field(default=256, ge=0, le=10**5, description="Most targets in one session.")
     idle_s: float = Field(
         default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
     )

@@ -32,7 +32,7 @@ from pointpred_server.sessions.lifecycle import LOST, SLOW, STANDSTILL_S, Sessio
 
 log = logging.getLogger("pointpred.service")
 
-READ_BYTES = 2**12
+READ_BYTES = 2**11
 """So much is read of one client before others have their turn."""
 RECEIVE_BUFFER_BYTES = 2**16
 """What the kernel may hold unread of a client: one whose events come faster than they are used has to wait

@@ -205,7 +205,7 @@ def test_a_message_over_the_limit_is_not_sent() -> None:
                 await connection.targets(many(1000))
             assert await connection.targets(many(500)) == 500
 
-    with Listener() as listener:
+    with Listener(limits=Limits(max_targets=1000)) as listener:
         with connect(listener.url, timeout_s=PATIENCE_S) as connection:
             with pytest.raises(ParameterError, match=said):
                 connection.targets(many(1000))

@@ -257,9 +257,9 @@ def test_events_that_run_backwards_do_not_reach_the_decisions() -> None:
 
 def test_an_event_counts_more_where_there_are_many_targets() -> None:
     many = [{"id": str(i), "x": 5.0 * i, "y": 0.0, "width": 4.0, "height": 4.0} for i in range(128)]
-    talk = Talk(max_events_per_s=30)
+    talk = Talk(max_events_per_s=90)
     talk.say({"type": "targets", "targets": many})
-    answers = talk.say(events(*reach(end=0.09)))  # ten events count as thirty
+    answers = talk.say(events(*reach(end=0.09)))  # ten events count as ninety
     assert [one["type"] for one in answers if one["type"] != "choice"] == ["prediction"]
     error, *_ = talk.say(events(reach(begin=0.1)[0]))
     assert (error["code"], talk.closed) == ("too_fast", 1008)

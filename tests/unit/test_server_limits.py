@@ -123,8 +123,10 @@ def test_messages_have_a_limit_apart_from_events() -> None:
         ("[" * BYTES_A_MESSAGE, 2),
         ("[" * 65_536, 5),
         ('{"type":"reset"}' + " " * (3 * BYTES_A_MESSAGE), 4),
-        ('{"type":"configure","reply":"frame"}', BUILDING),
-        ('{"type":"person"}', BUILDING),
+        ('{"type":"configure","reply":"frame"}', 1),
+        ('{"type":"configure","predictor":"hold"}', BUILDING),
+        ('{"type":"person"}', 1),
+        ('{"type":"person","person":""}', BUILDING),
         ('{"type":"trial","action":"start"}', BUILDING),
     ],
 )
@@ -265,11 +267,11 @@ def targets(count: int) -> dict[str, Any]:
     return {"type": "targets", "targets": [{"id": str(i), **one} for i in range(count)]}
 
 
-def test_targets_replace_the_set_and_are_at_most_1000() -> None:
+def test_targets_replace_the_set_and_are_at_most_256() -> None:
     talk = Talk()
-    assert talk.say(targets(1000)) == [{"type": "targets", "count": 1000}]
+    assert talk.say(targets(256)) == [{"type": "targets", "count": 256}]
     assert talk.say(targets(2)) == [{"type": "targets", "count": 2}]
-    error = talk.error(targets(1001))
+    error = talk.error(targets(257))
     assert (error["code"], error["path"], error["recoverable"]) == ("too_many", "$.targets", True)
     assert talk.goes_on()
     assert [one["id"] for one in talk.say(events([1e6 + 1.0, 0.0, 0.0, None, None, 0]))[-1]["targets"]] == [

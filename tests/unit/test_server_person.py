@@ -136,10 +136,10 @@ def test_other_parameters_keep_the_person_and_another_predictor_does_not() -> No
     assert person(talk) == ""
 
 
-def test_asking_counts_as_ten_messages() -> None:
+def test_bringing_a_person_counts_as_what_it_builds() -> None:
     talk = open_session(person=PERSON)
     most = MESSAGES_PER_S // BUILDING
-    answers = [talk.say({"type": "person"}) for _ in range(most)]
+    answers = [talk.say({"type": "person", "person": PERSON}) for _ in range(most)]
     assert [one[0]["type"] for one in answers[:-1]] == ["person"] * (most - 1)  # hello was one as well
     assert (answers[-1][0]["code"], talk.closed) == ("too_fast", 1008)
 

@@ -88,8 +88,8 @@ def test_targets_weigh_alike_however_events_are_framed(size: int) -> None:
 
 
 def test_an_event_counts_more_with_places() -> None:
-    limits = {"max_events_per_s": 80}
-    for places, most in ((False, 80), (True, 10)):
+    limits = {"max_events_per_s": 130}
+    for places, most in ((False, 130), (True, 10)):
         talk = Talk(greet=hello(NAME, places=places), **limits)
         talk.feed([(i / 1000, 0.0, 0.0, None, None, 0) for i in range(most)])
         assert talk.closed is None

@@ -30,7 +30,7 @@ def test_hello_is_welcomed_with_the_limits() -> None:
                 "max_frame_bytes": 65536,
                 "max_events_per_frame": 64,
                 "max_events_per_s": 20000,
-                "max_targets": 1000,
+                "max_targets": 256,
                 "max_sessions": 64,
                 "idle_s": 60.0,
             },

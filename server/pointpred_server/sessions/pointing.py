@@ -95,7 +95,7 @@ class PointingSession(Session):
         """Act on a message that is not events."""
         kind = type(message)
         if kind is not Bye:
-            self._quota.take_message(now, size, BUILDING if kind in self.building else 1)
+            self._quota.take_message(now, size, BUILDING if _builds(message) else 1)
         if kind is not Hello and kind is not Bye and self._stream is None:
             received = message.__struct_config__.tag
             raise ProtocolError("out_of_place", f"expected 'hello' first, received {received!r}")
@@ -166,8 +166,6 @@ class PointingSession(Session):
         Bye: handle_bye,
     }
     """The method for each message but events. It returns the answer, if any, and raises ProtocolError."""
-    building: ClassVar = frozenset({Hello, Configure, Person, TrialMark})
-    """Messages that cost as much as several others."""
 
     def end(self, code: int, reason: str) -> None:
         """As ``Session.end``; the observer is told, too."""
@@ -183,3 +181,12 @@ class PointingSession(Session):
         self._weigh_events()
         hello = self.stream.hello
         return Welcome(hello.version, self.name, hello.predictor, self.limits)
+
+
+def _builds(message: ClientMessage) -> bool:
+    """Whether a message has a pipeline built, or a trial scored."""
+    if isinstance(message, Configure):
+        return message.predictor is not None or bool(message.parameters)
+    if isinstance(message, Person):
+        return message.person is not None
+    return isinstance(message, Hello | TrialMark)

@@ -15,13 +15,13 @@ from pointpred.protocol.token_bucket import TokenBucket
 
 MESSAGES_PER_S = 250
 """Messages other than events, pieces of messages, pings and pongs: two for each refresh of a fast display."""
-BUILDING = 10
+BUILDING = 25
 """A message that builds a pipeline, or has a trial scored, counts so many times."""
 BYTES_A_MESSAGE = 2**14
 """A message counts once more for each so many bytes: reading it takes time."""
-TARGETS_AN_EVENT = 64
+TARGETS_AN_EVENT = 16
 """An event counts once more for each so many targets: each target is looked at."""
-EVENTS_FOR_PLACES = 7
+EVENTS_FOR_PLACES = 12
 """An event counts so many times more where the client asked for places: they are read after it."""
 SESSIONS_OF_AN_ADDRESS = 16
 """All sessions of one address may send as much as so many."""
