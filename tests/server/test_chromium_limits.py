@@ -21,7 +21,9 @@ MOST_PER_S = 2000
 
 @pytest.fixture
 def listener() -> Iterator[Listener]:
-    limits = Limits(max_events_per_s=MOST_PER_S, idle_s=3600.0)  # targets are not said again to stay
+    limits = Limits(
+        max_events_per_s=MOST_PER_S, max_targets=1000, idle_s=3600.0
+    )  # targets are not said again to stay
     with Listener(limits=limits) as service:
         yield service
 

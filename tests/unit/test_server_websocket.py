@@ -17,13 +17,13 @@ from tests.server.listener import soon
 from tests.server.running import running
 
 PROTOCOL = WebSocketProtocol(Service(), Config(None), ServerState(), {})
-payload = st.text(max_size=SHORT_BYTES).map(str.encode) | st.binary(max_size=SHORT_BYTES + 5)
+payload = st.text(max_size=SHORT_BYTES).map(str.encode) | st.binary(max_size=3 * SHORT_BYTES)
 frames = st.builds(Frame, st.sampled_from([Opcode.CONT, Opcode.TEXT, Opcode.BINARY]), payload, st.booleans())
 masked = frames.map(lambda frame: frame.serialize(mask=True))
 sent = st.lists(masked, max_size=2).map(b"".join) | st.binary(max_size=12)
 
 
-@given(sent, sent, st.integers(0, 200))
+@given(sent, sent, st.integers(0, 400))
 def test_a_short_message_is_the_one_that_websockets_reads(before: bytes, data: bytes, cut: int) -> None:
     """``before`` is what the last read left in the buffer."""
     read, whole = PROTOCOL.get_buffer(0), data[: max(cut, 1)]
@@ -46,6 +46,7 @@ def test_short_messages_are_read_by_hand() -> None:
         (Opcode.TEXT, b"", ""),
         (Opcode.TEXT, "ü".encode() * 62, "ü" * 62),
         (Opcode.BINARY, bytes(range(SHORT_BYTES)), bytes(range(SHORT_BYTES))),
+        (Opcode.BINARY, bytes(range(256)) * 7, bytes(range(256)) * 7),
     ):
         frame = Frame(opcode, data).serialize(mask=True)
         PROTOCOL.get_buffer(0)[: len(frame)] = frame
