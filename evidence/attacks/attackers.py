@@ -293,12 +293,12 @@ def leaving(here: Here) -> None:
 
 def configured(here: Here) -> None:
     """16 sessions that know their person and send the most `configure` that is allowed, 25 a second."""
-    in_step(here, 16, hello(here.person), [CONFIGURE], 0.042)
+    in_step(here, 16, hello(here.person), [CONFIGURE], 0.12)
 
 
 def configured_at_once(here: Here) -> None:
-    """The same, 24 together each second."""
-    in_step(here, 16, hello(here.person), [24 * CONFIGURE], 1.1)
+    """The same, 9 together each second."""
+    in_step(here, 16, hello(here.person), [9 * CONFIGURE], 1.1)
 
 
 def configured_faster(here: Here) -> None:
@@ -307,13 +307,13 @@ def configured_faster(here: Here) -> None:
 
 
 def targeted(here: Here) -> None:
-    """A session with 1,000 targets that sends the most events that are allowed."""
-    in_step(here, 1, hello() + targets(1000), moving(200), 64 / 1250 * 1.02)
+    """A session with 256 targets that sends the most events that are allowed."""
+    in_step(here, 1, hello() + targets(256), moving(200), 64 / 1176 * 1.02)
 
 
 def targeted_16(here: Here) -> None:
     """16 such sessions."""
-    in_step(here, 16, hello() + targets(1000), moving(200), 64 / 1250 * 1.02)
+    in_step(here, 16, hello() + targets(256), moving(200), 64 / 1176 * 1.02)
 
 
 def eventful(here: Here) -> None:
