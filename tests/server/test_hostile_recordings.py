@@ -56,6 +56,7 @@ def test_marks_that_wait_for_a_slow_disk_are_bounded(tmp_path: Path) -> None:
     recorder = Recorder(tmp_path, waiting_most=50, write=slow)
     session = begin(recorder)
     session.trial("start")
+    session.trial("end")
     assert entered.wait(PATIENCE_S)
     for _ in range(500):
         session.trial("start")
