@@ -199,8 +199,7 @@ def attack_all(service: Served, port: int, attacks: Sequence[Attack]) -> None:
     keep("attacks", tables, part="attacked", machine=where, numbers=counts)
 
 
-def main() -> None:
-    chosen = parse(__doc__, metavar="ATTACK", choices=[one.__name__ for one in ATTACKS])
+def main(chosen: list[str]) -> None:
     attacks = [one for one in ATTACKS if one.__name__ in chosen or not chosen]
     words = ("--trust-proxy", "127.0.0.1", "--token", TOKEN)
     with TemporaryDirectory() as folder, served(*words, files=FILES) as service:
@@ -210,4 +209,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(parse(__doc__, metavar="ATTACK", choices=[one.__name__ for one in ATTACKS]))
