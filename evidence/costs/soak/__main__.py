@@ -150,7 +150,7 @@ class Soak:
 
 def lost_events(log: Path) -> int:
     """Events that the recorder lost, by the service's own count; ``log`` says where that is."""
-    address = re.search(r"^Metrics: (http\S+)$", log.read_text(encoding="utf-8"), re.MULTILINE)
+    address = re.search(r"Metrics: (http[^\s\"]+)", log.read_text(encoding="utf-8"))
     assert address is not None
     with urlopen(address[1]) as answer:
         lines = answer.read().decode().splitlines()
