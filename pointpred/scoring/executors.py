@@ -38,6 +38,8 @@ WITHOUT_WORKERS_S = 60.0
 """How long a cluster may have no workers while it has work: others may start in their place."""
 CHECK_S = 5.0
 """How often it is asked for its workers while no answer comes."""
+CLOSE_S = 20.0
+"""How long a cluster made here may take to close."""
 SETTINGS = {
     "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 2**28,
     "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 2**25,
@@ -265,7 +267,7 @@ def _local(workers: int) -> Iterator[Any]:
         yield local
     finally:
         # A worker that is being started again while the cluster closes fails an assertion of Dask's, which
-        # would hide why the work ended; the rest of the cluster closes the second time.
+        # would hide why the work ended, or is waited for without end; the rest closes the second time.
         for _ in range(2):
-            with suppress(AssertionError):
-                local.close()
+            with suppress(AssertionError, TimeoutError):
+                local.close(timeout=CLOSE_S)

@@ -68,11 +68,15 @@ if __name__ == "__main__":  # each worker of the cluster imports this file
 
 
 def test_a_cluster_that_loses_its_workers_is_named_as_the_reason(tmp_path: Path) -> None:
-    """In a process of its own: once, Dask ended the process that it ran in."""
+    """In a process of its own: once the process that it ran in ended, or waited without end."""
     script = tmp_path / "lost_workers.py"
     script.write_text(LOST_WORKERS)
     ran = subprocess.run(
-        [sys.executable, "-X", "faulthandler", script], capture_output=True, text=True, check=False
+        [sys.executable, "-X", "faulthandler", script],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=240,
     )
     assert ran.stdout.startswith("cluster the Dask cluster lost workers"), (ran.returncode, ran.stderr)
 
