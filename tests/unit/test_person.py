@@ -185,6 +185,18 @@ def test_bounds_are_closed_and_kept_for_each_number() -> None:
     assert at == build(NAME).predictor.learned
 
 
+def test_numbers_that_count_something_are_whole() -> None:
+    at = 0
+    for slot in SLOTS:
+        if slot.whole and slot.high > slot.low:
+            values = known()
+            values[at] = slot.low + 0.5
+            with pytest.raises(ParameterError, match=f"{slot.name} must be whole, is"):
+                build(NAME, person=persons.packed(SLOTS, values))
+        at += slot.count
+    assert any(slot.whole and slot.high > slot.low for slot in SLOTS)
+
+
 def place_of(name: str) -> int:
     at = 0
     for slot in SLOTS:
