@@ -15,6 +15,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack, suppress
+from functools import partial
 from random import Random
 from select import select
 from typing import Any, Self
@@ -387,7 +388,7 @@ def stopped(here: Here) -> None:
     context = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe(False)
     eager = hello(reply="event") + targets(100)
-    steady = lambda one: in_step(one, 1, eager, moving(800), 64 / 5000)  # noqa: E731
+    steady = partial(in_step, sessions=1, first=eager, frames=moving(800), every_s=64 / 5000)
     child = context.Process(target=carry_out, args=(steady, here, theirs))
     child.start()
     while here.going:
