@@ -389,10 +389,6 @@ class WebSocketProtocol(asyncio.BufferedProtocol):
         self._can_write = True
         self.flush()
 
-    def eof_received(self) -> bool:
-        """The client sends nothing more: the transport closes once all is sent."""
-        return False
-
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing comes or can be sent any more."""
         self._connections.discard(self)
