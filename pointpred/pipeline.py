@@ -1,8 +1,8 @@
-"""A differentiator and a predictor, joined: events in, predictions out."""
+"""A differentiator and a predictor, joined, and the targets: events in, predictions out."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable, Sequence
 from functools import cache
 from math import nan
 from typing import Any, Literal, Self, overload
@@ -32,6 +32,8 @@ from pointpred.records import (
     refused,
 )
 from pointpred.scene import scene
+from pointpred.targets.aim import Aim
+from pointpred.targets.rectangles import Target
 
 
 @cache
@@ -101,14 +103,16 @@ def _following(step: Callable[..., Any]) -> Callable[..., bool]:
 class Pipeline:
     """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor.
 
-    ``push`` takes a table of events; ``update`` one event, through both laws in one compiled call, and
-    ``advance`` does so in rows. Where an event is refused, nothing has changed.
+    Where targets are registered, the prediction is the one given these. ``push`` takes a table of events;
+    ``update`` one event, through both laws in one compiled call, and ``advance`` does so in rows. Where an
+    event is refused, nothing has changed.
     """
 
     def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
         self.name = name
         self.differentiator = differentiator
         self.predictor = predictor
+        self._aim: Aim | None = None
         self._joint: Callable[..., TenFloats] | None = None
         self._last: Callable[..., TenFloats] | None = None
 
@@ -130,7 +134,10 @@ class Pipeline:
         The first is NaN where the event is refused: nothing has changed then; ``records.refusal`` says why.
         """
         joint = self._joint or self._bind()[0]
-        return joint(self.differentiator._memory, self.predictor._memory, row, *self.predictor.shared)
+        answer = joint(self.differentiator._memory, self.predictor._memory, row, *self.predictor.shared)
+        if self._aim is None or answer[0] != answer[0]:
+            return answer
+        return self._aim.given(row, answer)
 
     @overload
     def push(self, events: EventColumns | FloatArray, want: Literal["last"]) -> TenFloats: ...
@@ -158,7 +165,7 @@ class Pipeline:
         nothing is then consumed.
         """
         if isinstance(events, np.ndarray):
-            if want == "last":
+            if want == "last" and self._aim is None:
                 last, predictor = self._last or self._bind()[1], self.predictor
                 answer = last(self.differentiator._memory, predictor._memory, events, *predictor.shared)
                 if answer[0] == answer[0]:
@@ -175,6 +182,8 @@ class Pipeline:
         finally:
             if answers is None:
                 self.differentiator.recall(before)
+        if self._aim is not None:
+            self._aim.follow(begin, table, answers)
         return tuple(answers[-1].tolist()) if want == "last" else answers
 
     def _bind(self) -> tuple[Callable[..., TenFloats], Callable[..., TenFloats]]:
@@ -188,10 +197,46 @@ class Pipeline:
         """Everything but the compiled laws, which are made again."""
         return {**self.__dict__, "_joint": None, "_last": None}
 
+    def register(self, targets: Sequence[Target]) -> None:
+        """Take these targets, in place of those before, as what can be pointed at; none: as if nobody had.
+
+        From the next event on the endpoint, its region and the time left are those of a movement to one of
+        them or elsewhere. ``reset`` keeps them. At most 1000; raises ParameterError, nothing changed.
+
+        >>> from pointpred import build
+        >>> from pointpred.targets import around
+        >>> pipeline = build("minimum-jerk")
+        >>> pipeline.register([around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0)])
+        >>> for i in range(30):
+        ...     at = PointerEvent(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0)
+        ...     prediction = pipeline.update(at)
+        >>> max(pipeline.shares, key=pipeline.shares.get), round(prediction.x)
+        ('right', 400)
+        """
+        self.aim.register(targets)
+
+    @property
+    def aim(self) -> Aim:
+        """The registered targets and what is known of them, for those that decide among them."""
+        if self._aim is None:
+            self._aim = Aim()
+        return self._aim
+
+    @aim.setter
+    def aim(self, aim: Aim) -> None:
+        self._aim = aim
+
+    @property
+    def shares(self) -> dict[Hashable, float]:
+        """How likely the movement is for each registered target, by its id; ``None``: for none of them."""
+        if self._aim is None:
+            return {None: 1.0}
+        return dict(zip((*self._aim.ids, None), self._aim.shares.tolist(), strict=True))
+
     @property
     def learns(self) -> bool:
         """Whether finished movements change what is said of the next: then only a new person starts fresh."""
-        return bool(self.predictor.learned)
+        return bool(self.predictor.learned) or (self._aim is not None and self._aim.learn == 1)
 
     @property
     def person(self) -> str:
@@ -217,16 +262,18 @@ class Pipeline:
 
     @property
     def mixture(self) -> Mixture | None:
-        """What the last prediction knows beyond one law: the places where it may end, and elsewhere.
+        """What the last prediction knows beyond one law: the targets and places where it may end, elsewhere.
 
-        ``None`` where nothing is justified now, and always where the predictor learns no places. It is put
-        together when asked for; predictions themselves claim one law.
+        ``None`` where nothing is justified now, and where neither targets are registered nor the predictor
+        learns places. It is put together when asked for; predictions themselves claim one law.
 
         >>> from pointpred import build
         >>> build("kinematic-adaptive").mixture is None
         True
         """
-        return self.predictor.mixture
+        own = self.predictor.mixture
+        own = self.predictor.mixture
+        return own if self._aim is None or not self._aim.ids else self._aim.mixture(own)
 
     def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
         """The next movement is in this window or page; one that goes on stays in the window it began in.
@@ -242,15 +289,21 @@ class Pipeline:
         """Forget the person, the movement and the window."""
         self.differentiator = self.differentiator.fresh()
         self.predictor = self.predictor.fresh()
+        if self._aim is not None:
+            self._aim = self._aim.fresh()
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement. What is known of the person stays."""
         self.differentiator.reset()
         self.predictor.reset()
+        if self._aim is not None:
+            self._aim.reset()
 
     def fresh(self) -> Self:
-        """Return a pipeline with the same parameters and no memory, which knows nobody."""
-        return type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
+        """Return a pipeline with the same parameters and targets and no memory, which knows nobody."""
+        twin = type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
+        twin._aim = None if self._aim is None else self._aim.fresh()
+        return twin
 
 
 def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:

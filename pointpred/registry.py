@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import warnings
+from collections.abc import Sequence
 from functools import cache
 from importlib.metadata import entry_points
 from typing import Any
@@ -30,6 +31,8 @@ from pointpred.predictors import (
     TemplatePredictor,
 )
 from pointpred.stage import CompiledStage
+from pointpred.targets.aim import Aim
+from pointpred.targets.rectangles import Target
 
 
 class Entry(msgspec.Struct, frozen=True):
@@ -210,15 +213,21 @@ def describe(name: str) -> dict[str, Any]:
 
 
 def build(
-    name: str, *, cpi: float | None = None, dpi: float = 96.0, person: str = "", **parameters: Any
+    name: str,
+    *,
+    cpi: float | None = None,
+    dpi: float = 96.0,
+    person: str = "",
+    targets: Sequence[Target] = (),
+    **parameters: Any,
 ) -> Pipeline:
     """Return a fresh pipeline for a name of the registry.
 
     ``cpi``: counts per inch of the device; with it motor motion comes from the events' counts, without it
-    from the cursor and ``dpi`` (px per inch). Other parameters go to the predictor or the differentiator
-    that has them; ``differentiator`` names another differentiator. ``person``: what ``Pipeline.person`` of
-    the same predictor was, to go on with what is known of that person; "" knows nobody. Raises
-    ParameterError.
+    from the cursor and ``dpi`` (px per inch). Other parameters go to the predictor, the differentiator or the
+    ``Aim`` that has them; ``differentiator`` names another differentiator. ``person``: what
+    ``Pipeline.person`` of the same predictor was, to go on with what is known of that person; "" knows
+    nobody. ``targets``: what can be pointed at, as ``Pipeline.register`` takes it. Raises ParameterError.
 
     >>> build("hold").name
     'hold'
@@ -229,17 +238,21 @@ def build(
     chosen = parameters.pop("differentiator", entry.differentiator)
     if not isinstance(chosen, str) or chosen not in DIFFERENTIATORS:
         raise _unknown("differentiator", "differentiator", chosen, list(DIFFERENTIATORS))
-    own, shared = _names(entry.predictor), _names(DIFFERENTIATORS[chosen])
+    own, shared, of_targets = _names(entry.predictor), _names(DIFFERENTIATORS[chosen]), _names(Aim)
     for word in parameters:
-        if word not in own + shared:
-            error = _unknown(f"parameter of {name}", word, word, own + shared)
+        if word not in own + shared + of_targets:
+            error = _unknown(f"parameter of {name}", word, word, own + shared + of_targets)
             error.value = parameters[word]
             raise error
     settings = GAINS | entry.preset | parameters | {"cpi": cpi, "dpi": dpi}
     predictor = entry.predictor(**{key: settings[key] for key in own if key in settings})
     restore(predictor, person)
     differentiator = DIFFERENTIATORS[chosen](**{key: settings[key] for key in shared if key in settings})
-    return Pipeline(name, differentiator, predictor)
+    pipeline = Pipeline(name, differentiator, predictor)
+    if targets or parameters.keys() & set(of_targets):
+        pipeline.aim = Aim(**{key: parameters[key] for key in of_targets if key in parameters})
+        pipeline.register(targets)
+    return pipeline
 
 
 def _names(stage: type[CompiledStage]) -> list[str]:

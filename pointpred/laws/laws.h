@@ -98,11 +98,11 @@ typedef struct { int64_t f0; double f1; } Tqd;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
 typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
+typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; } T6d;
 typedef struct { double x; double y; double ux; double uy; double wide; double broad; double tail; } predictors_adaptation_destination_Heading;
 typedef struct { double ahead; double wide; double broad; double tail; } predictors_adaptation_distances_Ahead;
 typedef struct { predictors_adaptation_destination_Heading f0; double f1; } T_predictors_adaptation_destination_Heading_d;
 typedef struct { predictors_adaptation_destination_Heading f0; predictors_adaptation_destination_Heading f1; } T2_predictors_adaptation_destination_Heading_;
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; } T6d;
 typedef struct { int64_t f0; bool f1; } Tqb;
 typedef struct { T6d f0; T6d f1; } T2_T6d_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
@@ -133,11 +133,11 @@ typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; int64_t f4; int
 typedef struct { double x; double y; double u; double v; double vx; double vy; } simulation_loop_Place;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; double f9; double f10; double f11; double f12; double f13; } T14d;
 typedef struct { double noise_x; double noise_y; double late_s; double hat_x; double hat_y; } simulation_loop_Chance;
+typedef struct { Table f0; Vector f1; Table f2; Vector f3; } T_Table__Vector__Table__Vector_;
+typedef struct { double x; double y; double sxx; double sxy; double syy; double tail; } targets_endpoint_Ellipse;
 typedef struct { Table f0; Vector f1; Vector f2; } T_Table_2_Vector_;
-typedef struct { double precision; double elsewhere; double least_lead_s; double least_way_px; } targets_posterior_Settings;
-typedef struct { double t; double x; double y; double sxx; double sxy; double syy; double remaining_s; double phase; double tail; double remaining_spread; } records_PredictionRow;
+typedef struct { double precision; double least_lead_s; double least_way_px; } targets_decision_Settings;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; } T4q;
-typedef struct { Table f0; Table f1; Table f2; } T3_Table_;
 typedef struct { Table f0; Vector f1; Vector f2; Vector f3; } T_Table_3_Vector_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; } T8d;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; } transfer_assistance_OffsetReport;
@@ -871,6 +871,53 @@ typedef struct {
   simulation_loop_State state;
 } simulation_loop_Memory;
 typedef struct {
+  double t;
+  double x;
+  double y;
+  double sxx;
+  double sxy;
+  double syy;
+  double tail;
+  double answer[10];
+  targets_cursor_State cursor;
+} targets_aim_Moment;
+typedef struct {
+  double samples;
+  double elsewhere;
+  double released;
+  double remaining_s;
+  double claimed;
+  double elsewhere_law[6];
+  predictors_adaptation_moments_Series series;
+  targets_aim_Moment moments[32];
+  predictors_adaptation_time_left_Movement time_left;
+} targets_aim_Movement;
+typedef struct {
+  double count;
+  double ids[64];
+  double kinds[64];
+  double rules[5];
+  double to;
+  double none;
+} targets_past_Past;
+typedef struct {
+  double elsewhere;
+  double learn;
+} targets_aim_Settings;
+typedef struct {
+  targets_past_Past past;
+  predictors_adaptation_region_widening_Radii regions;
+  predictors_adaptation_durations_Durations durations;
+  predictors_adaptation_time_left_Sums time_left;
+  predictors_adaptation_arrival_intervals_Intervals intervals;
+} targets_aim_Person;
+typedef struct {
+  targets_aim_Settings settings;
+  targets_aim_Person person;
+  targets_cursor_State cursor;
+  targets_aim_Movement movement;
+} targets_aim_Memory;
+typedef struct {
   targets_cursor_State cursor;
   double began;
   double count;
@@ -962,7 +1009,6 @@ typedef struct {
   transfer_identification_State state;
 } transfer_identification_Memory;
 static inline records_MotionRow records_MotionRow_of_T10d(T10d value) { return (records_MotionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
-static inline records_PredictionRow records_PredictionRow_of_T10d(T10d value) { return (records_PredictionRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8, value.f9}; }
 static inline transfer_pixels_CountsRow transfer_pixels_CountsRow_of_T3d(T3d value) { return (transfer_pixels_CountsRow){value.f0, value.f1, value.f2}; }
 static inline simulation_loop_Chance simulation_loop_Chance_of_T5d(T5d value) { return (simulation_loop_Chance){value.f0, value.f1, value.f2, value.f3, value.f4}; }
 static inline transfer_assistance_OffsetReport transfer_assistance_OffsetReport_of_T5d(T5d value) { return (transfer_assistance_OffsetReport){value.f0, value.f1, value.f2, value.f3, value.f4}; }
@@ -1138,16 +1184,16 @@ void predictors_adaptation_habits_share_visit(predictors_adaptation_habits_Habit
 bool predictors_adaptation_habits_shares(predictors_adaptation_habits_Habits * s, predictors_adaptation_places_Places * held, double key, T3d start, Table out);
 double predictors_adaptation_habits_usual_width(predictors_adaptation_habits_Habits * s);
 double predictors_adaptation_habits_width_weight(predictors_adaptation_habits_Habits * s, int64_t width);
-void predictors_adaptation_levels_learn(predictors_adaptation_levels_Offsets * s, double share, int64_t which, bool inside, double step);
-double predictors_adaptation_levels_offset(predictors_adaptation_levels_Offsets * s, double share, int64_t which);
-double predictors_adaptation_levels_step_after(double movements);
+static inline void predictors_adaptation_levels_learn(predictors_adaptation_levels_Offsets * s, double share, int64_t which, bool inside, double step);
+static inline double predictors_adaptation_levels_offset(predictors_adaptation_levels_Offsets * s, double share, int64_t which);
+static inline double predictors_adaptation_levels_step_after(double movements);
 void predictors_adaptation_mixed_region_claim(predictors_adaptation_mixed_region_Movement * s, double share, T6d elsewhere);
 void predictors_adaptation_mixed_region_judge(predictors_adaptation_levels_Offsets * offsets, predictors_adaptation_mixed_region_Mixture * stated, T2d end, double share, double step);
 int64_t predictors_adaptation_mixed_region_likeliest(predictors_adaptation_places_Places * held, predictors_adaptation_destination_Movement * going, double below);
 void predictors_adaptation_mixed_region_write(predictors_adaptation_levels_Offsets * offsets, predictors_adaptation_places_Places * held, predictors_adaptation_destination_Movement * going, predictors_adaptation_mixed_region_Movement * now, predictors_adaptation_mixed_region_Mixture * to, T2d origin, T2d start);
 void predictors_adaptation_mixed_region_write_part(predictors_mixture_PartRow * part, double share, T2d centre, double spread);
-bool predictors_adaptation_moments_has_come(predictors_adaptation_moments_Series * s, double t, T2d span, double share);
-Tqb predictors_adaptation_moments_next_moment(predictors_adaptation_moments_Series * s, double last_t, T3d cursor, int64_t most);
+static inline bool predictors_adaptation_moments_has_come(predictors_adaptation_moments_Series * s, double t, T2d span, double share);
+static inline Tqb predictors_adaptation_moments_next_moment(predictors_adaptation_moments_Series * s, double last_t, T3d cursor, int64_t most);
 Tqd predictors_adaptation_places_fault(predictors_adaptation_places_Places * learned);
 int64_t predictors_adaptation_places_nearest(predictors_adaptation_places_Places * s, double key, T2d point, double near);
 int64_t predictors_adaptation_places_new_place(predictors_adaptation_places_Places * s);
@@ -1162,7 +1208,7 @@ T3q predictors_adaptation_predictor_sizes(Vector values);
 T10d predictors_adaptation_predictor_step(predictors_adaptation_predictor_Memory * memory, T10d motion, predictors_kinematic_network_Coefficients * coefficients);
 bool predictors_adaptation_predictor_write_mixture(predictors_adaptation_predictor_Memory * memory);
 void predictors_adaptation_region_widening_learn(predictors_adaptation_region_widening_Radii * s, predictors_adaptation_region_widening_Movement * stated, T2d place_of_end, T2d span);
-double predictors_adaptation_region_widening_probability_within(predictors_adaptation_region_widening_Moment * m, double x, double y);
+static inline double predictors_adaptation_region_widening_probability_within(T6d region, double x, double y);
 int64_t predictors_adaptation_region_widening_record(predictors_adaptation_region_widening_Movement * stated, T3d cursor, T6d region);
 T2d predictors_adaptation_region_widening_widen(predictors_adaptation_region_widening_Radii * s, double share, double tail);
 double predictors_adaptation_stages_belief(double paid, double size);
@@ -1185,6 +1231,7 @@ int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_lef
 void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums * s, Vector prior, Vector weights);
 T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace);
 T7d predictors_adaptation_time_left_terms(predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace, double since, double median);
+T2d predictors_adaptation_time_left_weighed(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, double predicted, T7d known, Vector prior);
 T10d predictors_delphian_step(predictors_delphian_Memory * memory, T10d motion);
 T10d predictors_hold_step(predictors_movement_State * s, T10d motion);
 T3d predictors_kalman_corrected(Vector axis, differentiators_kalman_Covariance * p, double noise, double measured);
@@ -1350,15 +1397,22 @@ T14d simulation_loop_step(simulation_loop_Memory * memory, T5d chance);
 void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
 static inline void stage_learn_nothing(Vector memory);
+double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end);
+void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets);
+void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
+T10d targets_aim_row_of(Vector values);
+double targets_aim_size_of(Table rows, Vector shares);
+T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+int64_t targets_aim_taken(Table rows, double x, double y);
+void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+T7d targets_arrival_terms(double predicted, double since, double median, double left_px, double size_px);
 T4q targets_choice_law_changes(T2q before, T2q now);
+T3q targets_choice_law_decide(targets_cursor_State * s, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_decision_Settings settings, int64_t standing);
 int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y, bool released);
-int64_t targets_choice_law_holder(Table table, double x, double y);
 int64_t targets_choice_law_innermost(Table table, Vector inside);
-T3q targets_choice_law_propose(targets_cursor_State * s, T4d event, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing);
-T3q targets_choice_law_step(targets_cursor_State * s, T4d event, T10d answer, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, int64_t standing);
-T3q targets_choice_law_step_with_shares(targets_cursor_State * s, T4d event, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing);
-int64_t targets_choice_law_unusable(targets_cursor_State * s, Table events);
-T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, T2q proposed);
+bool targets_cursor_begins(targets_cursor_State * s, double t, double pressed);
 static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed);
 double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height);
 bool targets_cursor_usable(double t, double x, double y);
@@ -1366,13 +1420,22 @@ static inline int64_t targets_decision_decide(targets_cursor_State * s, Table ta
 bool targets_decision_early(targets_cursor_State * s, Vector row, double remaining_s, double least_s);
 int64_t targets_decision_likeliest(Vector shares, int64_t count);
 void targets_decision_rank(Vector shares, int64_t count, Vector order);
-void targets_expectation_expect(Table table, Vector own, Table known);
-int64_t targets_expectation_target_of(Table table, Vector place);
+targets_endpoint_Ellipse targets_endpoint_ellipse(Table parts, int64_t count, T2d centre, T2d way);
+targets_posterior_Law targets_endpoint_elsewhere(targets_cursor_State * s, T10d answer);
+T2d targets_endpoint_geometric_median(Table parts, int64_t count);
+int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_Law predicted, double least, Table out);
+void targets_endpoint_write_target(Vector row, targets_posterior_Law predicted, double share, predictors_mixture_PartRow * part);
 void targets_ledger_begin(targets_ledger_State * s, Table rows);
 static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place);
 static inline void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place);
 static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place);
 static inline void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released);
+void targets_past_add_visit(targets_past_Past * s, int64_t k, Table keys, Table out);
+double targets_past_elsewhere(targets_past_Past * s, double first);
+void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t taken);
+double targets_past_rule_weight(targets_past_Past * s, int64_t rule);
+void targets_past_shares(targets_past_Past * s, Vector own, Table keys, Table out);
+void targets_past_weigh(targets_past_Past * s, Vector own, Table keys, Table table);
 double targets_posterior_bend(T2d u, T2d g, double far2, double size);
 T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targets_posterior_Law predicted, bool mass);
 void targets_posterior_features(targets_cursor_State * s, Table table, targets_posterior_Law predicted, Table out);
@@ -1395,6 +1458,7 @@ double targets_rectangle_mass_node_sum(targets_rectangle_mass_Distance distance,
 double targets_rectangle_mass_normal_sum(targets_rectangle_mass_Distance distance);
 double targets_rectangle_mass_student_sum(targets_rectangle_mass_Distance distance, double tail);
 void targets_rectangles_complete(Table rows);
+int64_t targets_rectangles_holder(Table table, double x, double y);
 void training_calibration_fill_reaches(double level, Vector tail, Vector far);
 T2d transfer_assistance_add(transfer_assistance_Guard * guard, transfer_pixels_Carried * owed, double dt, T2d own, T5d way);
 T3d transfer_assistance_assisted_step(transfer_assistance_Assisted * memory, T5d report);
@@ -1423,6 +1487,11 @@ T3d transfer_pixels_step(transfer_pixels_Memory * memory, T3d report);
 double transfer_pixels_turn(transfer_pixels_Memory * memory, double t, double dt, double dx, double dy);
 static const int64_t differentiators_sampling_MOVED = 2;
 static const int64_t differentiators_sampling_RESTARTED = 1;
+static const double predictors_adaptation_levels_FURTHEST = 6.0;
+static const double predictors_adaptation_levels_STEP = 6.0;
+static const double predictors_adaptation_levels_STEP_LEAST = 0.2;
+static const double predictors_adaptation_levels_STEP_OF = 5.0;
+static const double predictors_adaptation_moments_APART_S = 0.0071;
 static const double predictors_mixture_HEAVINESS_LEAST = 1e-06;
 static const double predictors_mixture_HEAVINESS_MOST = 40.0;
 static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
@@ -1441,14 +1510,13 @@ static const int64_t records_ORDER = 1;
 static const double records_ROUNDING_S = 1e-06;
 static const double regions_LARGEST_LOG = 700.0;
 static const double regions_NEARLY_NORMAL = 1e+16;
-static const double targets_cursor_PAUSE_S = 0.3;
 static const double targets_cursor_SLOWER_S = 0.06;
 static const double targets_cursor_SPEED_S = 0.03;
 static const double targets_cursor_TRAIL_SHARE = 0.35;
-static const int64_t targets_decision_NOBODY = -1;
 static const int64_t targets_ledger_ENTRY = 1;
 static const int64_t targets_ledger_ENTRY_SINCE = 2;
 static const int64_t targets_ledger_MADE = 0;
+static const int64_t targets_rectangles_NOBODY = -1;
 
 /* Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN). */
 static inline int64_t records_fault_of_event(records_EventRow event) {
@@ -1636,6 +1704,50 @@ static inline T10d differentiators_kalman_step(differentiators_kalman_Memory * m
   return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
 }
 
+/* Whether a moment at ``t`` lies before a share of the time between the start and the end in s. */
+static inline bool predictors_adaptation_moments_has_come(predictors_adaptation_moments_Series * s, double t, T2d span, double share) {
+  double start, end;
+  start = span.f0;
+  end = span.f1;
+  return t - start <= share * (end - start) + records_ROUNDING_S + 0.5 * s->apart;
+}
+
+/* How much is learned from the n-th movement. */
+static inline double predictors_adaptation_levels_step_after(double movements) {
+  return max_float(predictors_adaptation_levels_STEP / (movements + predictors_adaptation_levels_STEP_OF), predictors_adaptation_levels_STEP_LEAST);
+}
+
+/* Share of the probability that a law, as ``record`` takes it, gives to places nearer than the end. */
+static inline double predictors_adaptation_region_widening_probability_within(T6d region, double x, double y) {
+  double centre_x, centre_y, sxx, sxy, syy, tail, dx, dy, determinant, far;
+  centre_x = region.f0;
+  centre_y = region.f1;
+  sxx = region.f2;
+  sxy = region.f3;
+  syy = region.f4;
+  tail = region.f5;
+  dx = x - centre_x;
+  dy = y - centre_y;
+  determinant = sxx * syy - sxy * sxy;
+  if (!(determinant > 0.0)) {
+    return 1.0;
+  }
+  far = (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant;
+  return 1.0 - exp(-0.5 * tail * log(1.0 + max_float(far, 0.0) / tail));
+}
+
+/* Learn from an end inside or outside the region of a level that was stated at a share of the time. */
+static inline void predictors_adaptation_levels_learn(predictors_adaptation_levels_Offsets * s, double share, int64_t which, bool inside, double step) {
+  int64_t stage;
+  double part, missed;
+  Tqd values_1 = predictors_adaptation_stages_interpolation(share);
+  stage = values_1.f0;
+  part = values_1.f1;
+  missed = inside ? ((const double *)&predictors_mixture_LEVELS)[which] - 1.0 : ((const double *)&predictors_mixture_LEVELS)[which];
+  s->values[stage][which] = predictors_adaptation_stages_bounded(s->values[stage][which] + step * (1.0 - part) * missed, predictors_adaptation_levels_FURTHEST);
+  s->values[stage + 1][which] = predictors_adaptation_stages_bounded(s->values[stage + 1][which] + step * part * missed, predictors_adaptation_levels_FURTHEST);
+}
+
 /* The probability of the places that are denser than a place: exact for a single part. */
 static inline double predictors_mixture_content(Table parts, int64_t count, double x, double y, int64_t points) {
   predictors_mixture_PartRow * part;
@@ -1679,6 +1791,49 @@ static inline double predictors_mixture_corrected_probability(double level, doub
     own = max_float(own, predictors_mixture_corrected_radius(predictors_mixture_LEVELS.f0, heavy, near));
   }
   return min_float(1.0 - exp(-log(1.0 + own) / heavy), predictors_mixture_PROBABILITY_MOST);
+}
+
+/* The offset of a level at a share of the time: on lines between the stages. */
+static inline double predictors_adaptation_levels_offset(predictors_adaptation_levels_Offsets * s, double share, int64_t which) {
+  int64_t stage;
+  double part, low;
+  Tqd values_1 = predictors_adaptation_stages_interpolation(share);
+  stage = values_1.f0;
+  part = values_1.f1;
+  low = s->values[stage][which];
+  return low + part * (s->values[stage + 1][which] - low);
+}
+
+/* The number of the moment that a cursor (t, x, y) is written to, -1 for none; whether to thin out first. */
+static inline Tqb predictors_adaptation_moments_next_moment(predictors_adaptation_moments_Series * s, double last_t, T3d cursor, int64_t most) {
+  double t, x, y;
+  int64_t count;
+  bool full;
+  t = cursor.f0;
+  x = cursor.f1;
+  y = cursor.f2;
+  count = (int64_t)s->count;
+  full = false;
+  if (count == 0 || t != last_t) {
+    if (count == 0) {
+      s->apart = predictors_adaptation_moments_APART_S;
+    } else if (t - last_t < s->apart) {
+      return (Tqb){-1, false};
+    }
+    if (count == most) {
+      if (x == s->cursor_x && y == s->cursor_y) {
+        return (Tqb){-1, false};
+      }
+      count = floor_divided_whole(most, 2);
+      full = true;
+      s->apart *= 2.0;
+    }
+    count += 1;
+    s->count = count;
+  }
+  s->cursor_x = x;
+  s->cursor_y = y;
+  return (Tqb){count - 1, full};
 }
 
 /* Squared radius of a level's region over the tail; ``heavy``: 2 / tail. */
@@ -1792,11 +1947,10 @@ static inline double regions_reach(double level, double tail) {
 /* Take an event in, a usable one that is not before the last; returns whether a button was released. */
 static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed) {
   double dt, way, far, share;
-  bool released, starts;
+  bool released;
   dt = t - s->t;
   released = s->pressed == 1.0 && pressed == 0.0;
-  starts = s->known == 0.0 || released || dt > targets_cursor_PAUSE_S + records_ROUNDING_S;
-  if (starts) {
+  if (targets_cursor_begins(s, t, pressed)) {
     s->t0 = t;
     s->x0 = x;
     s->y0 = y;
@@ -1832,7 +1986,7 @@ static inline bool targets_cursor_follow(targets_cursor_State * s, double t, dou
 
 /* The cursor goes into a target; only the first time in a movement counts. */
 static inline void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place) {
-  if (place != targets_decision_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
+  if (place != targets_rectangles_NOBODY && rows.p[place * rows.m + targets_ledger_ENTRY] != rows.p[place * rows.m + targets_ledger_ENTRY]) {
     rows.p[place * rows.m + targets_ledger_ENTRY] = t;
     rows.p[place * rows.m + targets_ledger_ENTRY_SINCE] = s->standing == place ? s->since : NAN;
   }
@@ -1847,28 +2001,28 @@ static inline int64_t targets_decision_decide(targets_cursor_State * s, Table ta
   least_s = bounds.f2;
   least_px = bounds.f3;
   best = targets_decision_likeliest(shares, table.n);
-  if (best == targets_decision_NOBODY) {
-    return targets_decision_NOBODY;
+  if (best == targets_rectangles_NOBODY) {
+    return targets_rectangles_NOBODY;
   }
-  if (standing != targets_decision_NOBODY && (best == standing || shares.p[best] < ask)) {
-    return shares.p[standing] >= keep ? standing : targets_decision_NOBODY;
+  if (standing != targets_rectangles_NOBODY && (best == standing || shares.p[best] < ask)) {
+    return shares.p[standing] >= keep ? standing : targets_rectangles_NOBODY;
   }
   far = hypot(s->x - s->x0, s->y - s->y0);
   if (shares.p[best] >= ask && far >= least_px && targets_decision_early(s, (Vector){table.p + best * table.m, table.m}, remaining_s, least_s)) {
     return best;
   }
-  if (standing != targets_decision_NOBODY && shares.p[standing] >= keep) {
+  if (standing != targets_rectangles_NOBODY && shares.p[standing] >= keep) {
     return standing;
   }
-  return targets_decision_NOBODY;
+  return targets_rectangles_NOBODY;
 }
 
 /* The proposal that stands ends; where this target's does not stand, nothing happens. */
 static inline void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released) {
-  if (place == targets_decision_NOBODY || s->standing != place) {
+  if (place == targets_rectangles_NOBODY || s->standing != place) {
     return;
   }
-  s->standing = targets_decision_NOBODY;
+  s->standing = targets_rectangles_NOBODY;
   if (released) {
     int64_t value_1 = place;
     double value_2 = t;
@@ -1886,7 +2040,7 @@ static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, 
   s->proposed += 1.0;
   s->standing = place;
   s->since = t;
-  if (place != targets_decision_NOBODY) {
+  if (place != targets_rectangles_NOBODY) {
     rows.p[place * rows.m + targets_ledger_MADE] += 1.0;
   }
 }
@@ -1894,7 +2048,7 @@ static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, 
 /* How often the target of the movement was proposed, and the leads before its entry and its click, s. */
 static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place) {
   double entry, since;
-  if (place == targets_decision_NOBODY) {
+  if (place == targets_rectangles_NOBODY) {
     return (T3d){0.0, NAN, NAN};
   }
   entry = rows.p[place * rows.m + targets_ledger_ENTRY];

@@ -323,6 +323,28 @@ static PyObject *give_T4q(T4q value) {
   PyTuple_SetItem(tuple, 3, PyLong_FromLongLong(value.f3));
   return tuple;
 }
+static PyObject *give_targets_endpoint_Ellipse(targets_endpoint_Ellipse value) {
+  PyObject *tuple = PyTuple_New(6);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.sxx));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.sxy));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.syy));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.tail));
+  return tuple;
+}
+static PyObject *give_targets_posterior_Law(targets_posterior_Law value) {
+  PyObject *tuple = PyTuple_New(6);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.x));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.y));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.sxx));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.sxy));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.syy));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.tail));
+  return tuple;
+}
 static PyObject *give_targets_posterior_Situation(targets_posterior_Situation value) {
   PyObject *tuple = PyTuple_New(8);
   if (tuple == NULL) return NULL;
@@ -5073,15 +5095,20 @@ static PyObject *py_predictors_adaptation_region_widening_probability_within(PyO
   static const char law[] = "pointpred.predictors.adaptation.region_widening:probability_within";
   Held held;
   const Py_buffer *view;
-  predictors_adaptation_region_widening_Moment * a0;
+  T6d a0;
   double a1;
   double a2;
   double result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "m", false, 45, &view)
-        && (a0 = view->buf, true)
+        && take_tuple(args[0], law, "region", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.f2)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.f3)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.f4)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.f5)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)))
     return let_go(&held);
@@ -5556,6 +5583,51 @@ static PyObject *py_predictors_adaptation_time_left_terms(PyObject *self, PyObje
   result = predictors_adaptation_time_left_terms(a0, a1, a2, a3, a4);
   let_go(&held);
   return give_T7d(result);
+}
+static PyObject *py_predictors_adaptation_time_left_weighed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.time_left:weighed";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_time_left_Sums * a0;
+  predictors_adaptation_arrival_intervals_Intervals * a1;
+  predictors_adaptation_time_left_Movement * a2;
+  T3d a3;
+  double a4;
+  double a5;
+  double a6;
+  T7d a7;
+  Vector a8;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 9)
+        && take_memory(&held, args[0], law, "s", false, 35, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "intervals", false, 4, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "movement", true, 332, &view)
+        && (a2 = view->buf, true)
+        && take_tuple(args[3], law, "cursor", 3)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)
+        && take_double(args[6], &a6)
+        && take_tuple(args[7], law, "known", 7)
+        && take_double(PyTuple_GetItem(args[7], 0), &a7.f0)
+        && take_double(PyTuple_GetItem(args[7], 1), &a7.f1)
+        && take_double(PyTuple_GetItem(args[7], 2), &a7.f2)
+        && take_double(PyTuple_GetItem(args[7], 3), &a7.f3)
+        && take_double(PyTuple_GetItem(args[7], 4), &a7.f4)
+        && take_double(PyTuple_GetItem(args[7], 5), &a7.f5)
+        && take_double(PyTuple_GetItem(args[7], 6), &a7.f6)
+        && take_array(&held, args[8], law, "prior", 'd', 1, false, &view)
+        && (a8 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = predictors_adaptation_time_left_weighed(a0, a1, a2, a3, a4, a5, a6, a7, a8);
+  let_go(&held);
+  return give_T2d(result);
 }
 static PyObject *py_predictors_delphian_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.delphian:step";
@@ -9305,6 +9377,328 @@ static PyObject *py_stage_learn_nothing(PyObject *self, PyObject *const *args, P
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_targets_aim_arrived(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:arrived";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Movement * a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "movement", false, 1371, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_aim_arrived(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_aim_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:begin";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, true, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_aim_begin(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:conclude";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  targets_posterior_Coefficients * a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[2], law, "coefficients", false, 28, &view)
+        && (a2 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_aim_conclude(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_aim_learn_regions(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:learn_regions";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_region_widening_Radii * a0;
+  targets_aim_Movement * a1;
+  T2d a2;
+  T2d a3;
+  T_Table__Vector__Table__Vector_ a4;
+  targets_posterior_Coefficients * a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "s", true, 21, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "movement", false, 1371, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "end", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "span", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_tuple(args[4], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "targets", 'd', 2, false, &view)
+        && (a4.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "targets", 'd', 1, false, &view)
+        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 2, false, &view)
+        && (a4.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 3), law, "targets", 'd', 1, false, &view)
+        && (a4.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[5], law, "coefficients", false, 28, &view)
+        && (a5 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_aim_learn_regions(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_aim_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:record";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Movement * a0;
+  targets_cursor_State * a1;
+  targets_endpoint_Ellipse a2;
+  T10d a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "movement", true, 1371, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "s", false, 15, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "region", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.sxx)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.sxy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
+        && take_tuple(args[3], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
+        && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
+        && take_double(PyTuple_GetItem(args[3], 3), &a3.f3)
+        && take_double(PyTuple_GetItem(args[3], 4), &a3.f4)
+        && take_double(PyTuple_GetItem(args[3], 5), &a3.f5)
+        && take_double(PyTuple_GetItem(args[3], 6), &a3.f6)
+        && take_double(PyTuple_GetItem(args[3], 7), &a3.f7)
+        && take_double(PyTuple_GetItem(args[3], 8), &a3.f8)
+        && take_double(PyTuple_GetItem(args[3], 9), &a3.f9)))
+    return let_go(&held);
+  targets_aim_record(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_aim_row_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:row_of";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_array(&held, args[0], law, "values", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = targets_aim_row_of(a0);
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_targets_aim_size_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:size_of";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 4)
+        && take_array(&held, args[1], law, "shares", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_aim_size_of(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:step";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Memory * a0;
+  T6d a1;
+  T10d a2;
+  T_Table__Vector__Table__Vector_ a3;
+  targets_posterior_Coefficients * a4;
+  T10d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_tuple(args[2], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
+        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
+        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
+        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
+        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
+        && take_tuple(args[3], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 2, true, &view)
+        && (a3.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 3), law, "targets", 'd', 1, true, &view)
+        && (a3.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && (a4 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_aim_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T10d(result);
+}
+static PyObject *py_targets_aim_taken(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:taken";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 4)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_aim_taken(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:walk";
+  Held held;
+  const Py_buffer *view;
+  targets_aim_Memory * a0;
+  FlagVector a1;
+  Table a2;
+  Table a3;
+  T_Table__Vector__Table__Vector_ a4;
+  targets_posterior_Coefficients * a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "begins", 'b', 1, false, &view)
+        && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "events", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "events", a2.m, 6)
+        && take_array(&held, args[3], law, "answers", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "answers", a3.m, 10)
+        && take_tuple(args[4], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "targets", 'd', 2, true, &view)
+        && (a4.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "targets", 'd', 1, true, &view)
+        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 2, true, &view)
+        && (a4.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[4], 3), law, "targets", 'd', 1, true, &view)
+        && (a4.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[5], law, "coefficients", false, 28, &view)
+        && (a5 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_aim_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_arrival_terms(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.arrival:terms";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  T7d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_arrival_terms(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return give_T7d(result);
+}
 static PyObject *py_targets_choice_law_changes(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.choice_law:changes";
   Held held;
@@ -9325,6 +9719,41 @@ static PyObject *py_targets_choice_law_changes(PyObject *self, PyObject *const *
   result = targets_choice_law_changes(a0, a1);
   let_go(&held);
   return give_T4q(result);
+}
+static PyObject *py_targets_choice_law_decide(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:decide";
+  Held held;
+  const Py_buffer *view;
+  targets_cursor_State * a0;
+  bool a1;
+  double a2;
+  T_Table_2_Vector_ a3;
+  targets_decision_Settings a4;
+  int64_t a5;
+  T3q result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
+        && take_bool(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_tuple(args[3], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
+        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[4], law, "settings", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.precision)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.least_lead_s)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.least_way_px)
+        && take_int64_t(args[5], &a5)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_decide(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T3q(result);
 }
 static PyObject *py_targets_choice_law_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.choice_law:enter";
@@ -9351,27 +9780,6 @@ static PyObject *py_targets_choice_law_enter(PyObject *self, PyObject *const *ar
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_targets_choice_law_holder(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:holder";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  double a1;
-  double a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 2)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_holder(a0, a1, a2); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.choice_law:innermost";
   Held held;
@@ -9392,207 +9800,25 @@ static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_targets_choice_law_propose(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:propose";
+static PyObject *py_targets_cursor_begins(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.cursor:begins";
   Held held;
   const Py_buffer *view;
   targets_cursor_State * a0;
-  T4d a1;
-  bool a2;
-  double a3;
-  T_Table_2_Vector_ a4;
-  targets_posterior_Settings a5;
-  int64_t a6;
-  T3q result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_memory(&held, args[0], law, "s", false, 15, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "event", 4)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_bool(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_tuple(args[4], law, "targets", 3)
-        && take_array(&held, PyTuple_GetItem(args[4], 0), law, "targets", 'd', 2, true, &view)
-        && (a4.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 1), law, "targets", 'd', 1, true, &view)
-        && (a4.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[4], 2), law, "targets", 'd', 1, true, &view)
-        && (a4.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[5], law, "settings", 4)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
-        && take_int64_t(args[6], &a6)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_propose(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T3q(result);
-}
-static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:step";
-  Held held;
-  const Py_buffer *view;
-  targets_cursor_State * a0;
-  T4d a1;
-  T10d a2;
-  T_Table_2_Vector_ a3;
-  targets_posterior_Coefficients * a4;
-  targets_posterior_Settings a5;
-  int64_t a6;
-  T3q result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_memory(&held, args[0], law, "s", true, 15, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "event", 4)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_tuple(args[2], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
-        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
-        && take_double(PyTuple_GetItem(args[2], 2), &a2.f2)
-        && take_double(PyTuple_GetItem(args[2], 3), &a2.f3)
-        && take_double(PyTuple_GetItem(args[2], 4), &a2.f4)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.f5)
-        && take_double(PyTuple_GetItem(args[2], 6), &a2.f6)
-        && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
-        && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
-        && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
-        && take_tuple(args[3], law, "targets", 3)
-        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
-        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
-        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
-        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
-        && (a4 = view->buf, true)
-        && take_tuple(args[5], law, "settings", 4)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
-        && take_int64_t(args[6], &a6)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T3q(result);
-}
-static PyObject *py_targets_choice_law_step_with_shares(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:step_with_shares";
-  Held held;
-  const Py_buffer *view;
-  targets_cursor_State * a0;
-  T4d a1;
+  double a1;
   double a2;
-  T_Table_2_Vector_ a3;
-  targets_posterior_Settings a4;
-  int64_t a5;
-  T3q result;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_memory(&held, args[0], law, "s", true, 15, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "event", 4)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(args[2], &a2)
-        && take_tuple(args[3], law, "targets", 3)
-        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
-        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
-        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
-        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[4], law, "settings", 4)
-        && take_double(PyTuple_GetItem(args[4], 0), &a4.precision)
-        && take_double(PyTuple_GetItem(args[4], 1), &a4.elsewhere)
-        && take_double(PyTuple_GetItem(args[4], 2), &a4.least_lead_s)
-        && take_double(PyTuple_GetItem(args[4], 3), &a4.least_way_px)
-        && take_int64_t(args[5], &a5)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_step_with_shares(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T3q(result);
-}
-static PyObject *py_targets_choice_law_unusable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:unusable";
-  Held held;
-  const Py_buffer *view;
-  targets_cursor_State * a0;
-  Table a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
+  if (!(counted(law, count, 3)
         && take_memory(&held, args[0], law, "s", false, 15, &view)
         && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "events", 'd', 2, false, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "events", a1.m, 1)))
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_unusable(a0, a1); Py_END_ALLOW_THREADS
+  result = targets_cursor_begins(a0, a1, a2);
   let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.choice_law:walk";
-  Held held;
-  const Py_buffer *view;
-  targets_cursor_State * a0;
-  T3_Table_ a1;
-  int64_t a2;
-  T_Table_2_Vector_ a3;
-  targets_posterior_Coefficients * a4;
-  targets_posterior_Settings a5;
-  T2q a6;
-  T4q result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 7)
-        && take_memory(&held, args[0], law, "s", true, 15, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "tables", 3)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "tables", 'd', 2, true, &view)
-        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "tables", 'd', 2, true, &view)
-        && (a1.f1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "tables", 'd', 2, true, &view)
-        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_int64_t(args[2], &a2)
-        && take_tuple(args[3], law, "targets", 3)
-        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "targets", 'd', 2, true, &view)
-        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "targets", 'd', 1, true, &view)
-        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
-        && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
-        && (a4 = view->buf, true)
-        && take_tuple(args[5], law, "settings", 4)
-        && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
-        && take_double(PyTuple_GetItem(args[5], 1), &a5.elsewhere)
-        && take_double(PyTuple_GetItem(args[5], 2), &a5.least_lead_s)
-        && take_double(PyTuple_GetItem(args[5], 3), &a5.least_way_px)
-        && take_tuple(args[6], law, "proposed", 2)
-        && take_int64_t(PyTuple_GetItem(args[6], 0), &a6.f0)
-        && take_int64_t(PyTuple_GetItem(args[6], 1), &a6.f1)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_walk(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T4q(result);
+  return PyBool_FromLong(result);
 }
 static PyObject *py_targets_cursor_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.cursor:follow";
@@ -9754,47 +9980,137 @@ static PyObject *py_targets_decision_rank(PyObject *self, PyObject *const *args,
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_expectation_expect(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.expectation:expect";
+static PyObject *py_targets_endpoint_ellipse(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.endpoint:ellipse";
   Held held;
   const Py_buffer *view;
   Table a0;
-  Vector a1;
-  Table a2;
+  int64_t a1;
+  T2d a2;
+  T2d a3;
+  targets_endpoint_Ellipse result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "table", 'd', 2, true, &view)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 5)
-        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "known", 'd', 2, false, &view)
-        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+        && take_int64_t(args[1], &a1)
+        && take_tuple(args[2], law, "centre", 2)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.f0)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.f1)
+        && take_tuple(args[3], law, "way", 2)
+        && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
+        && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_expectation_expect(a0, a1, a2); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_endpoint_ellipse(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return give_targets_endpoint_Ellipse(result);
 }
-static PyObject *py_targets_expectation_target_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.expectation:target_of";
+static PyObject *py_targets_endpoint_elsewhere(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.endpoint:elsewhere";
   Held held;
   const Py_buffer *view;
-  Table a0;
-  Vector a1;
-  int64_t result;
+  targets_cursor_State * a0;
+  T10d a1;
+  targets_posterior_Law result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)))
+    return let_go(&held);
+  result = targets_endpoint_elsewhere(a0, a1);
+  let_go(&held);
+  return give_targets_posterior_Law(result);
+}
+static PyObject *py_targets_endpoint_geometric_median(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.endpoint:geometric_median";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  int64_t a1;
+  T2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_array(&held, args[0], law, "parts", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_endpoint_geometric_median(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T2d(result);
+}
+static PyObject *py_targets_endpoint_mixture(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.endpoint:mixture";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  targets_posterior_Law a2;
+  double a3;
+  Table a4;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
         && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "table", a0.m, 4)
-        && take_array(&held, args[1], law, "place", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[1], law, "shares", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[2], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[2], 0), &a2.x)
+        && take_double(PyTuple_GetItem(args[2], 1), &a2.y)
+        && take_double(PyTuple_GetItem(args[2], 2), &a2.sxx)
+        && take_double(PyTuple_GetItem(args[2], 3), &a2.sxy)
+        && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
+        && take_double(args[3], &a3)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_expectation_target_of(a0, a1); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = targets_endpoint_mixture(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_endpoint_write_target(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.endpoint:write_target";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  targets_posterior_Law a1;
+  double a2;
+  predictors_mixture_PartRow * a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[1], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.x)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.sxx)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.sxy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.syy)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.tail)
+        && take_double(args[2], &a2)
+        && take_memory(&held, args[3], law, "part", true, 7, &view)
+        && (a3 = view->buf, true)))
+    return let_go(&held);
+  targets_endpoint_write_target(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:begin";
@@ -9901,6 +10217,137 @@ static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *arg
         && take_bool(args[3], &a3)))
     return let_go(&held);
   targets_ledger_withdraw(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_past_add_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:add_visit";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  int64_t a1;
+  Table a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 136, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "keys", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_past_add_visit(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_past_elsewhere(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:elsewhere";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 136, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = targets_past_elsewhere(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_past_learn(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:learn";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  Vector a1;
+  Table a2;
+  int64_t a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 136, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "keys", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_int64_t(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_past_learn(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_past_rule_weight(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:rule_weight";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  int64_t a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", false, 136, &view)
+        && (a0 = view->buf, true)
+        && take_int64_t(args[1], &a1)))
+    return let_go(&held);
+  result = targets_past_rule_weight(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_past_shares(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:shares";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  Vector a1;
+  Table a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 136, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "keys", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "out", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_past_shares(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_past_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.past:weigh";
+  Held held;
+  const Py_buffer *view;
+  targets_past_Past * a0;
+  Vector a1;
+  Table a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", false, 136, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "own", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "keys", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "table", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a3.m, 5)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_past_weigh(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -10407,6 +10854,27 @@ static PyObject *py_targets_rectangles_complete(PyObject *self, PyObject *const 
   Py_BEGIN_ALLOW_THREADS targets_rectangles_complete(a0); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_rectangles_holder(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.rectangles:holder";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "table", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a0.m, 2)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_rectangles_holder(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_training_calibration_fill_reaches(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.training.calibration:fill_reaches";
@@ -11199,6 +11667,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.time_left:solve", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_solve, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:stated", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_stated, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.time_left:terms", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_terms, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.time_left:weighed", (PyCFunction)(void (*)(void))py_predictors_adaptation_time_left_weighed, METH_FASTCALL, NULL},
   {"pointpred.predictors.delphian:step", (PyCFunction)(void (*)(void))py_predictors_delphian_step, METH_FASTCALL, NULL},
   {"pointpred.predictors.hold:step", (PyCFunction)(void (*)(void))py_predictors_hold_step, METH_FASTCALL, NULL},
   {"pointpred.predictors.kalman:corrected", (PyCFunction)(void (*)(void))py_predictors_kalman_corrected, METH_FASTCALL, NULL},
@@ -11362,15 +11831,22 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:copy_values", (PyCFunction)(void (*)(void))py_stage_copy_values, METH_FASTCALL, NULL},
   {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
   {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:arrived", (PyCFunction)(void (*)(void))py_targets_aim_arrived, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:begin", (PyCFunction)(void (*)(void))py_targets_aim_begin, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:conclude", (PyCFunction)(void (*)(void))py_targets_aim_conclude, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:learn_regions", (PyCFunction)(void (*)(void))py_targets_aim_learn_regions, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:record", (PyCFunction)(void (*)(void))py_targets_aim_record, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:row_of", (PyCFunction)(void (*)(void))py_targets_aim_row_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:size_of", (PyCFunction)(void (*)(void))py_targets_aim_size_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:step", (PyCFunction)(void (*)(void))py_targets_aim_step, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:taken", (PyCFunction)(void (*)(void))py_targets_aim_taken, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:walk", (PyCFunction)(void (*)(void))py_targets_aim_walk, METH_FASTCALL, NULL},
+  {"pointpred.targets.arrival:terms", (PyCFunction)(void (*)(void))py_targets_arrival_terms, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:changes", (PyCFunction)(void (*)(void))py_targets_choice_law_changes, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:decide", (PyCFunction)(void (*)(void))py_targets_choice_law_decide, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:enter", (PyCFunction)(void (*)(void))py_targets_choice_law_enter, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:holder", (PyCFunction)(void (*)(void))py_targets_choice_law_holder, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:innermost", (PyCFunction)(void (*)(void))py_targets_choice_law_innermost, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:propose", (PyCFunction)(void (*)(void))py_targets_choice_law_propose, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:step", (PyCFunction)(void (*)(void))py_targets_choice_law_step, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:step_with_shares", (PyCFunction)(void (*)(void))py_targets_choice_law_step_with_shares, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:unusable", (PyCFunction)(void (*)(void))py_targets_choice_law_unusable, METH_FASTCALL, NULL},
-  {"pointpred.targets.choice_law:walk", (PyCFunction)(void (*)(void))py_targets_choice_law_walk, METH_FASTCALL, NULL},
+  {"pointpred.targets.cursor:begins", (PyCFunction)(void (*)(void))py_targets_cursor_begins, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:follow", (PyCFunction)(void (*)(void))py_targets_cursor_follow, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:until", (PyCFunction)(void (*)(void))py_targets_cursor_until, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:usable", (PyCFunction)(void (*)(void))py_targets_cursor_usable, METH_FASTCALL, NULL},
@@ -11378,13 +11854,22 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.decision:early", (PyCFunction)(void (*)(void))py_targets_decision_early, METH_FASTCALL, NULL},
   {"pointpred.targets.decision:likeliest", (PyCFunction)(void (*)(void))py_targets_decision_likeliest, METH_FASTCALL, NULL},
   {"pointpred.targets.decision:rank", (PyCFunction)(void (*)(void))py_targets_decision_rank, METH_FASTCALL, NULL},
-  {"pointpred.targets.expectation:expect", (PyCFunction)(void (*)(void))py_targets_expectation_expect, METH_FASTCALL, NULL},
-  {"pointpred.targets.expectation:target_of", (PyCFunction)(void (*)(void))py_targets_expectation_target_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.endpoint:ellipse", (PyCFunction)(void (*)(void))py_targets_endpoint_ellipse, METH_FASTCALL, NULL},
+  {"pointpred.targets.endpoint:elsewhere", (PyCFunction)(void (*)(void))py_targets_endpoint_elsewhere, METH_FASTCALL, NULL},
+  {"pointpred.targets.endpoint:geometric_median", (PyCFunction)(void (*)(void))py_targets_endpoint_geometric_median, METH_FASTCALL, NULL},
+  {"pointpred.targets.endpoint:mixture", (PyCFunction)(void (*)(void))py_targets_endpoint_mixture, METH_FASTCALL, NULL},
+  {"pointpred.targets.endpoint:write_target", (PyCFunction)(void (*)(void))py_targets_endpoint_write_target, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:begin", (PyCFunction)(void (*)(void))py_targets_ledger_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:close", (PyCFunction)(void (*)(void))py_targets_ledger_close, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:enter", (PyCFunction)(void (*)(void))py_targets_ledger_enter, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:propose", (PyCFunction)(void (*)(void))py_targets_ledger_propose, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:withdraw", (PyCFunction)(void (*)(void))py_targets_ledger_withdraw, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:add_visit", (PyCFunction)(void (*)(void))py_targets_past_add_visit, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:elsewhere", (PyCFunction)(void (*)(void))py_targets_past_elsewhere, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:learn", (PyCFunction)(void (*)(void))py_targets_past_learn, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:rule_weight", (PyCFunction)(void (*)(void))py_targets_past_rule_weight, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:shares", (PyCFunction)(void (*)(void))py_targets_past_shares, METH_FASTCALL, NULL},
+  {"pointpred.targets.past:weigh", (PyCFunction)(void (*)(void))py_targets_past_weigh, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:bend", (PyCFunction)(void (*)(void))py_targets_posterior_bend, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:feature", (PyCFunction)(void (*)(void))py_targets_posterior_feature, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:features", (PyCFunction)(void (*)(void))py_targets_posterior_features, METH_FASTCALL, NULL},
@@ -11407,6 +11892,7 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.rectangle_mass:normal_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_normal_sum, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangle_mass:student_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_student_sum, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangles:complete", (PyCFunction)(void (*)(void))py_targets_rectangles_complete, METH_FASTCALL, NULL},
+  {"pointpred.targets.rectangles:holder", (PyCFunction)(void (*)(void))py_targets_rectangles_holder, METH_FASTCALL, NULL},
   {"pointpred.training.calibration:fill_reaches", (PyCFunction)(void (*)(void))py_training_calibration_fill_reaches, METH_FASTCALL, NULL},
   {"pointpred.transfer.assistance:add", (PyCFunction)(void (*)(void))py_transfer_assistance_add, METH_FASTCALL, NULL},
   {"pointpred.transfer.assistance:assisted_step", (PyCFunction)(void (*)(void))py_transfer_assistance_assisted_step, METH_FASTCALL, NULL},

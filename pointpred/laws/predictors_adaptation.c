@@ -75,15 +75,10 @@ static const double predictors_adaptation_habits_RETURNS_OF = 1.0;
 static const int64_t predictors_adaptation_habits_RULES = 4;
 static const T3d predictors_adaptation_habits_WIDTHS = {0.02, 0.05, 0.1};
 static const double predictors_adaptation_habits_WIDTHS_OF = 3.0;
-static const double predictors_adaptation_levels_FURTHEST = 6.0;
-static const double predictors_adaptation_levels_STEP = 6.0;
-static const double predictors_adaptation_levels_STEP_LEAST = 0.2;
-static const double predictors_adaptation_levels_STEP_OF = 5.0;
 static const double predictors_adaptation_mixed_region_LEAST = 0.02;
 static const double predictors_adaptation_mixed_region_LEAST_SPREAD = 0.5;
 static const int64_t predictors_adaptation_mixed_region_MOST_PLACES = 4;
 static const int64_t predictors_adaptation_mixed_region_POINTS = 32;
-static const double predictors_adaptation_moments_APART_S = 0.0071;
 static const int64_t predictors_adaptation_places_CAPACITY = 64;
 static const int64_t predictors_adaptation_places_FINE = 0;
 static const double predictors_adaptation_places_KEEP = 0.97;
@@ -784,14 +779,6 @@ void predictors_adaptation_stages_learn(predictors_adaptation_stages_Stage * s, 
   s->count += 1.0;
 }
 
-/* Whether a moment at ``t`` lies before a share of the time between the start and the end in s. */
-bool predictors_adaptation_moments_has_come(predictors_adaptation_moments_Series * s, double t, T2d span, double share) {
-  double start, end;
-  start = span.f0;
-  end = span.f1;
-  return t - start <= share * (end - start) + records_ROUNDING_S + 0.5 * s->apart;
-}
-
 /* The number of the moment at a share of the time between the start and the end in s, from ``k`` on. */
 int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_left_Movement * movement, int64_t k, T2d span, double share) {
   while (k + 1 < movement->series.count && predictors_adaptation_moments_has_come(&movement->series, movement->moments[k + 1].t, span, share)) {
@@ -925,39 +912,9 @@ void predictors_adaptation_durations_remember(predictors_adaptation_durations_Du
   }
 }
 
-/* How much is learned from the n-th movement. */
-double predictors_adaptation_levels_step_after(double movements) {
-  return max_float(predictors_adaptation_levels_STEP / (movements + predictors_adaptation_levels_STEP_OF), predictors_adaptation_levels_STEP_LEAST);
-}
-
-/* Share of the probability that a moment's law gives to places nearer than the end (x, y). */
-double predictors_adaptation_region_widening_probability_within(predictors_adaptation_region_widening_Moment * m, double x, double y) {
-  double dx, dy, determinant, far;
-  dx = x - m->x;
-  dy = y - m->y;
-  determinant = m->sxx * m->syy - m->sxy * m->sxy;
-  if (!(determinant > 0.0)) {
-    return 1.0;
-  }
-  far = (m->syy * dx * dx - 2.0 * m->sxy * dx * dy + m->sxx * dy * dy) / determinant;
-  return 1.0 - exp(-0.5 * m->tail * log(1.0 + max_float(far, 0.0) / m->tail));
-}
-
 /* The stage before a share of the time, and how far the share is from it to the next. */
 Tqd predictors_adaptation_stages_interpolation(double share) {
   return predictors_adaptation_stages_interpolation_among(share, predictors_adaptation_stages_STAGES);
-}
-
-/* Learn from an end inside or outside the region of a level that was stated at a share of the time. */
-void predictors_adaptation_levels_learn(predictors_adaptation_levels_Offsets * s, double share, int64_t which, bool inside, double step) {
-  int64_t stage;
-  double part, missed;
-  Tqd values_1 = predictors_adaptation_stages_interpolation(share);
-  stage = values_1.f0;
-  part = values_1.f1;
-  missed = inside ? ((const double *)&predictors_mixture_LEVELS)[which] - 1.0 : ((const double *)&predictors_mixture_LEVELS)[which];
-  s->values[stage][which] = predictors_adaptation_stages_bounded(s->values[stage][which] + step * (1.0 - part) * missed, predictors_adaptation_levels_FURTHEST);
-  s->values[stage + 1][which] = predictors_adaptation_stages_bounded(s->values[stage + 1][which] + step * part * missed, predictors_adaptation_levels_FURTHEST);
 }
 
 /* Learn whether the end lay inside the regions that were stated at a share of the time. */
@@ -1003,7 +960,7 @@ void predictors_adaptation_region_widening_learn(predictors_adaptation_region_wi
       k += 1;
     }
     m = &stated->moments[k];
-    within = predictors_adaptation_region_widening_probability_within(m, x, y);
+    within = predictors_adaptation_region_widening_probability_within((T6d){m->x, m->y, m->sxx, m->sxy, m->syy, m->tail}, x, y);
     for (int64_t which = 0; which < 2; which++) {
       predictors_adaptation_levels_learn(&s->single, share, which, within <= ((const double *)&predictors_mixture_LEVELS)[which], step);
     }
@@ -1553,17 +1510,6 @@ void predictors_adaptation_mixed_region_write_part(predictors_mixture_PartRow * 
   part->tail = 0.0;
 }
 
-/* The offset of a level at a share of the time: on lines between the stages. */
-double predictors_adaptation_levels_offset(predictors_adaptation_levels_Offsets * s, double share, int64_t which) {
-  int64_t stage;
-  double part, low;
-  Tqd values_1 = predictors_adaptation_stages_interpolation(share);
-  stage = values_1.f0;
-  part = values_1.f1;
-  low = s->values[stage][which];
-  return low + part * (s->values[stage + 1][which] - low);
-}
-
 /* Write the mixture as it is now, and what its regions must hold of it. */
 void predictors_adaptation_mixed_region_write(predictors_adaptation_levels_Offsets * offsets, predictors_adaptation_places_Places * held, predictors_adaptation_destination_Movement * going, predictors_adaptation_mixed_region_Movement * now, predictors_adaptation_mixed_region_Mixture * to, T2d origin, T2d start) {
   int64_t count, number;
@@ -1610,38 +1556,6 @@ void predictors_adaptation_mixed_region_claim(predictors_adaptation_mixed_region
   for (int64_t i = 0; i < 6; i++) {
     s->elsewhere[i] = ((const double *)&elsewhere)[i];
   }
-}
-
-/* The number of the moment that a cursor (t, x, y) is written to, -1 for none; whether to thin out first. */
-Tqb predictors_adaptation_moments_next_moment(predictors_adaptation_moments_Series * s, double last_t, T3d cursor, int64_t most) {
-  double t, x, y;
-  int64_t count;
-  bool full;
-  t = cursor.f0;
-  x = cursor.f1;
-  y = cursor.f2;
-  count = (int64_t)s->count;
-  full = false;
-  if (count == 0 || t != last_t) {
-    if (count == 0) {
-      s->apart = predictors_adaptation_moments_APART_S;
-    } else if (t - last_t < s->apart) {
-      return (Tqb){-1, false};
-    }
-    if (count == most) {
-      if (x == s->cursor_x && y == s->cursor_y) {
-        return (Tqb){-1, false};
-      }
-      count = floor_divided_whole(most, 2);
-      full = true;
-      s->apart *= 2.0;
-    }
-    count += 1;
-    s->count = count;
-  }
-  s->cursor_x = x;
-  s->cursor_y = y;
-  return (Tqb){count - 1, full};
 }
 
 /* Remember the law stated at a moment, when the cursor is at (t, x, y): endpoint, scale matrix, tail. */
@@ -1766,6 +1680,17 @@ T6d predictors_adaptation_destination_scaled(predictors_adaptation_destination_H
   return (T6d){end.x, end.y, sxx, sxy, syy, tail};
 }
 
+/* What the time left is a sum of, in medians of the last durations; ``since`` s have passed. */
+T7d predictors_adaptation_time_left_terms(predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace, double since, double median) {
+  double mixed, predicted, share, slow, near;
+  mixed = min_float(estimates.mixed / median, predictors_adaptation_time_left_LONGEST);
+  predicted = min_float(estimates.predicted / median, predictors_adaptation_time_left_LONGEST);
+  share = way.left / (way.left + way.done);
+  slow = min_float(pace.slow_s / median, 1.0) / (since / median + predictors_adaptation_time_left_START);
+  near = predictors_adaptation_time_left_NEAR * predictors_adaptation_time_left_NEAR / (predictors_adaptation_time_left_NEAR * predictors_adaptation_time_left_NEAR + share * share);
+  return (T7d){mixed, predicted, 1.0, share, pace.of_peak * predicted, slow, near};
+}
+
 /* The weights of the terms for this person. */
 void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums * s, Vector prior, Vector weights) {
   Vector factors;
@@ -1791,34 +1716,21 @@ void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums 
   }
 }
 
-/* What the time left is a sum of, in medians of the last durations; ``since`` s have passed. */
-T7d predictors_adaptation_time_left_terms(predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace, double since, double median) {
-  double mixed, predicted, share, slow, near;
-  mixed = min_float(estimates.mixed / median, predictors_adaptation_time_left_LONGEST);
-  predicted = min_float(estimates.predicted / median, predictors_adaptation_time_left_LONGEST);
-  share = way.left / (way.left + way.done);
-  slow = min_float(pace.slow_s / median, 1.0) / (since / median + predictors_adaptation_time_left_START);
-  near = predictors_adaptation_time_left_NEAR * predictors_adaptation_time_left_NEAR / (predictors_adaptation_time_left_NEAR * predictors_adaptation_time_left_NEAR + share * share);
-  return (T7d){mixed, predicted, 1.0, share, pace.of_peak * predicted, slow, near};
-}
-
-/* The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both. */
-T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace) {
-  T7d known;
+/* ``stated`` from the terms; ``predicted``: the time left in s by the predictor alone. */
+T2d predictors_adaptation_time_left_weighed(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, double predicted, T7d known, Vector prior) {
   double total, left, spread;
   predictors_adaptation_time_left_Moment * last, *m;
   int64_t number;
   bool full;
   if (movement->ready == 0.0) {
-    predictors_adaptation_time_left_solve(s, (Vector){(double *)predictors_adaptation_time_left_prior_PRIOR, 35}, (Vector){movement->weights, 7});
+    predictors_adaptation_time_left_solve(s, prior, (Vector){movement->weights, 7});
     movement->ready = 1.0;
   }
-  known = predictors_adaptation_time_left_terms(estimates, way, pace, since, median);
   total = 0.0;
   for (int64_t i = 0; i < predictors_adaptation_time_left_TERMS; i++) {
     total += movement->weights[i] * ((const double *)&known)[i];
   }
-  left = max_float(min_float(total, predictors_adaptation_time_left_FURTHEST) * median, predictors_adaptation_time_left_LEAST * min_float(estimates.predicted, median));
+  left = max_float(min_float(total, predictors_adaptation_time_left_FURTHEST) * median, predictors_adaptation_time_left_LEAST * min_float(predicted, median));
   spread = predictors_adaptation_arrival_intervals_spread(intervals, since / (since + left));
   last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
   Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, cursor, predictors_adaptation_time_left_MOST);
@@ -1839,6 +1751,13 @@ T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums 
     }
   }
   return (T2d){left, spread};
+}
+
+/* The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both. */
+T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace) {
+  T7d known;
+  known = predictors_adaptation_time_left_terms(estimates, way, pace, since, median);
+  return predictors_adaptation_time_left_weighed(s, intervals, movement, cursor, since, median, estimates.predicted, known, (Vector){(double *)predictors_adaptation_time_left_prior_PRIOR, 35});
 }
 
 /* The prediction as it is for this person; as it was where it claims too little or has no direction. */

@@ -104,7 +104,7 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
   memset(buffer_3, 0, sizeof buffer_3);
   rows = (Table){buffer_3, 2, targets_ledger_FIELDS};
   targets_ledger_begin(movement, rows);
-  standing = targets_decision_NOBODY;
+  standing = targets_rectangles_NOBODY;
   for (int64_t i = 0; i < events.n; i++) {
     t = events.p[i * events.m + 0];
     x = events.p[i * events.m + 1];
@@ -117,10 +117,10 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
     bounds = (T4d){ask, targets_choice_law_KEEP * ask, least_s, least_px};
     chosen = targets_decision_decide(memory, table, (Vector){shares.p + i * shares.m, shares.m}, standing, answers.p[i * answers.m + 6], bounds);
     if (chosen != standing) {
-      if (standing != targets_decision_NOBODY) {
+      if (standing != targets_rectangles_NOBODY) {
         targets_ledger_withdraw(movement, t, standing == right ? 0 : 1, false);
       }
-      if (chosen != targets_decision_NOBODY) {
+      if (chosen != targets_rectangles_NOBODY) {
         targets_ledger_propose(movement, rows, t, chosen == right ? 0 : 1);
       }
       standing = chosen;

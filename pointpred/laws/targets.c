@@ -1,16 +1,51 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
+static const double predictors_adaptation_correction_LEAST_S = 0.08;
+static const double predictors_adaptation_correction_NEAR_PX = 8.0;
+static const double predictors_adaptation_correction_NEAR_SHARE = 0.03;
+static const int64_t predictors_adaptation_correction_SAMPLES_LEAST = 6;
+static const double predictors_adaptation_distances_SHORTEST_PX = 1e-06;
+static const int64_t predictors_adaptation_region_widening_JUDGED = 9;
+static const double predictors_adaptation_region_widening_MOVEMENTS_MOST = 1000000.0;
+static const double predictors_adaptation_time_left_LONGEST = 4.0;
+static const double targets_aim_JUDGED_LEAST = 0.02;
+static const int64_t targets_aim_JUDGED_POINTS = 128;
+static const int64_t targets_aim_MOST = 32;
+static const int64_t targets_aim_POINTS_LEAST = 8;
+static const double targets_aim_SIZE_PX = 20.0;
+static const double targets_arrival_DIFFICULTY_OF = 4.0;
+static const double targets_arrival_prior_PRIOR[] = {0.3, 0.0, 0.5, 0.1, 0.1, 0.0, 0.1, 5.386, 4.699, 7.62, 7.876, 8.315, 18.215, 3.974, 3.859, 5.877, 4.439, 3.135, 4.623, 4.769, 3.006, 4.42, 0.488, 0.501, 1.748, 0.157, 0.026, 0.716, 0.764, 0.903, 3.059, 0.155, 0.112, 0.72, 1.826};
 static const double targets_choice_law_ENTERED = 2.0;
 static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
 static const double targets_choice_law_OUTSIDE = 0.0;
 static const double targets_choice_law_RELEASED = 3.0;
-static const int64_t targets_expectation_BEFORE = 3;
-static const int64_t targets_expectation_NONE = -1;
-static const int64_t targets_expectation_SPREAD = 4;
-static const int64_t targets_expectation_X = 0;
-static const int64_t targets_expectation_Y = 1;
+static const double targets_cursor_PAUSE_S = 0.3;
+static const double targets_endpoint_LEAST_PX2 = 1.0;
+static const double targets_endpoint_NARROWEST = 0.25;
+static const double targets_endpoint_NEGLIGIBLE = 0.001;
+static const double targets_endpoint_RADII2 = 0.5;
+static const int64_t targets_endpoint_STEPS = 8;
+static const double targets_endpoint_TAIL = 3.0;
+static const double targets_endpoint_WIDER = 2.0;
+static const int64_t targets_past_AFTER = 3;
+static const int64_t targets_past_ALIKE = 4;
+static const int64_t targets_past_CAPACITY = 64;
+static const double targets_past_FIRST_OF = 1.0;
+static const T5d targets_past_FIRST_RULES = {8.0, 1.0, 1.0, 1.0, 1.0};
+static const int64_t targets_past_GIVEN = 0;
+static const double targets_past_GIVEN_OF = 1.0;
+static const int64_t targets_past_ID = 0;
+static const double targets_past_KEEP = 0.97;
+static const int64_t targets_past_KIND = 1;
+static const int64_t targets_past_LATELY = 2;
+static const double targets_past_LATE_AGE = 3.0;
+static const double targets_past_NONE_MOST = 0.99;
+static const double targets_past_NO_TARGET = 0.0;
+static const int64_t targets_past_OFTEN = 1;
+static const double targets_past_OFTEN_AGE = 40.0;
+static const int64_t targets_past_RULES = 5;
 static const double targets_posterior_ACROSS = 0.2;
 static const double targets_posterior_ALONG = 0.5;
 static const double targets_posterior_ANGLE = 0.15;
@@ -61,6 +96,11 @@ static const int64_t targets_rectangles_CENTRE_Y = 1;
 static const int64_t targets_rectangles_HEIGHT = 3;
 static const int64_t targets_rectangles_LOG_WEIGHT = 4;
 static const int64_t targets_rectangles_WIDTH = 2;
+
+/* Whether a movement begins with this event: the first, one after a pause, or the release of a button. */
+bool targets_cursor_begins(targets_cursor_State * s, double t, double pressed) {
+  return s->known == 0.0 || (s->pressed == 1.0 && pressed == 0.0) || t - s->t > targets_cursor_PAUSE_S + records_ROUNDING_S;
+}
 
 /* Whether a predicted law can be used: a region of finite size, and a tail that is one, or none. */
 bool targets_posterior_lawful(targets_posterior_Law predicted) {
@@ -379,9 +419,9 @@ void targets_posterior_normalise(Vector out) {
 /* The target with the largest share, the first of equal ones; NOBODY where there is none. */
 int64_t targets_decision_likeliest(Vector shares, int64_t count) {
   int64_t best;
-  best = targets_decision_NOBODY;
+  best = targets_rectangles_NOBODY;
   for (int64_t i = 0; i < count; i++) {
-    if (best == targets_decision_NOBODY || shares.p[i] > shares.p[best]) {
+    if (best == targets_rectangles_NOBODY || shares.p[i] > shares.p[best]) {
       best = i;
     }
   }
@@ -391,7 +431,7 @@ int64_t targets_decision_likeliest(Vector shares, int64_t count) {
 /* Nothing is known of a movement yet, nor of the targets of these rows. */
 void targets_ledger_begin(targets_ledger_State * s, Table rows) {
   memset(s, 0, sizeof(targets_ledger_State));
-  s->ended = targets_decision_NOBODY;
+  s->ended = targets_rectangles_NOBODY;
   s->standing = s->ended;
   for (int64_t i = 0; i < rows.n; i++) {
     rows.p[i * rows.m + targets_ledger_MADE] = 0.0;
@@ -425,29 +465,12 @@ bool targets_decision_early(targets_cursor_State * s, Vector row, double remaini
   return left >= least_s;
 }
 
-/* The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none. */
-int64_t targets_choice_law_innermost(Table table, Vector inside) {
-  int64_t best;
-  double area;
-  best = targets_decision_NOBODY;
-  for (int64_t i = 0; i < table.n; i++) {
-    if (inside.p[i] == targets_choice_law_OUTSIDE || inside.p[i] == targets_choice_law_RELEASED || table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
-      continue;
-    }
-    area = table.p[i * table.m + targets_rectangles_WIDTH] * table.p[i * table.m + targets_rectangles_HEIGHT];
-    if (best == targets_decision_NOBODY || area <= table.p[best * table.m + targets_rectangles_WIDTH] * table.p[best * table.m + targets_rectangles_HEIGHT]) {
-      best = i;
-    }
-  }
-  return best;
-}
-
 /* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
-int64_t targets_choice_law_holder(Table table, double x, double y) {
+int64_t targets_rectangles_holder(Table table, double x, double y) {
   int64_t best;
   double smallest, least, across, down, area, away;
   Vector row;
-  best = targets_decision_NOBODY;
+  best = targets_rectangles_NOBODY;
   smallest = INFINITY;
   least = INFINITY;
   for (int64_t i = 0; i < table.n; i++) {
@@ -462,6 +485,572 @@ int64_t targets_choice_law_holder(Table table, double x, double y) {
         smallest = area;
         least = away;
       }
+    }
+  }
+  return best;
+}
+
+/* The target that a movement was for that ended here; -1: none of them. */
+int64_t targets_aim_taken(Table rows, double x, double y) {
+  int64_t best;
+  double least, off;
+  Vector row;
+  best = targets_rectangles_holder(rows, x, y);
+  if (best != targets_rectangles_NOBODY) {
+    return best;
+  }
+  least = 1.0;
+  for (int64_t i = 0; i < rows.n; i++) {
+    row = (Vector){rows.p + i * rows.m, rows.m};
+    off = max_float(fabs(row.p[targets_rectangles_CENTRE_X] - x) / row.p[targets_rectangles_WIDTH], fabs(row.p[targets_rectangles_CENTRE_Y] - y) / row.p[targets_rectangles_HEIGHT]);
+    if (off < least) {
+      best = i;
+      least = off;
+    }
+  }
+  return best;
+}
+
+/* When the cursor came near its end (x, y) for good, s. */
+double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end) {
+  targets_aim_Moment * m;
+  for (int64_t k = (int64_t)movement->series.count - 1; k > (-1); k--) {
+    m = &movement->moments[k];
+    if (hypot(m->cursor.x - x, m->cursor.y - y) > near) {
+      return end;
+    }
+    end = m->t;
+  }
+  return end;
+}
+
+/* Ten numbers as a row. */
+T10d targets_aim_row_of(Vector values) {
+  return (T10d){values.p[0], values.p[1], values.p[2], values.p[3], values.p[4], values.p[5], values.p[6], values.p[7], values.p[8], values.p[9]};
+}
+
+/* The law of a movement that goes to none of the targets: that of the answer, or one that stands in. */
+targets_posterior_Law targets_endpoint_elsewhere(targets_cursor_State * s, T10d answer) {
+  double x, y, sxx, sxy, syy, tail;
+  targets_posterior_Law stated;
+  x = answer.f1;
+  y = answer.f2;
+  sxx = answer.f3;
+  sxy = answer.f4;
+  syy = answer.f5;
+  tail = answer.f8;
+  stated = (targets_posterior_Law){x, y, sxx, sxy, syy, tail};
+  if (targets_posterior_lawful(stated)) {
+    return stated;
+  }
+  T3d values_1 = targets_posterior_unclaimed(s, x, y);
+  sxx = values_1.f0;
+  sxy = values_1.f1;
+  syy = values_1.f2;
+  return (targets_posterior_Law){x, y, sxx, sxy, syy, NAN};
+}
+
+/* Write the law of the endpoint of a movement to a target: normal, between its centre and the prediction. */
+void targets_endpoint_write_target(Vector row, targets_posterior_Law predicted, double share, predictors_mixture_PartRow * part) {
+  double x, y, sxx, sxy, syy, tail, across, down, dx, dy, least_x, least_y, wide, a, b, c, far2, scaled;
+  x = predicted.x;
+  y = predicted.y;
+  sxx = predicted.sxx;
+  sxy = predicted.sxy;
+  syy = predicted.syy;
+  tail = predicted.tail;
+  across = square(row.p[targets_rectangles_WIDTH] / targets_rectangle_mass_EFFECTIVE);
+  down = square(row.p[targets_rectangles_HEIGHT] / targets_rectangle_mass_EFFECTIVE);
+  dx = x - row.p[targets_rectangles_CENTRE_X];
+  dy = y - row.p[targets_rectangles_CENTRE_Y];
+  least_x = (1.0 + targets_endpoint_NARROWEST) * across;
+  least_y = (1.0 + targets_endpoint_NARROWEST) * down;
+  wide = targets_endpoint_WIDER;
+  if (tail == tail) {
+    a = wide * sxx + least_x;
+    b = wide * sxy;
+    c = wide * syy + least_y;
+    far2 = (c * dx * dx - 2.0 * b * dx * dy + a * dy * dy) / (a * c - b * b);
+    wide *= (tail + far2) / (tail + 2.0);
+  }
+  a = wide * sxx + least_x;
+  b = wide * sxy;
+  c = wide * syy + least_y;
+  scaled = 1.0 / (a * c - b * b);
+  part->share = share;
+  part->x = row.p[targets_rectangles_CENTRE_X] + across * (c * dx - b * dy) * scaled;
+  part->y = row.p[targets_rectangles_CENTRE_Y] + down * (a * dy - b * dx) * scaled;
+  part->sxx = across - across * across * c * scaled;
+  part->sxy = across * down * b * scaled;
+  part->syy = down - down * down * a * scaled;
+  part->tail = 0.0;
+}
+
+/* Write the parts of the mixture, as ``predictors.mixture`` has them: elsewhere, then the targets. */
+int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_Law predicted, double least, Table out) {
+  int64_t count;
+  double rest;
+  predictors_mixture_PartRow * first;
+  count = 1;
+  rest = 1.0;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (shares.p[i] >= least) {
+      targets_endpoint_write_target((Vector){table.p + i * table.m, table.m}, predicted, shares.p[i], (predictors_mixture_PartRow *)((Vector){out.p + count * out.m, out.m}.p));
+      rest -= shares.p[i];
+      count += 1;
+    }
+  }
+  first = (predictors_mixture_PartRow *)((Vector){out.p + 0 * out.m, out.m}.p);
+  first->share = max_float(rest, 0.0);
+  first->x = predicted.x;
+  first->y = predicted.y;
+  first->sxx = predicted.sxx;
+  first->sxy = predicted.sxy;
+  first->syy = predicted.syy;
+  first->tail = predicted.tail == predicted.tail ? predicted.tail : 0.0;
+  return count;
+}
+
+/* Judge the ellipses and level sets that were stated over ``span``, in s, by where the movement ended. */
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  Table rows, parts;
+  double x, y, step, share, within, nearer, near, far, tail, asked;
+  Vector shares;
+  int64_t k, count;
+  targets_aim_Moment * m;
+  T10d answer;
+  targets_posterior_Law predicted;
+  T6d ellipse;
+  rows = targets.f0;
+  x = end.f0;
+  y = end.f1;
+  s->movements = min_float(s->movements + 1.0, predictors_adaptation_region_widening_MOVEMENTS_MOST);
+  step = predictors_adaptation_levels_step_after(s->movements);
+  RELEASED double *buffer_1 = reserved((rows.n + 1));
+  RELEASED double *buffer_2 = reserved((rows.n + 1) * 7);
+  shares = (Vector){buffer_1, rows.n + 1};
+  parts = (Table){buffer_2, rows.n + 1, 7};
+  k = 0;
+  for (int64_t judged = 1; judged < (predictors_adaptation_region_widening_JUDGED + 1); judged++) {
+    share = judged / (predictors_adaptation_region_widening_JUDGED + 1.0);
+    while (k + 1 < movement->series.count && predictors_adaptation_moments_has_come(&movement->series, movement->moments[k + 1].t, span, share)) {
+      k += 1;
+    }
+    m = &movement->moments[k];
+    answer = targets_aim_row_of((Vector){m->answer, 10});
+    targets_posterior_scores(&m->cursor, rows, answer, coefficients, movement->elsewhere, shares);
+    targets_posterior_normalise(shares);
+    predicted = targets_endpoint_elsewhere(&m->cursor, answer);
+    count = targets_endpoint_mixture(rows, shares, predicted, targets_aim_JUDGED_LEAST, parts);
+    within = predictors_mixture_content(parts, count, x, y, max_whole(floor_divided_whole(targets_aim_JUDGED_POINTS, count), targets_aim_POINTS_LEAST));
+    ellipse = (T6d){m->x, m->y, m->sxx, m->sxy, m->syy, m->tail};
+    nearer = predictors_adaptation_region_widening_probability_within(ellipse, x, y);
+    near = predictors_adaptation_levels_offset(&s->mixed, share, 0);
+    far = predictors_adaptation_levels_offset(&s->mixed, share, 1);
+    tail = predicted.tail == predicted.tail ? predicted.tail : 2.0 / predictors_mixture_HEAVINESS_LEAST;
+    for (int64_t which = 0; which < 2; which++) {
+      asked = predictors_mixture_corrected_probability(((const double *)&predictors_mixture_LEVELS)[which], tail, near, far);
+      predictors_adaptation_levels_learn(&s->mixed, share, which, within <= asked, step);
+      predictors_adaptation_levels_learn(&s->single, share, which, nearer <= ((const double *)&predictors_mixture_LEVELS)[which], step);
+    }
+  }
+}
+
+/* Add the target that was taken ``k`` movements ago to the visits of each rule, as far as it is there. */
+void targets_past_add_visit(targets_past_Past * s, int64_t k, Table keys, Table out) {
+  int64_t place;
+  double alike, weight;
+  place = -1;
+  alike = 0.0;
+  for (int64_t i = 0; i < keys.n; i++) {
+    if (keys.p[i * keys.m + targets_past_ID] == s->ids[k]) {
+      place = i;
+    }
+    if (keys.p[i * keys.m + targets_past_KIND] == s->kinds[k]) {
+      alike += out.p[targets_past_GIVEN * out.m + i];
+    }
+  }
+  weight = exp(-k / targets_past_OFTEN_AGE);
+  if (place >= 0) {
+    out.p[targets_past_OFTEN * out.m + place] += weight;
+    out.p[targets_past_LATELY * out.m + place] += exp(-k / targets_past_LATE_AGE);
+    if (k + 1 < (int64_t)s->count && s->ids[0] != targets_past_NO_TARGET && s->ids[k + 1] == s->ids[0]) {
+      out.p[targets_past_AFTER * out.m + place] += weight;
+    }
+  }
+  if (alike > 0.0) {
+    for (int64_t i = 0; i < keys.n; i++) {
+      if (keys.p[i * keys.m + targets_past_KIND] == s->kinds[k]) {
+        out.p[targets_past_ALIKE * out.m + i] += weight * out.p[targets_past_GIVEN * out.m + i] / alike;
+      }
+    }
+  }
+}
+
+/* The share of each target by each rule, a row each, whose sum is one. */
+void targets_past_shares(targets_past_Past * s, Vector own, Table keys, Table out) {
+  double total;
+  for (int64_t i = 0; i < own.n; i++) {
+    out.p[targets_past_GIVEN * out.m + i] = own.p[i] > -INFINITY ? exp(own.p[i]) : 0.0;
+  }
+  for (int64_t k = 0, end_1 = (int64_t)s->count; k < end_1; k++) {
+    if (s->ids[k] != targets_past_NO_TARGET) {
+      targets_past_add_visit(s, k, keys, out);
+    }
+  }
+  for (int64_t rule = targets_past_OFTEN; rule < targets_past_RULES; rule++) {
+    total = targets_past_GIVEN_OF;
+    for (int64_t i = 0; i < own.n; i++) {
+      out.p[rule * out.m + i] = out.p[targets_past_GIVEN * out.m + i] > 0.0 ? out.p[rule * out.m + i] : 0.0;
+      total += out.p[rule * out.m + i];
+    }
+    for (int64_t i = 0; i < own.n; i++) {
+      out.p[rule * out.m + i] = (out.p[rule * out.m + i] + targets_past_GIVEN_OF * out.p[targets_past_GIVEN * out.m + i]) / total;
+    }
+  }
+}
+
+/* The weight of a rule among all. */
+double targets_past_rule_weight(targets_past_Past * s, int64_t rule) {
+  double total;
+  total = 0.0;
+  for (int64_t k = 0; k < targets_past_RULES; k++) {
+    total += s->rules[k] + ((const double *)&targets_past_FIRST_RULES)[k];
+  }
+  return (s->rules[rule] + ((const double *)&targets_past_FIRST_RULES)[rule]) / total;
+}
+
+/* Learn from a movement to the target of this place, below 0: to none of them. */
+void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t taken) {
+  Table by_rule;
+  double total;
+  s->to *= targets_past_KEEP;
+  s->none *= targets_past_KEEP;
+  if (taken < 0) {
+    s->none += 1.0;
+  } else {
+    s->to += 1.0;
+    RELEASED double *buffer_1 = reserved(targets_past_RULES * own.n);
+    by_rule = (Table){buffer_1, targets_past_RULES, own.n};
+    targets_past_shares(s, own, keys, by_rule);
+    total = 0.0;
+    for (int64_t rule = 0; rule < targets_past_RULES; rule++) {
+      by_rule.p[rule * by_rule.m + taken] = by_rule.p[rule * by_rule.m + taken] * targets_past_rule_weight(s, rule);
+      total += by_rule.p[rule * by_rule.m + taken];
+    }
+    for (int64_t rule = 0; rule < targets_past_RULES; rule++) {
+      s->rules[rule] = targets_past_KEEP * s->rules[rule] + (total > 0.0 ? by_rule.p[rule * by_rule.m + taken] / total : 0.0);
+    }
+  }
+  s->count = min_float(s->count + 1.0, targets_past_CAPACITY);
+  for (int64_t k = (int64_t)s->count - 1; k > 0; k--) {
+    double value_2 = s->ids[k - 1];
+    double value_3 = s->kinds[k - 1];
+    s->ids[k] = value_2;
+    s->kinds[k] = value_3;
+  }
+  s->ids[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_ID] : targets_past_NO_TARGET;
+  s->kinds[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_KIND] : targets_past_NO_TARGET;
+}
+
+/* The movement has ended where the cursor is: learn from it, and forget it. */
+void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  targets_aim_Person * person;
+  Table rows, keys;
+  Vector own;
+  double x, y, distance, end, clock;
+  bool whole;
+  T2d span;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  person = &memory->person;
+  rows = targets.f0;
+  own = targets.f1;
+  keys = targets.f2;
+  x = s->x;
+  y = s->y;
+  distance = hypot(x - s->x0, y - s->y0);
+  end = targets_aim_arrived(movement, x, y, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance), s->t);
+  whole = movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST && distance >= predictors_adaptation_distances_SHORTEST_PX && end - s->t0 >= predictors_adaptation_correction_LEAST_S;
+  if (memory->settings.learn == 1.0 && whole && rows.n > 0) {
+    targets_past_learn(&person->past, own, keys, targets_aim_taken(rows, x, y));
+    span = (T2d){s->t0, end};
+    targets_aim_learn_regions(&person->regions, movement, (T2d){x, y}, span, targets, coefficients);
+    clock = person->durations.median;
+    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, clock, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    predictors_adaptation_durations_remember(&person->durations, end - s->t0);
+  }
+  memset(movement, 0, sizeof(targets_aim_Movement));
+}
+
+/* The share of movements to none of the targets; ``first``: what it is at least, and at first. */
+double targets_past_elsewhere(targets_past_Past * s, double first) {
+  double learned;
+  learned = (first * targets_past_FIRST_OF + s->none) / (targets_past_FIRST_OF + s->to + s->none);
+  return max_float(min_float(learned, targets_past_NONE_MOST), first);
+}
+
+/* Write the weights of the targets before a movement, as logarithms, into their table. */
+void targets_past_weigh(targets_past_Past * s, Vector own, Table keys, Table table) {
+  Table by_rule;
+  double total;
+  if (s->to == 0.0) {
+    for (int64_t i = 0; i < own.n; i++) {
+      table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = own.p[i];
+    }
+    return;
+  }
+  RELEASED double *buffer_1 = reserved(targets_past_RULES * own.n);
+  by_rule = (Table){buffer_1, targets_past_RULES, own.n};
+  targets_past_shares(s, own, keys, by_rule);
+  for (int64_t i = 0; i < own.n; i++) {
+    total = 0.0;
+    for (int64_t rule = 0; rule < targets_past_RULES; rule++) {
+      total = total + targets_past_rule_weight(s, rule) * by_rule.p[rule * by_rule.m + i];
+    }
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = total > 0.0 ? log(total) : -INFINITY;
+  }
+}
+
+/* A movement begins: lay out how likely each target is before it. */
+void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
+  Table rows, keys;
+  Vector own, shares;
+  double none, total;
+  rows = targets.f0;
+  own = targets.f1;
+  keys = targets.f2;
+  shares = targets.f3;
+  none = targets_past_elsewhere(&memory->person.past, memory->settings.elsewhere);
+  targets_past_weigh(&memory->person.past, own, keys, rows);
+  memory->movement.elsewhere = none;
+  total = none;
+  shares.p[rows.n] = none;
+  for (int64_t i = 0; i < rows.n; i++) {
+    shares.p[i] = rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT] > -INFINITY ? (1.0 - none) * exp(rows.p[i * rows.m + targets_rectangles_LOG_WEIGHT]) : 0.0;
+    total += shares.p[i];
+  }
+  for (int64_t i = 0; i < shares.n; i++) {
+    shares.p[i] = shares.p[i] / total;
+  }
+}
+
+/* The expected size of what the movement ends in, px. */
+double targets_aim_size_of(Table rows, Vector shares) {
+  double size, total;
+  size = targets_aim_SIZE_PX * shares.p[rows.n];
+  total = shares.p[rows.n];
+  for (int64_t i = 0; i < rows.n; i++) {
+    size += shares.p[i] * 0.5 * (rows.p[i * rows.m + targets_rectangles_WIDTH] + rows.p[i * rows.m + targets_rectangles_HEIGHT]);
+    total += shares.p[i];
+  }
+  return max_float(size / total, 1.0);
+}
+
+/* Remember what is stated now, if the last moment is far enough back. */
+void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer) {
+  targets_aim_Moment * last, *m;
+  int64_t number;
+  bool full;
+  last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
+  Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, (T3d){s->t, s->x, s->y}, targets_aim_MOST);
+  number = values_1.f0;
+  full = values_1.f1;
+  if (number < 0) {
+    return;
+  }
+  if (full) {
+    for (int64_t k = 1; k < number; k++) {
+      stage_copy_values((Vector){(double *)&movement->moments[2 * k], 32}, (Vector){(double *)&movement->moments[k], 32});
+    }
+  }
+  m = &movement->moments[number];
+  m->t = s->t;
+  m->x = region.x;
+  m->y = region.y;
+  m->sxx = region.sxx;
+  m->sxy = region.sxy;
+  m->syy = region.syy;
+  m->tail = region.tail;
+  for (int64_t i = 0; i < 10; i++) {
+    m->answer[i] = ((const double *)&answer)[i];
+  }
+  stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
+}
+
+/* The point of the least expected distance (Weiszfeld), px, softened by the size of each part. */
+WIDE T2d targets_endpoint_geometric_median(Table parts, int64_t count) {
+  double x, y, sum_x, sum_y, total, dx, dy, weight;
+  predictors_mixture_PartRow * part;
+  x = 0.0;
+  y = 0.0;
+  for (int64_t k = 0; k < count; k++) {
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+    x += part->share * part->x;
+    y += part->share * part->y;
+  }
+  for (int64_t i_1 = 0; i_1 < targets_endpoint_STEPS; i_1++) {
+    sum_x = 0.0;
+    sum_y = 0.0;
+    total = 0.0;
+    for (int64_t k = 0; k < count; k++) {
+      part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+      dx = part->x - x;
+      dy = part->y - y;
+      weight = part->share / sqrt(dx * dx + dy * dy + max_float(0.5 * (part->sxx + part->syy), targets_endpoint_LEAST_PX2));
+      sum_x += weight * part->x;
+      sum_y += weight * part->y;
+      total += weight;
+    }
+    x = sum_x / total;
+    y = sum_y / total;
+  }
+  return (T2d){x, y};
+}
+
+/* The mixture as one law about its median, its axes along and across the way of the movement. */
+targets_endpoint_Ellipse targets_endpoint_ellipse(Table parts, int64_t count, T2d centre, T2d way) {
+  double x, y, size, ux, uy, wide, broad, dx, dy, along, across, cross, wide2, broad2, sxx, syy;
+  predictors_mixture_PartRow * part;
+  x = centre.f0;
+  y = centre.f1;
+  size = hypot(way.f0, way.f1);
+  T2d values_1 = size > 0.0 ? (T2d){way.f0 / size, way.f1 / size} : (T2d){1.0, 0.0};
+  ux = values_1.f0;
+  uy = values_1.f1;
+  wide = 0.0;
+  broad = 0.0;
+  for (int64_t k = 0; k < count; k++) {
+    part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
+    dx = part->x - x;
+    dy = part->y - y;
+    along = dx * ux + dy * uy;
+    across = dy * ux - dx * uy;
+    cross = 2.0 * part->sxy * ux * uy;
+    wide += part->share * sqrt(along * along + part->sxx * ux * ux + cross + part->syy * uy * uy);
+    broad += part->share * sqrt(across * across + part->sxx * uy * uy - cross + part->syy * ux * ux);
+  }
+  wide2 = targets_endpoint_RADII2 * wide * wide;
+  broad2 = targets_endpoint_RADII2 * broad * broad;
+  sxx = wide2 * ux * ux + broad2 * uy * uy;
+  syy = wide2 * uy * uy + broad2 * ux * ux;
+  return (targets_endpoint_Ellipse){x, y, sxx, (wide2 - broad2) * ux * uy, syy, targets_endpoint_TAIL};
+}
+
+/* What the time left is a sum of, in medians of the last durations. */
+T7d targets_arrival_terms(double predicted, double since, double median, double left_px, double size_px) {
+  double own, passed, difficulty, near, both, with_clock;
+  own = min_float(predicted / median, predictors_adaptation_time_left_LONGEST);
+  passed = min_float(since / median, predictors_adaptation_time_left_LONGEST);
+  difficulty = min_float(log(1.0 + left_px / size_px) / (targets_arrival_DIFFICULTY_OF * log(2.0)), predictors_adaptation_time_left_LONGEST);
+  near = size_px * size_px / (size_px * size_px + left_px * left_px);
+  both = min_float(own * difficulty, predictors_adaptation_time_left_LONGEST);
+  with_clock = min_float(passed * difficulty, predictors_adaptation_time_left_LONGEST);
+  return (T7d){own, 1.0, max_float(1.0 - passed, 0.0), difficulty, both, near, with_clock};
+}
+
+/* Take in an event and the prediction made at it: the prediction given the targets. */
+T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  double t, x, y, buttons, pressed, least, since, left, spread, way, total, share, factor, tail, phase;
+  Table rows, parts;
+  Vector shares;
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  targets_aim_Person * person;
+  targets_posterior_Law predicted;
+  int64_t count;
+  T2d end;
+  targets_endpoint_Ellipse region;
+  predictors_adaptation_durations_Durations * clock;
+  T7d known;
+  t = event.f0;
+  x = event.f1;
+  y = event.f2;
+  buttons = event.f5;
+  rows = targets.f0;
+  shares = targets.f3;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  person = &memory->person;
+  pressed = (double)((int64_t)buttons & 1);
+  if (targets_cursor_begins(s, t, pressed)) {
+    targets_aim_conclude(memory, targets, coefficients);
+    targets_aim_begin(memory, targets);
+  }
+  movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
+  movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
+  targets_posterior_scores(s, rows, answer, coefficients, movement->elsewhere, shares);
+  targets_posterior_normalise(shares);
+  movement->remaining_s = answer.f6;
+  movement->claimed = 0.0;
+  if (answer.f1 != answer.f1 || rows.n == 0) {
+    return answer;
+  }
+  predicted = targets_endpoint_elsewhere(s, answer);
+  movement->claimed = 1.0;
+  for (int64_t i = 0; i < 6; i++) {
+    movement->elsewhere_law[i] = ((const double *)&predicted)[i];
+  }
+  RELEASED double *buffer_1 = reserved((rows.n + 1) * 7);
+  parts = (Table){buffer_1, rows.n + 1, 7};
+  least = min_float(targets_endpoint_NEGLIGIBLE, 0.5 / max_whole(rows.n, 1));
+  count = targets_endpoint_mixture(rows, shares, predicted, least, parts);
+  end = targets_endpoint_geometric_median(parts, count);
+  region = targets_endpoint_ellipse(parts, count, end, (T2d){x - s->x0, y - s->y0});
+  since = t - s->t0;
+  left = answer.f6;
+  spread = answer.f9;
+  clock = &person->durations;
+  if (clock->count > 0.0 && left == left) {
+    way = hypot(end.f0 - x, end.f1 - y);
+    known = targets_arrival_terms(left, since, clock->median, way, targets_aim_size_of(rows, shares));
+    T2d values_2 = predictors_adaptation_time_left_weighed(&person->time_left, &person->intervals, &movement->time_left, (T3d){t, x, y}, since, clock->median, left, known, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    left = values_2.f0;
+    spread = values_2.f1;
+  }
+  total = left == left ? since + left : max_float(clock->median, since);
+  share = total > 0.0 ? since / total : 0.0;
+  T2d values_3 = predictors_adaptation_region_widening_widen(&person->regions, share, region.tail);
+  factor = values_3.f0;
+  tail = values_3.f1;
+  region = (targets_endpoint_Ellipse){region.x, region.y, factor * region.sxx, factor * region.sxy, factor * region.syy, tail};
+  if (memory->settings.learn == 1.0) {
+    targets_aim_record(movement, s, region, answer);
+  }
+  movement->remaining_s = left;
+  phase = answer.f7;
+  return (T10d){t, region.x, region.y, region.sxx, region.sxy, region.syy, left, phase, tail, spread};
+}
+
+/* ``step`` over tables; the predictions take the place of ``answers``. */
+void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  T10d answer;
+  for (int64_t i = 0; i < events.n; i++) {
+    if (begins.p[i]) {
+      targets_aim_conclude(memory, targets, coefficients);
+      memset(&memory->cursor, 0, sizeof(targets_cursor_State));
+    }
+    answer = targets_aim_step(memory, records_event_at(events, i), records_row_at(answers, i), targets, coefficients);
+    for (int64_t j = 0; j < 10; j++) {
+      answers.p[i * answers.m + j] = ((const double *)&answer)[j];
+    }
+  }
+}
+
+/* The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none. */
+int64_t targets_choice_law_innermost(Table table, Vector inside) {
+  int64_t best;
+  double area;
+  best = targets_rectangles_NOBODY;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (inside.p[i] == targets_choice_law_OUTSIDE || inside.p[i] == targets_choice_law_RELEASED || table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
+      continue;
+    }
+    area = table.p[i * table.m + targets_rectangles_WIDTH] * table.p[i * table.m + targets_rectangles_HEIGHT];
+    if (best == targets_rectangles_NOBODY || area <= table.p[best * table.m + targets_rectangles_WIDTH] * table.p[best * table.m + targets_rectangles_HEIGHT]) {
+      best = i;
     }
   }
   return best;
@@ -488,60 +1077,26 @@ int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y,
   return count;
 }
 
-/* What follows from the shares at an event that ``cursor.follow`` has taken in, as ``step``. */
-T3q targets_choice_law_propose(targets_cursor_State * s, T4d event, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing) {
-  double x, y, ask, least_s;
+/* What follows from the shares at an event that the cursor has taken in. */
+T3q targets_choice_law_decide(targets_cursor_State * s, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_decision_Settings settings, int64_t standing) {
   Table table;
   Vector inside, shares;
   int64_t count, chosen, over;
+  double ask, least_s;
   T4d bounds;
-  x = event.f1;
-  y = event.f2;
   table = targets.f0;
   inside = targets.f1;
   shares = targets.f2;
   if (released) {
-    standing = targets_decision_NOBODY;
+    standing = targets_rectangles_NOBODY;
   }
-  count = targets_choice_law_enter(table, inside, x, y, released);
+  count = targets_choice_law_enter(table, inside, s->x, s->y, released);
   ask = settings.precision;
   least_s = settings.least_lead_s;
   bounds = (T4d){ask, targets_choice_law_KEEP * ask, least_s, settings.least_way_px};
   chosen = targets_decision_decide(s, table, shares, standing, remaining_s, bounds);
   over = targets_choice_law_innermost(table, inside);
-  return (T3q){chosen, over == chosen ? targets_decision_NOBODY : over, count};
-}
-
-/* ``step`` where the shares have been written by somebody who knows them. */
-T3q targets_choice_law_step_with_shares(targets_cursor_State * s, T4d event, double remaining_s, T_Table_2_Vector_ targets, targets_posterior_Settings settings, int64_t standing) {
-  double t, x, y, pressed;
-  bool released;
-  t = event.f0;
-  x = event.f1;
-  y = event.f2;
-  pressed = event.f3;
-  released = targets_cursor_follow(s, t, x, y, pressed);
-  return targets_choice_law_propose(s, event, released, remaining_s, targets, settings, standing);
-}
-
-/* Take in one usable event (t, x, y, pressed), with the prediction made at it. */
-T3q targets_choice_law_step(targets_cursor_State * s, T4d event, T10d answer, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, int64_t standing) {
-  double t, x, y, pressed;
-  Table table;
-  Vector shares;
-  records_PredictionRow p;
-  bool released;
-  t = event.f0;
-  x = event.f1;
-  y = event.f2;
-  pressed = event.f3;
-  table = targets.f0;
-  shares = targets.f2;
-  p = records_PredictionRow_of_T10d(answer);
-  released = targets_cursor_follow(s, t, x, y, pressed);
-  targets_posterior_scores(s, table, answer, coefficients, settings.elsewhere, shares);
-  targets_posterior_normalise(shares);
-  return targets_choice_law_propose(s, event, released, p.remaining_s, targets, settings, standing);
+  return (T3q){chosen, over == chosen ? targets_rectangles_NOBODY : over, count};
 }
 
 /* What ends and what begins: a prediction and an entry that end, a prediction and an entry that begin. */
@@ -556,19 +1111,19 @@ T4q targets_choice_law_changes(T2q before, T2q now) {
   begins = chosen;
   enters = over;
   if (predicted == chosen) {
-    begins = targets_decision_NOBODY;
+    begins = targets_rectangles_NOBODY;
     ends = begins;
   }
   if (entered == over) {
-    enters = targets_decision_NOBODY;
+    enters = targets_rectangles_NOBODY;
     leaves = enters;
   }
   if (predicted == over) {
-    enters = targets_decision_NOBODY;
+    enters = targets_rectangles_NOBODY;
     ends = enters;
   }
   if (entered == chosen) {
-    begins = targets_decision_NOBODY;
+    begins = targets_rectangles_NOBODY;
     leaves = begins;
   }
   return (T4q){ends, leaves, begins, enters};
@@ -579,29 +1134,15 @@ bool targets_cursor_usable(double t, double x, double y) {
   return fabs(t) < records_LATEST_S && fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
 }
 
-/* The first row that ``step`` must not be given, -1 where all are usable. */
-int64_t targets_choice_law_unusable(targets_cursor_State * s, Table events) {
-  double before, t;
-  before = s->known == 1.0 ? s->t : -INFINITY;
-  for (int64_t i = 0; i < events.n; i++) {
-    t = events.p[i * events.m + 0];
-    if (!targets_cursor_usable(t, events.p[i * events.m + 1], events.p[i * events.m + 2]) || t < before) {
-      return i;
-    }
-    before = t;
-  }
-  return -1;
-}
-
 /* The places of the largest shares into ``order``, best first, the first of equal ones before the others. */
 WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
   int64_t place;
   for (int64_t k = 0; k < order.n; k++) {
-    order.p[k] = targets_decision_NOBODY;
+    order.p[k] = targets_rectangles_NOBODY;
   }
   for (int64_t i = 0; i < count; i++) {
     place = order.n;
-    while (place > 0 && (order.p[place - 1] == targets_decision_NOBODY || shares.p[i] > shares.p[(int64_t)order.p[place - 1]])) {
+    while (place > 0 && (order.p[place - 1] == targets_rectangles_NOBODY || shares.p[i] > shares.p[(int64_t)order.p[place - 1]])) {
       place -= 1;
     }
     if (place < order.n) {
@@ -610,93 +1151,6 @@ WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
       }
       order.p[place] = i;
     }
-  }
-}
-
-/* Take in rows, from ``first`` up to and with the one at which there is something to note. */
-T4q targets_choice_law_walk(targets_cursor_State * s, T3_Table_ tables, int64_t first, T_Table_2_Vector_ targets, targets_posterior_Coefficients * coefficients, targets_posterior_Settings settings, T2q proposed) {
-  Table events, answers, likeliest;
-  Vector shares;
-  int64_t standing, over, most, chosen, now_over, entered, place;
-  T4d event;
-  events = tables.f0;
-  answers = tables.f1;
-  likeliest = tables.f2;
-  shares = targets.f2;
-  standing = proposed.f0;
-  over = proposed.f1;
-  most = floor_divided_whole(likeliest.m, 2);
-  for (int64_t i = first; i < events.n; i++) {
-    event = (T4d){events.p[i * events.m + 0], events.p[i * events.m + 1], events.p[i * events.m + 2], (double)((int64_t)events.p[i * events.m + 5] & 1)};
-    T3q values_1 = targets_choice_law_step(s, event, records_row_at(answers, i), targets, coefficients, settings, standing);
-    chosen = values_1.f0;
-    now_over = values_1.f1;
-    entered = values_1.f2;
-    place = i - (events.n - likeliest.n);
-    if (place >= 0) {
-      targets_decision_rank(shares, shares.n, (Vector){likeliest.p + place * likeliest.m + 0, most - 0});
-      for (int64_t k = 0; k < most; k++) {
-        likeliest.p[place * likeliest.m + most + k] = shares.p[(int64_t)likeliest.p[place * likeliest.m + k]];
-      }
-    }
-    if (chosen != standing || now_over != over || entered > 0) {
-      return (T4q){i + 1, chosen, now_over, entered};
-    }
-  }
-  return (T4q){events.n, standing, over, 0};
-}
-
-/* The target that a place belongs to; NONE for none. */
-int64_t targets_expectation_target_of(Table table, Vector place) {
-  int64_t best;
-  double least, smallest, across, away, area;
-  Vector target;
-  bool nearer;
-  best = targets_expectation_NONE;
-  least = INFINITY;
-  smallest = INFINITY;
-  for (int64_t i = 0; i < table.n; i++) {
-    target = (Vector){table.p + i * table.m, table.m};
-    across = fabs(place.p[targets_expectation_X] - target.p[targets_rectangles_CENTRE_X]) - 0.5 * target.p[targets_rectangles_WIDTH];
-    away = max_float(max_float(across, fabs(place.p[targets_expectation_Y] - target.p[targets_rectangles_CENTRE_Y]) - 0.5 * target.p[targets_rectangles_HEIGHT]), 0.0);
-    area = target.p[targets_rectangles_WIDTH] * target.p[targets_rectangles_HEIGHT];
-    nearer = away < least || (away == least && area < smallest);
-    if (target.p[targets_rectangles_LOG_WEIGHT] > -INFINITY && away <= place.p[targets_expectation_SPREAD] && nearer) {
-      best = i;
-      least = away;
-      smallest = area;
-    }
-  }
-  return best;
-}
-
-/* Write the weights of targets with what is known of the person. */
-void targets_expectation_expect(Table table, Vector own, Table known) {
-  int64_t count, owner;
-  Vector shares;
-  double total;
-  count = table.n;
-  RELEASED double *buffer_1 = reserved(count);
-  shares = (Vector){buffer_1, count};
-  for (int64_t i = 0; i < count; i++) {
-    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = own.p[i];
-  }
-  for (int64_t k = 0; k < known.n; k++) {
-    owner = targets_expectation_target_of(table, (Vector){known.p + k * known.m, known.m});
-    if (owner != targets_expectation_NONE) {
-      shares.p[owner] += known.p[k * known.m + targets_expectation_BEFORE];
-    }
-  }
-  total = 0.0;
-  for (int64_t i = 0; i < count; i++) {
-    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] += log(1.0 + count * shares.p[i]);
-    total += exp(table.p[i * table.m + targets_rectangles_LOG_WEIGHT]);
-  }
-  if (total == 0.0) {
-    return;
-  }
-  for (int64_t i = 0; i < count; i++) {
-    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] -= log(total);
   }
 }
 
@@ -757,7 +1211,7 @@ void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vect
     total = shares.p[i];
     for (int64_t place = 0; place < targets_prefetch_PATHS; place++) {
       end = (int64_t)ends.p[place];
-      if (end == targets_decision_NOBODY || end == i || shares.p[end] < targets_prefetch_NEGLIGIBLE) {
+      if (i == end || end == targets_rectangles_NOBODY || shares.p[end] < targets_prefetch_NEGLIGIBLE) {
         continue;
       }
       to_x = table.p[end * table.m + targets_rectangles_CENTRE_X] - x;

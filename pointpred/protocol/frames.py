@@ -27,7 +27,7 @@ from pointpred.records import (
     PredictionColumns,
     Row,
 )
-from pointpred.targets.decision import NOBODY
+from pointpred.targets.rectangles import NOBODY
 
 EVENT = np.dtype([(field.name, field.packed) for field in EVENT_FIELDS])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""

@@ -22,6 +22,7 @@ from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, decision, ledger, posterior
 from pointpred.targets.choice_law import KEEP
+from pointpred.targets.rectangles import NOBODY
 
 NEAREST = "nearest to the cursor"
 ASKS = tuple(round(0.2 + 0.02 * i, 2) for i in range(40))
@@ -115,7 +116,7 @@ def account(
     movement = ledger.State(np.zeros(ledger.State.length))
     rows = np.zeros((2, ledger.FIELDS))
     ledger.begin(movement, rows)
-    standing = decision.NOBODY
+    standing = NOBODY
     for i in range(len(events)):
         t, x, y = events[i, 0], events[i, 1], events[i, 2]
         cursor.follow(memory, t, x, y, 0.0)
@@ -125,9 +126,9 @@ def account(
         bounds = ask, KEEP * ask, least_s, least_px
         chosen = decision.decide(memory, table, shares[i], standing, answers[i, 6], bounds)
         if chosen != standing:
-            if standing != decision.NOBODY:
+            if standing != NOBODY:
                 ledger.withdraw(movement, t, 0 if standing == right else 1, False)
-            if chosen != decision.NOBODY:
+            if chosen != NOBODY:
                 ledger.propose(movement, rows, t, 0 if chosen == right else 1)
             standing = chosen
     made, lead_entry_s, lead_click_s = ledger.close(movement, rows, events[len(events) - 1, 0], 0)

@@ -1,6 +1,6 @@
 """A predicted law becomes probabilities over rectangles, proposals, and a ledger of them."""
 
-from pointpred.targets.chooser import Choice, Chooser, PlaceChoice, PlaceChooser
+from pointpred.targets.chooser import Choice, Chooser, PlaceChooser
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.prefetch import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
@@ -11,7 +11,6 @@ __all__ = [
     "Chooser",
     "Ledger",
     "Movement",
-    "PlaceChoice",
     "PlaceChooser",
     "Prefetcher",
     "Target",

@@ -56,12 +56,17 @@ def usable(t: float, x: float, y: float) -> bool:
 
 
 @law
+def begins(s: State, t: float, pressed: float) -> bool:
+    """Whether a movement begins with this event: the first, one after a pause, or the release of a button."""
+    return s.known == 0.0 or (s.pressed == 1.0 and pressed == 0.0) or t - s.t > PAUSE_S + ROUNDING_S
+
+
+@law
 def follow(s: State, t: float, x: float, y: float, pressed: float) -> bool:
     """Take an event in, a usable one that is not before the last; returns whether a button was released."""
     dt = t - s.t
     released = s.pressed == 1.0 and pressed == 0.0
-    starts = s.known == 0.0 or released or dt > PAUSE_S + ROUNDING_S
-    if starts:
+    if begins(s, t, pressed):
         s.t0, s.x0, s.y0 = t, x, y
         s.trail_x, s.trail_y = x, y
         s.vx = s.vy = s.speed = s.slow = s.peak = 0.0

@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from math import hypot
+from typing import NamedTuple
 
 from pointpred.compiled import law
 from pointpred.records import FloatArray, FloatTable
 from pointpred.targets import cursor
-from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, NOBODY, WIDTH
 
-NOBODY = -1
+
+class Settings(NamedTuple):
+    """A chooser's settings, as ``Chooser`` says what they are."""
+
+    precision: float
+    least_lead_s: float
+    least_way_px: float
+
+
+LOWEST, HIGHEST = Settings(0.01, 0.0, 0.0), Settings(0.999, 10.0, 1000.0)
+USUAL = Settings(0.5, 0.0, 3.0)
+"""Their bounds and their defaults."""
 
 
 @law

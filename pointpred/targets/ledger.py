@@ -14,7 +14,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.layout import Layout, clear
 from pointpred.records import FloatTable
-from pointpred.targets.decision import NOBODY
+from pointpred.targets.rectangles import NOBODY
 
 LATEST = 1000
 """Movements of which the lead is remembered, and targets of one movement."""

@@ -170,19 +170,6 @@ for _weights in (Coefficients(FITTED_NEAREST).claimed, Coefficients(FITTED_NEARE
     _weights.none[:] = fitted.NEAREST_NONE
 
 
-class Settings(NamedTuple):
-    """A chooser's settings, as ``Chooser`` says what they are."""
-
-    precision: float
-    elsewhere: float
-    least_lead_s: float
-    least_way_px: float
-
-
-LOWEST, HIGHEST = Settings(0.01, 1e-6, 0.0, 0.0), Settings(0.999, 0.999999, 10.0, 1000.0)
-USUAL = Settings(0.5, 0.02, 0.0, 3.0)
-"""Their bounds and their defaults."""
-
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 """Values in the fit: the share of movements to none of the targets, and the number of targets."""
 

@@ -7,7 +7,7 @@ goes through it, more than by the probability that the movement ends there.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable
 from math import hypot, inf, log
 
 import numpy as np
@@ -15,11 +15,10 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.parameter import Parameter, check
-from pointpred.records import FloatArray, FloatTable, PointerEvent, Prediction, prediction_row
-from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.chooser import Chooser
-from pointpred.targets.inputs import accepted
-from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH, Target, table
+from pointpred.records import FloatArray, FloatTable
+from pointpred.targets import cursor, decision
+from pointpred.targets.chooser import Aimed
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, NOBODY, WIDTH
 
 ARMED, FIRED, RESTING, PREDICTED, ENTERED = 0.0, 1.0, 2.0, 3.0, 4.0
 """Of each target: nothing yet; fired in this movement; fired before it and not left since; fires at this
@@ -48,8 +47,8 @@ AGE_S = 1.0
 SMALLEST, LEAST_VISITS = 1e-6, 0.05
 """Bounds on probabilities and on their sum in logarithms."""
 
-THRESHOLD, ELSEWHERE = 0.5, 0.02
-"""Defaults: how likely a visit of a target must be, and the share of movements that go to none of them."""
+THRESHOLD = 0.5
+"""Unless given, how likely a visit of a target must be."""
 
 
 class Settings(Layout):
@@ -109,7 +108,7 @@ def visit(x: float, y: float, table: FloatTable, shares: FloatArray, out: FloatA
         total = shares[i]
         for place in range(PATHS):
             end = int(ends[place])
-            if end == decision.NOBODY or end == i or shares[end] < NEGLIGIBLE:
+            if i == end or end == NOBODY or shares[end] < NEGLIGIBLE:
                 continue
             to_x, to_y = table[end, CENTRE_X] - x, table[end, CENTRE_Y] - y
             if contact(x, y, to_x, to_y, table[i]) <= 1.0:
@@ -212,73 +211,63 @@ FITTED_SETTINGS: FloatArray = np.array(FITTED)
 class Prefetcher:
     """Fires prefetches: several targets at once, each early where its probability reaches the threshold.
 
-    Each target fires once a movement, when the cursor enters it at the latest; a firing is never withdrawn.
-    Parameters: ``threshold`` in (0, 1), how likely it must be that the cursor goes through the target, on a
-    scale on which 0.5 fires about as often as a straight line of 120 ms does; higher fires later and less
-    often, 1 at entry only. ``elsewhere``: the share of movements that go to none
-    of the targets, before anything is seen. Memory: 17 floats of the cursor and the movement, 9 a target.
-    Raises ParameterError, and EventError or EventOrderError from ``update``; nothing is then changed.
+    ``update`` decides by the shares of the pipeline after its last event. Each target fires once a movement,
+    when the cursor enters it at the latest; a firing is never withdrawn. ``threshold`` in (0, 1) is how
+    likely it must be that the cursor goes through the target, on a scale on which 0.5 fires about as often as
+    a straight line of 120 ms does; higher fires later and less often, 1 at entry only. Memory: 17 floats of
+    the cursor and the movement, 3 a target. Raises ParameterError.
 
-    >>> from pointpred import build
+    >>> from pointpred import PointerEvent, build
     >>> from pointpred.targets import around
-    >>> pipeline = build("minimum-jerk")
-    >>> prefetcher = Prefetcher([around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0)])
+    >>> targets = [around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0)]
+    >>> pipeline = build("minimum-jerk", targets=targets)
+    >>> prefetcher = Prefetcher(pipeline)
     >>> for i in range(60):
-    ...     event = PointerEvent(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0)
-    ...     for id in prefetcher.update(pipeline.update(event), event):
+    ...     _ = pipeline.update(PointerEvent(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0))
+    ...     for id in prefetcher.update():
     ...         print(id)
     right
     """
 
     parameters = (
         Parameter("threshold", "", 0.0, 1.0, "how likely it must be that the cursor goes through the target"),
-        Chooser.parameters[1],  # elsewhere
     )
 
-    def __init__(
-        self,
-        targets: Sequence[Target] = (),
-        *,
-        threshold: float = THRESHOLD,
-        elsewhere: float = ELSEWHERE,
-    ) -> None:
-        check(self.parameters, {"threshold": threshold, "elsewhere": elsewhere})
-        self._threshold, self._elsewhere = threshold, elsewhere
+    def __init__(self, pipeline: Aimed, *, threshold: float = THRESHOLD) -> None:
+        check(self.parameters, {"threshold": threshold})
+        self.pipeline = pipeline
+        self._aim = pipeline.aim  # from now on it follows the cursor
+        self._threshold = threshold
         self._state = State(np.zeros(State.length))
         self._ids: tuple[Hashable, ...] = ()
-        self._fired = np.zeros(0)
-        self.replace(targets)
-
-    def replace(self, targets: Sequence[Target]) -> None:
-        """Take other targets, at any time; one that stays and has fired does not fire again.
-
-        Raises ParameterError for too many, or for one out of bounds; the old ones are then kept.
-        """
-        rows, known = table(targets), dict(zip(self._ids, self._fired.tolist(), strict=True))
-        self._table, self._ids = rows, tuple(target.id for target in targets)
-        self._fired = np.array([known.get(id, ARMED) for id in self._ids])
-        self._thresholds = np.full(len(rows), self._threshold)
-        self._visits, self._shares = np.zeros(len(rows)), np.zeros(len(rows) + 1)
+        self._fired, self._thresholds, self._visits = np.zeros(0), np.zeros(0), np.zeros(0)
 
     @property
     def visits(self) -> FloatArray:
         """How likely the cursor goes through each target after the last event, in their order."""
         return self._visits.copy()
 
-    def update(self, prediction: Prediction | None, event: PointerEvent) -> tuple[Hashable, ...]:
-        """Take an event and the prediction made at it; the targets that fire now, in their order."""
-        t, x, y, pressed = accepted(self._state.cursor, event)
-        now = self._state.cursor.memory
-        cursor.follow(now, t, x, y, pressed)
-        answer = prediction_row(prediction)
-        posterior.scores(now, self._table, answer, posterior.FITTED_PAGES, self._elsewhere, self._shares)
-        posterior.normalise(self._shares)
-        targets = self._table, self._thresholds, self._visits, self._fired
-        if step(self._state.memory, targets, self._shares, FITTED_SETTINGS) == 0:
+    def update(self) -> tuple[Hashable, ...]:
+        """Decide after the pipeline's last event: the targets that fire now, in their order.
+
+        Where others are registered than before, one that stays and has fired does not fire again.
+        """
+        aim = self.pipeline.aim
+        if aim.ids is not self._ids:
+            known = dict(zip(self._ids, self._fired.tolist(), strict=True))
+            self._ids, count = aim.ids, len(aim.ids)
+            self._fired = np.array([known.get(id, ARMED) for id in self._ids])
+            self._thresholds, self._visits = np.full(count, self._threshold), np.zeros(count)
+        self._state.cursor.memory[:] = aim.cursor.memory
+        targets = aim.table, self._thresholds, self._visits, self._fired
+        if step(self._state.memory, targets, aim.shares, FITTED_SETTINGS) == 0:
             return ()
         return tuple(self._ids[i] for i in np.flatnonzero(self._fired >= PREDICTED).tolist())
 
     def reset(self) -> None:
-        """Forget every event; what has fired is armed again, but for a target that the next event lies in."""
+        """Forget the movement, as the pipeline's ``reset`` does.
+
+        What has fired is armed again, but for a target that the next event lies in.
+        """
         self._state = State(np.zeros(State.length))
         self._fired[self._fired != ARMED] = RESTING

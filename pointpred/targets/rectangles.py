@@ -13,6 +13,8 @@ from pointpred.errors import ParameterError
 from pointpred.records import LARGEST, FloatArray, FloatTable
 
 MOST_TARGETS = 1000
+NOBODY = -1
+"""Stands in the place of a target where there is none."""
 SMALLEST_PX = 1e-3
 
 # A row of the table: the rectangle's centre and size in px, and the logarithm of its weight
@@ -28,7 +30,8 @@ class Target(msgspec.Struct, frozen=True):
     """A rectangle on the screen: its upper left corner and size, px.
 
     ``weight`` is the caller's prior, relative to the other targets': 2 is twice as likely as 1 before the
-    cursor moves, 0 never.
+    cursor moves, 0 never. ``kind`` names what it is to the user, such as "button": what a person takes of a
+    kind is learned.
     """
 
     id: Hashable
@@ -37,13 +40,14 @@ class Target(msgspec.Struct, frozen=True):
     width: float
     height: float
     weight: float = 1.0
+    kind: str = ""
 
 
 def around(id: Hashable, x: float, y: float, width: float, height: float | None = None) -> Target:
     """The rectangle with its centre at (x, y), square unless a height is given.
 
     >>> around("a", 10.0, 20.0, 4.0)
-    Target(id='a', x=8.0, y=18.0, width=4.0, height=4.0, weight=1.0)
+    Target(id='a', x=8.0, y=18.0, width=4.0, height=4.0, weight=1.0, kind='')
     """
     tall = width if height is None else height
     return Target(id, x - width / 2.0, y - tall / 2.0, width, tall)
@@ -66,6 +70,20 @@ def complete(rows: FloatTable) -> None:
         total += exp(rows[i, LOG_WEIGHT] - most)
     for i in range(len(rows)):
         rows[i, LOG_WEIGHT] -= most + log(total)
+
+
+@law
+def holder(table: FloatTable, x: float, y: float) -> int:
+    """The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none."""
+    best, smallest, least = NOBODY, inf, inf
+    for i in range(len(table)):
+        row = table[i]
+        across, down = abs(row[CENTRE_X] - x), abs(row[CENTRE_Y] - y)
+        if across <= 0.5 * row[WIDTH] and down <= 0.5 * row[HEIGHT]:
+            area, away = row[WIDTH] * row[HEIGHT], across + down
+            if area < smallest or (area == smallest and away < least):
+                best, smallest, least = i, area, away
+    return best
 
 
 def table(targets: Sequence[Target]) -> FloatArray:

@@ -104,14 +104,15 @@ def record(stated: Movement, cursor: tuple[float, float, float], region: SixFloa
 
 
 @law
-def probability_within(m: Moment, x: float, y: float) -> float:
-    """Share of the probability that a moment's law gives to places nearer than the end (x, y)."""
-    dx, dy = x - m.x, y - m.y
-    determinant = m.sxx * m.syy - m.sxy * m.sxy
+def probability_within(region: SixFloats, x: float, y: float) -> float:
+    """Share of the probability that a law, as ``record`` takes it, gives to places nearer than the end."""
+    centre_x, centre_y, sxx, sxy, syy, tail = region
+    dx, dy = x - centre_x, y - centre_y
+    determinant = sxx * syy - sxy * sxy
     if not determinant > 0.0:
         return 1.0
-    far = (m.syy * dx * dx - 2.0 * m.sxy * dx * dy + m.sxx * dy * dy) / determinant
-    return float(1.0 - exp(-0.5 * m.tail * log(1.0 + max(far, 0.0) / m.tail)))
+    far = (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant
+    return float(1.0 - exp(-0.5 * tail * log(1.0 + max(far, 0.0) / tail)))
 
 
 @law
@@ -133,7 +134,7 @@ def learn(s: Radii, stated: Movement, place_of_end: tuple[float, float], span: t
         ):
             k += 1
         m = stated.moments[k]
-        within = probability_within(m, x, y)
+        within = probability_within((m.x, m.y, m.sxx, m.sxy, m.syy, m.tail), x, y)
         for which in range(len(LEVELS)):
             levels.learn(s.single, share, which, within <= LEVELS[which], step)
         mixed_region.judge(s.mixed, m.mixture, place_of_end, share, step)

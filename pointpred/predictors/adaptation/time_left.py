@@ -105,10 +105,12 @@ class Estimates(NamedTuple):
     predicted: float
 
 
+Terms = tuple[float, float, float, float, float, float, float]
+"""What the time left is a sum of."""
+
+
 @law
-def terms(
-    estimates: Estimates, way: Way, pace: Pace, since: float, median: float
-) -> tuple[float, float, float, float, float, float, float]:
+def terms(estimates: Estimates, way: Way, pace: Pace, since: float, median: float) -> Terms:
     """What the time left is a sum of, in medians of the last durations; ``since`` s have passed."""
     mixed = min(estimates.mixed / median, LONGEST)
     predicted = min(estimates.predicted / median, LONGEST)
@@ -175,14 +177,30 @@ def stated(
 
     ``cursor``: t, x, y.
     """
-    if movement.ready == 0.0:
-        solve(s, PRIOR, movement.weights)
-        movement.ready = 1.0
     known = terms(estimates, way, pace, since, median)
+    return weighed(s, intervals, movement, cursor, since, median, estimates.predicted, known, PRIOR)
+
+
+@law
+def weighed(
+    s: Sums,
+    intervals: Intervals,
+    movement: Movement,
+    cursor: tuple[float, float, float],
+    since: float,
+    median: float,
+    predicted: float,
+    known: Terms,
+    prior: FloatArray,
+) -> tuple[float, float]:
+    """``stated`` from the terms; ``predicted``: the time left in s by the predictor alone."""
+    if movement.ready == 0.0:
+        solve(s, prior, movement.weights)
+        movement.ready = 1.0
     total = 0.0
     for i in range(TERMS):
         total += movement.weights[i] * known[i]
-    left = max(min(total, FURTHEST) * median, LEAST * min(estimates.predicted, median))
+    left = max(min(total, FURTHEST) * median, LEAST * min(predicted, median))
     spread = arrival_intervals.spread(intervals, since / (since + left))
     last = movement.moments[max(int(movement.series.count) - 1, 0)]
     number, full = moments.next_moment(movement.series, last.t, cursor, MOST)

@@ -25,9 +25,9 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import prediction_frames, row_encoder
+from pointpred.protocol.frames import Aim, prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Score
-from pointpred.records import EventColumns, FloatArray, Place, PredictionColumns, Row, refusal
+from pointpred.records import EventColumns, FloatArray, PredictionColumns, Row, refusal
 from pointpred_server.sessions.assistance import Assistance
 from pointpred_server.sessions.outbox import Outbox
 from pointpred_server.sessions.pipelines import NO_COEFFICIENTS, pipeline_of
@@ -99,19 +99,30 @@ class PredictionStream:
         """
         if not rows:
             return None, 0
-        try:
-            self._take_in(rows)
-        except EventError:  # the pipeline finds that something is wrong, the protocol says where
-            table = np.array(rows)
-            check_numbers(table)
-            error, used = self._in_order(table)
-            if len(used):
-                self._take_in([tuple(row) for row in used.tolist()])
-            return error, len(table) - len(used)
-        return None, 0
+        if not self._watched:
+            try:
+                self._take_in(rows)
+            except EventError:  # the pipeline finds that something is wrong, the protocol says where
+                pass
+            else:
+                return None, 0
+        table = np.array(rows)
+        (self.assistance.check if self.assistance else check_numbers)(table)
+        error, used = self._in_order(table)
+        if len(used):
+            self._take_in([tuple(row) for row in used.tolist()])
+        return error, len(table) - len(used)
+
+    @property
+    def _watched(self) -> bool:
+        """Whether something is to be done after each event: a cursor assisted, a target or place chosen."""
+        return self.assistance is not None or self.tracker is not None or self.hello.places
 
     def _take_in(self, rows: Sequence[Row]) -> None:
-        """Predict from events in order, and answer; raises as ``push``, nothing changed."""
+        """Predict from events in order, and answer.
+
+        Raises EventError, nothing changed, where something is wrong; ``push`` has looked where much is done.
+        """
         if not (self._all_wanted or self.observer or self.tracker or self._trial.running):  # most frames
             if len(rows) == 1:
                 answer = self.pipeline.advance(rows[0])
@@ -123,10 +134,9 @@ class PredictionStream:
             self._last_t = rows[-1][0]
             self._outbox.predict([self._encode(answer)], 1)
             return
-        table = np.array(rows)
-        seen: list[tuple[Place, ...]] | None = None
-        if self.assistance or self.hello.places:
-            table, predictions, seen = self._predict_one_by_one(table)
+        table, aims = np.array(rows), None
+        if self._watched:
+            table, predictions, aims = self._follow(table)
         else:
             predictions = self.pipeline.push(table)
         self.events += len(rows)
@@ -135,57 +145,37 @@ class PredictionStream:
             self._trial.add(table)
         if self.observer:
             self.observer.events(EventColumns(table), PredictionColumns(predictions))
-        each, aims = self.hello.reply == "event", None
-        if self.tracker:
-            aims = self.tracker.follow(table, predictions, seen, each=each)
-        elif seen is not None:
-            if self.place_tracker is None:
-                self.place_tracker = PlaceTracker(self._outbox, self.precision)
-            self.place_tracker.follow(table, predictions, seen)
+        each = self.hello.reply == "event"
         frames, count = prediction_frames(
             predictions,
             binary=self.hello.encoding == "binary",
             each=each,
             version=self.hello.version,
-            aims=aims,
+            aims=aims if each or aims is None else aims[-1:],
         )
         if self.assistance:  # the cursor goes first, as text in either encoding
             frames = [self.assistance.cursor(self._last_t), *frames]
         self._outbox.predict(frames, count)
 
-    def _predict_one_by_one(
-        self, table: FloatArray
-    ) -> tuple[FloatArray, FloatArray, list[tuple[Place, ...]] | None]:
-        """The events, where assistance has brought the cursor; their predictions; the places after each.
-
-        Raises ProtocolError or EventError, nothing changed.
-        """
-        assistance, pipeline = self.assistance, self.pipeline
-        if assistance:
-            assistance.check(table)
-        before = pipeline.differentiator.remembered(), pipeline.predictor.remembered()
-        assisted = assistance.remembered() if assistance else None
-        events, predictions, seen = table.copy(), np.empty((len(table), 10)), []
-        complete = False
-        try:
-            for i, row in enumerate(table.tolist()):
-                moved = assistance.move(row) if assistance else tuple(row)
-                answer = pipeline.advance(moved)
-                if answer[0] != answer[0]:
-                    raise refusal(moved, answer)
-                events[i], predictions[i] = moved, answer
-                if assistance:
-                    assistance.guide(answer)
-                if self.hello.places:
-                    seen.append(pipeline.places)
-            complete = True
-        finally:
-            if not complete:
-                pipeline.differentiator.recall(before[0])
-                pipeline.predictor.recall(before[1])
-                if assistance and assisted:
-                    assistance.recall(assisted)
-        return events, predictions, seen if self.hello.places else None
+    def _follow(self, table: FloatArray) -> tuple[FloatArray, FloatArray, list[Aim] | None]:
+        """The events where assistance brought the cursor, their predictions, what the targets make of each."""
+        assistance, pipeline, tracker = self.assistance, self.pipeline, self.tracker
+        if tracker is None and self.hello.places and self.place_tracker is None:
+            self.place_tracker = PlaceTracker(self._outbox, pipeline, self.precision)
+        events, predictions, aims = table.copy(), np.empty((len(table), 10)), []
+        for i, row in enumerate(table.tolist()):
+            moved = assistance.move(row) if assistance else tuple(row)
+            answer = pipeline.advance(moved)
+            if answer[0] != answer[0]:
+                raise refusal(moved, answer)
+            events[i], predictions[i] = moved, answer
+            if assistance:
+                assistance.guide(answer)
+            if tracker:
+                aims.append(tracker.follow())
+            elif self.place_tracker:
+                self.place_tracker.follow()
+        return events, predictions, aims if tracker else None
 
     def configure(self, message: Configure) -> None:
         """Another predictor or other parameters begin without memory; raises ProtocolError, nothing changed.
@@ -211,8 +201,7 @@ class PredictionStream:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, self.pipeline.person)
-            self.pipeline = pipeline
-            self._forget()
+            self._go_on_with(pipeline)
         if message.assist is not None and self.assistance is not None:
             before, self.assistance = self.assistance, Assistance(hello, message.assist)
             self.assistance.follow(before)
@@ -232,12 +221,10 @@ class PredictionStream:
         if self.place_tracker:
             self.place_tracker.reset()
             self.place_tracker = None
-        if self.tracker:
-            self.tracker.expect(())
 
     def replace_targets(self, targets: list[Rectangle]) -> None:
         """Replace the set of targets; raises ProtocolError, nothing changed."""
-        tracker = self.tracker or TargetTracker(self._outbox, self.precision)
+        tracker = self.tracker or TargetTracker(self._outbox, self.pipeline, self.precision)
         tracker.replace(targets)
         self.tracker = tracker if targets else None
         if self.place_tracker:
@@ -255,9 +242,17 @@ class PredictionStream:
         Raises ProtocolError for what the predictor cannot use, nothing changed.
         """
         if replacement is not None:
-            self.pipeline = self._in_window(self._build(structs.replace(self.hello, person=replacement)))
-            self._forget()
+            self._go_on_with(self._in_window(self._build(structs.replace(self.hello, person=replacement))))
         return self.pipeline.person
+
+    def _go_on_with(self, pipeline: Pipeline) -> None:
+        """Another pipeline begins without memory, with the targets that are registered."""
+        pipeline.aim = self.pipeline.aim
+        self.pipeline = pipeline
+        for tracker in (self.tracker, self.place_tracker):
+            if tracker:
+                tracker.pipeline = pipeline
+        self._forget()
 
     def enter(self, window: Enter) -> None:
         """The next movement is in this window."""

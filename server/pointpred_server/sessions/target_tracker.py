@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple, cast
 
 from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Goal, Rectangle
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Aim
 from pointpred.protocol.server_messages import ChoiceMessage, Likely
-from pointpred.records import FloatArray, Place
 from pointpred.targets import Choice, Chooser
+from pointpred.targets.rectangles import NOBODY
 from pointpred_server.sessions.outbox import Outbox
 
 LIKELIEST = 5
@@ -40,13 +40,22 @@ class TargetTracker:
     Memory: the chooser's, which grows with the targets only.
     """
 
-    def __init__(self, outbox: Outbox, precision: float | None = None) -> None:
+    def __init__(self, outbox: Outbox, pipeline: Pipeline, precision: float | None = None) -> None:
         self._outbox = outbox
-        self._chooser = Chooser()
+        self._chooser = Chooser(pipeline)
         self._targets: Sequence[Rectangle] = ()
         self._last_t: float | None = None
         if precision is not None:
             self.configure(precision)
+
+    @property
+    def pipeline(self) -> Pipeline:
+        """Whose targets it decides among."""
+        return cast(Pipeline, self._chooser.pipeline)
+
+    @pipeline.setter
+    def pipeline(self, pipeline: Pipeline) -> None:
+        self._chooser.pipeline = pipeline
 
     def configure(self, precision: float) -> None:
         """The share of proposals that shall be right, brought within the bounds of the chooser."""
@@ -55,58 +64,34 @@ class TargetTracker:
     def replace(self, targets: Sequence[Rectangle]) -> None:
         """Replace the targets; a proposal of one that is gone is retracted. Raises ProtocolError."""
         try:
-            changes = self._chooser.replace(targets)
+            self.pipeline.register(targets)
         except ParameterError as error:
             raise ProtocolError(
                 "bad_field", str(error), "$.targets", field=error.field, value=error.value
             ) from None
         self._targets = targets
-        self.announce([(self._last_t, change) for change in changes])
-
-    def expect(self, places: Sequence[Place]) -> None:
-        """Take into account where the person went before."""
-        self._chooser.expect(places)
+        self._announce(self._chooser.follow_targets())
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""
-        proposed = (self._chooser.standing, self._chooser.entered)
-        self.announce([(self._last_t, Choice(id, 0.0, "retract")) for id in proposed if id is not None])
+        for id in (self._chooser.standing, self._chooser.entered):
+            if id is not None:
+                self._announce([Choice(id, 0.0, "retract")])
         self._chooser.reset()
         self._last_t = None
 
-    def follow(
-        self,
-        table: FloatArray,
-        predictions: FloatArray,
-        seen: Sequence[Sequence[Place]] | None = None,
-        *,
-        each: bool,
-    ) -> list[Aim]:
-        """Decide after events and their predictions; choices go into the outbox.
+    def follow(self) -> Aim:
+        """Decide after the pipeline's last event; choices go into the outbox."""
+        aim = self.pipeline.aim
+        self._last_t = float(aim.cursor.t)
+        self._announce(self._chooser.update())
+        likely = [Likely(str(id), p) for id, p in aim.likeliest(LIKELIEST)]
+        place = int(aim.shares.argmax())
+        return Aim(place if place < len(aim.ids) else NOBODY, likely)
 
-        ``seen``: the person's places after each event, where they count; at the event where they change, the
-        weights change. Returns the aim after each event with ``each``, otherwise after the last.
-        """
-        aims: list[Aim] = []
-        for places, part in _runs(seen, len(table)):
-            if places is not None:
-                self.expect(places)
-            last = part.stop - part.start if each else int(part.stop == len(table))
-            made, likely, headed = self._chooser.follow(
-                table[part], predictions[part], most=LIKELIEST, last=last
-            )
-            self.announce(made)
-            aims += [
-                Aim(place, [Likely(str(id), p) for id, p in one])
-                for place, one in zip(headed, likely, strict=True)
-            ]
-        self._last_t = float(table[-1, 0])
-        return aims
-
-    def announce(self, choices: Sequence[tuple[float | None, Choice]]) -> None:
-        """Send choices to the client."""
-        for t, (id, p, action, reason) in choices:
-            self._outbox.add_choice(ChoiceMessage(str(id), p, action, t, reason))
+    def _announce(self, choices: Sequence[Choice]) -> None:
+        for id, p, action, reason, _ in choices:
+            self._outbox.add_choice(ChoiceMessage(str(id), p, action, self._last_t, reason))
 
     def finish_trial(self, goal: Goal | None) -> Outcome | None:
         """Finish the movement: how good its proposals were, ``None`` where the goal is unknown."""
@@ -127,20 +112,3 @@ class TargetTracker:
             if distance(one)[0] <= one.width / 2 and distance(one)[1] <= one.height / 2
         ]
         return min(around, key=lambda one: sum(distance(one))).id if around else None
-
-
-def _runs(
-    seen: Sequence[Sequence[Place]] | None, events: int
-) -> Iterator[tuple[Sequence[Place] | None, slice]]:
-    """Runs of events, each begun where what is known before a movement changes, and their places.
-
-    The places are in the order of their numbers, so that sums of shares do not depend on the likeliest now.
-    """
-    if seen is None:
-        yield None, slice(0, events)
-        return
-    ordered = [sorted(places, key=lambda place: place.id) for places in seen]
-    known = [[(place.x, place.y, place.before, place.spread) for place in places] for places in ordered]
-    starts = [i for i in range(events) if i == 0 or known[i] != known[i - 1]]
-    for start, stop in pairwise([*starts, events]):
-        yield ordered[start], slice(start, stop)

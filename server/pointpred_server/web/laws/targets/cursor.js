@@ -15,11 +15,13 @@ export const STATES = 15;
 export function usable(t, x, y) {
   return Math.abs(t) < $records.LATEST_S && Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
 }
+export function begins(s, t, pressed, s_at = 0) {
+  return s[s_at] === 0 || s[s_at + 4] === 1 && pressed === 0 || t - s[s_at + 1] > PAUSE_S + $records.ROUNDING_S;
+}
 export function follow(s, t, x, y, pressed, s_at = 0) {
   const dt = t - s[s_at + 1];
   const released = s[s_at + 4] === 1 && pressed === 0;
-  const starts = s[s_at] === 0 || released || dt > PAUSE_S + $records.ROUNDING_S;
-  if (starts) {
+  if (begins(s, t, pressed, s_at)) {
     s[s_at + 5] = t;
     s[s_at + 6] = x;
     s[s_at + 7] = y;

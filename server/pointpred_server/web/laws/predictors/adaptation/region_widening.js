@@ -61,15 +61,21 @@ export function record(stated, cursor, region, stated_at = 0) {
   stated[m_at + 6] = region[5];
   return number;
 }
-export function probability_within(m, x, y, m_at = 0) {
-  const dx = x - m[m_at + 1];
-  const dy = y - m[m_at + 2];
-  const determinant = m[m_at + 3] * m[m_at + 5] - m[m_at + 4] * m[m_at + 4];
+export function probability_within(region, x, y) {
+  const centre_x = region[0];
+  const centre_y = region[1];
+  const sxx = region[2];
+  const sxy = region[3];
+  const syy = region[4];
+  const tail = region[5];
+  const dx = x - centre_x;
+  const dy = y - centre_y;
+  const determinant = sxx * syy - sxy * sxy;
   if (!(determinant > 0)) {
     return 1;
   }
-  const far = (m[m_at + 5] * dx * dx - 2 * m[m_at + 4] * dx * dy + m[m_at + 3] * dy * dy) / determinant;
-  return 1 - Math.exp(-0.5 * m[m_at + 6] * Math.log(1 + larger(far, 0) / m[m_at + 6]));
+  const far = (syy * dx * dx - 2 * sxy * dx * dy + sxx * dy * dy) / determinant;
+  return 1 - Math.exp(-0.5 * tail * Math.log(1 + larger(far, 0) / tail));
 }
 export function learn(s, stated, place_of_end, span, s_at = 0, stated_at = 0) {
   if (stated[stated_at] === 0) {
@@ -86,7 +92,7 @@ export function learn(s, stated, place_of_end, span, s_at = 0, stated_at = 0) {
       k += 1;
     }
     const m_at = stated_at + k * 45 + 4;
-    const within = probability_within(stated, x, y, m_at);
+    const within = probability_within([stated[m_at + 1], stated[m_at + 2], stated[m_at + 3], stated[m_at + 4], stated[m_at + 5], stated[m_at + 6]], x, y);
     for (let which = 0, end_2 = $mixture.LEVELS.length; which < end_2; which++) {
       $levels.learn(s, share, which, within <= $mixture.LEVELS[which], step, s_at + 1);
     }

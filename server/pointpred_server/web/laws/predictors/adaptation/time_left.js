@@ -71,16 +71,19 @@ export function solve(s, prior, weights, s_at = 0) {
   }
 }
 export function stated(s, intervals, movement, cursor, since, median, estimates, way, pace, s_at = 0, intervals_at = 0, movement_at = 0) {
+  const known = terms(estimates, way, pace, since, median);
+  return weighed(s, intervals, movement, cursor, since, median, estimates[1], known, $time_left_prior.PRIOR, s_at, intervals_at, movement_at);
+}
+export function weighed(s, intervals, movement, cursor, since, median, predicted, known, prior, s_at = 0, intervals_at = 0, movement_at = 0) {
   if (movement[movement_at] === 0) {
-    solve(s, $time_left_prior.PRIOR, view(movement, movement_at + 1, movement_at + 8), s_at);
+    solve(s, prior, view(movement, movement_at + 1, movement_at + 8), s_at);
     movement[movement_at] = 1;
   }
-  const known = terms(estimates, way, pace, since, median);
   let total = 0;
   for (let i = 0; i < TERMS; i++) {
     total += movement[movement_at + i + 1] * known[i];
   }
-  const left = larger(smaller(total, FURTHEST) * median, LEAST * smaller(estimates[1], median));
+  const left = larger(smaller(total, FURTHEST) * median, LEAST * smaller(predicted, median));
   const spread = $arrival_intervals.spread(intervals, since / (since + left), intervals_at);
   const last_at = movement_at + larger(Math.trunc(movement[movement_at + 8]) - 1, 0) * 10 + 12;
   const values_1 = $moments.next_moment(movement, movement[last_at], cursor, MOST, movement_at + 8);
