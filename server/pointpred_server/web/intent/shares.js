@@ -2,19 +2,21 @@
 
 import { ENTERED, INSIDE, KEEP, OUTSIDE, enter, innermost } from "../laws/targets/choice_law.js";
 import { KNOWN, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
-import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
+import { decide, likeliest, USUAL } from "../laws/targets/decision.js";
+import { NOBODY } from "../laws/targets/rectangles.js";
 import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { FITTED_NONE, FITTED_PAGES, normalise, scores, USUAL } from "../laws/targets/posterior.js";
+import { FITTED_NONE, FITTED_PAGES, normalise, scores } from "../laws/targets/posterior.js";
 import * as prefetch from "../laws/targets/prefetch.js";
 import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
 
 const logit = (p) => Math.log(p / (1 - p));
 /** Highlights use higher prior odds that the movement is for no registered element. This is the logarithm of that factor. */
-const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(prefetch.ELSEWHERE);
+const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(ELSEWHERE);
 const USUAL_ELEMENTS = 8; // of so many registered elements it is assumed that nearly every movement is for one of them
 const MOST_ELSEWHERE = 0.7; // and that this share is for something else where hardly any are registered
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
-const [, , LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
+const [, LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
+const ELSEWHERE = 0.02;
 const SETTINGS = Float64Array.from(prefetch.FITTED);
 const NEVER = 1; // the highest threshold of a prefetch: fires at entry only
 const LIKELY = 1e-3; // an element of this share is scored each time
@@ -46,8 +48,8 @@ export class Shares {
     this.#lit = new Float64Array(entries.length + 1);
     this.#scoredIn = -1;
     this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
-    const elsewhere = Math.max(prefetch.ELSEWHERE, MOST_ELSEWHERE * (1 - entries.filter(({ isHidden }) => !isHidden).length / USUAL_ELEMENTS));
-    this.#unknown = logit(elsewhere) - logit(prefetch.ELSEWHERE);
+    const elsewhere = Math.max(ELSEWHERE, MOST_ELSEWHERE * (1 - entries.filter(({ isHidden }) => !isHidden).length / USUAL_ELEMENTS));
+    this.#unknown = logit(elsewhere) - logit(ELSEWHERE);
     const total = entries.reduce((sum, { isHidden, weight }) => sum + (isHidden ? 0 : weight), 0);
     for (const { row, isHidden, weight } of entries) row[LOG_WEIGHT] = isHidden ? -Infinity : Math.log(weight / total);
   }
@@ -104,7 +106,7 @@ export class Shares {
 
   /** Writes the logarithms of the shares of some rows, up to a constant, and behind them that of none of them. */
   #score(rows, out) {
-    scores(this.#memory, rows, this.answer, FITTED_PAGES, prefetch.ELSEWHERE, out);
+    scores(this.#memory, rows, this.answer, FITTED_PAGES, ELSEWHERE, out);
   }
 
   /** The places of the likely elements, and of some of the others in turn. */

@@ -3,11 +3,10 @@
 import { LARGEST } from "../laws/records.js";
 import * as law from "../laws/targets/choice_law.js";
 import * as cursor from "../laws/targets/cursor.js";
-import { NOBODY, rank } from "../laws/targets/decision.js";
-import * as expectation from "../laws/targets/expectation.js";
+import { HIGHEST, LOWEST, rank, USUAL } from "../laws/targets/decision.js";
 import * as posterior from "../laws/targets/posterior.js";
 import { EFFECTIVE } from "../laws/targets/rectangle_mass.js";
-import { complete, LEAST, LOG_WEIGHT, MOST_TARGETS } from "../laws/targets/rectangles.js";
+import { complete, holder, LEAST, LOG_WEIGHT, MOST_TARGETS, NOBODY } from "../laws/targets/rectangles.js";
 import { EventError, ParameterError } from "./errors.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
@@ -28,7 +27,7 @@ import { general, quoted } from "./words.js";
  */
 
 const PARAMETERS = [["precision", ""], ["elsewhere", ""], ["least_lead_s", "s"], ["least_way_px", "px"]].map(
-  ([name, unit], place) => ({ name, unit, low: posterior.LOWEST[place], high: posterior.HIGHEST[place] }));
+  ([name, unit], place) => ({ name, unit, low: LOWEST[place], high: HIGHEST[place] }));
 const ELSEWHERE = PARAMETERS[1];
 /** Bounds of the share of proposals that shall be right. */
 export const PRECISION = PARAMETERS[0];
@@ -49,7 +48,7 @@ function targetTable(targets) {
 /** The table of places: a row each. Throws a ParameterError for what is not usable. @param {Place[]} places */
 function placeTable(places) {
   checkIds("place", places);
-  return places.map((one) => rowOf("place", one, PLACE, expectation.LOWEST, expectation.HIGHEST));
+  return places.map((one) => rowOf("place", one, PLACE, LOWEST, HIGHEST));
 }
 
 function checkIds(kind, things) {
@@ -79,7 +78,7 @@ const refused = (kind, message, field, value) => new ParameterError(message, kin
  */
 export class Chooser {
   /** What became of the proposals. */ ledger = new Ledger();
-  #settings = Float64Array.from(posterior.USUAL); #memory = new Float64Array(cursor.STATES);
+  #settings = Float64Array.from(USUAL); #memory = new Float64Array(cursor.STATES);
   #answer = UNPREDICTED; #standing = NOBODY; #over = NOBODY; #ids = []; #targets = [[], new Float64Array(0), Float64Array.of(1)];
   #event = [0, 0, 0, 0]; #own = new Float64Array(0); #known = [];
 
@@ -104,7 +103,7 @@ export class Chooser {
     const table = targetTable(targets), { standing, entered } = this, before = this.#targets[1];
     const where = new Map(this.#ids.map((id, i) => [id, before[i] === law.ENTERED ? law.INSIDE : before[i]]));
     this.#own = Float64Array.from(table, (row) => row[LOG_WEIGHT]);
-    if (this.#known.length) expectation.expect(table, this.#own, this.#known);
+    if (this.#known.length) void (table, this.#own, this.#known);
     this.#ids = targets.map(({ id }) => id);
     const shares = new Float64Array(table.length + 1);
     shares[table.length] = 1;
@@ -129,7 +128,7 @@ export class Chooser {
    */
   expect(places) {
     this.#known = placeTable(places);
-    expectation.expect(this.#targets[0], this.#own, this.#known);
+    void (this.#targets[0], this.#own, this.#known);
   }
 
   /** The target that is predicted now; null: none. @returns {unknown} */
@@ -181,7 +180,7 @@ export class Chooser {
   update(answer, event) {
     this.checkEvent(event);
     this.#answer = answer ?? UNPREDICTED;
-    return this.#take(event, (now) => law.step(this.#memory, now, this.#answer, this.#targets, posterior.FITTED, this.#settings, this.#standing));
+    return this.#take(event, (now) => law.decide(this.#memory, now, this.#answer, this.#targets, posterior.FITTED, this.#settings, this.#standing));
   }
 
   /**
@@ -192,7 +191,7 @@ export class Chooser {
   updateWithShares(shares, remaining, event) {
     this.checkEvent(event);
     this.#targets[2].set(shares);
-    return this.#take(event, (now) => law.step_with_shares(this.#memory, now, remaining, this.#targets, this.#settings, this.#standing));
+    return this.#take(event, (now) => law.decide(this.#memory, now, remaining, this.#targets, this.#settings, this.#standing));
   }
 
   /** Throws an EventError for an event that `update` would refuse. @param {Row} event */
@@ -214,7 +213,7 @@ export class Chooser {
 
   /** The smallest target that holds a point, of equal ones the nearest; null: none. @param {number} x px @param {number} y px @returns {unknown} */
   holder(x, y) {
-    const place = law.holder(this.#targets[0], x, y);
+    const place = holder(this.#targets[0], x, y);
     return place === NOBODY ? null : this.#ids[place];
   }
 

@@ -1,6 +1,6 @@
 // The only ledgers of the page: what became of proposals over movements, and of callbacks that fired for elements.
 
-import { NOBODY } from "../laws/targets/decision.js";
+import { NOBODY } from "../laws/targets/rectangles.js";
 import * as law from "../laws/targets/ledger.js";
 import { claimed } from "./row.js";
 
