@@ -26,8 +26,7 @@ from pointpred.targets.choice_law import (
 from pointpred.targets.expectation import LEAST_PX, P, expect, place_table
 from pointpred.targets.inputs import accepted, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.posterior import HIGHEST, LOWEST, USUAL, Settings
-from pointpred.targets.rectangle_mass import EFFECTIVE
+from pointpred.targets.posterior import EFFECTIVE, HIGHEST, LOWEST, USUAL, Settings
 from pointpred.targets.rectangles import LOG_WEIGHT, Target, around, table
 
 Action = Literal["propose", "retract"]

@@ -6,7 +6,6 @@ import * as cursor from "../laws/targets/cursor.js";
 import { NOBODY, rank } from "../laws/targets/decision.js";
 import * as expectation from "../laws/targets/expectation.js";
 import * as posterior from "../laws/targets/posterior.js";
-import { EFFECTIVE } from "../laws/targets/rectangle_mass.js";
 import { complete, LEAST, LOG_WEIGHT, MOST_TARGETS } from "../laws/targets/rectangles.js";
 import { EventError, ParameterError } from "./errors.js";
 import { Ledger } from "./ledger.js";
@@ -265,7 +264,7 @@ export class Chooser {
 }
 
 /** The square around a place that its visits scatter in: as wide as a target of that scatter. @param {Place} place @returns {Square} */
-const squareOf = ({ x, y, spread }) => ({ x, y, size: Math.max(EFFECTIVE * spread, expectation.LEAST_PX) });
+const squareOf = ({ x, y, spread }) => ({ x, y, size: Math.max(posterior.EFFECTIVE * spread, expectation.LEAST_PX) });
 
 /** Proposes the place that the cursor is heading for, of those where the person went before, by the rules for targets. */
 export class PlaceChooser {
