@@ -29,7 +29,10 @@ from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, posterior
 from pointpred.targets.posterior import FEATURES, MASS, NEAR, Law, features, unclaimed
 
-SETS = ("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo")
+SETS = (
+    *("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo"),
+    "fitts_xp",
+)
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))
 MOST_TRIALS = 200
 """Of each set."""
@@ -52,7 +55,7 @@ class Cases(NamedTuple):
 def recordings(names: Sequence[str] = SETS) -> list[Recording]:
     """The embedded sample and the sets that are there."""
     folder = Path(os.environ["POINTPRED_RECORDINGS"])
-    return [sample(), *(read(folder / f"{name}_samples.parquet") for name in names)]
+    return [sample(), *(read(next(folder.rglob(f"{name}_samples.parquet"))) for name in names)]
 
 
 def cases(recording: Recording, predictors: Iterable[str | Pipeline], seed: int = 0) -> Cases:

@@ -352,8 +352,8 @@ static PyObject *give_targets_posterior_Situation(targets_posterior_Situation va
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.y));
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.trail_x));
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.trail_y));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.vx));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.vy));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.ux));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.uy));
   PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.log_way));
   PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.log_sweep));
   return tuple;
@@ -10351,30 +10351,22 @@ static PyObject *py_targets_past_weigh(PyObject *self, PyObject *const *args, Py
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_posterior_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.posterior:bend";
+static PyObject *py_targets_posterior_direction(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:direction";
   Held held;
   const Py_buffer *view;
-  T2d a0;
-  T2d a1;
-  double a2;
-  double a3;
-  double result;
+  double a0;
+  double a1;
+  T2d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_tuple(args[0], law, "u", 2)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
-        && take_tuple(args[1], law, "g", 2)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  result = targets_posterior_bend(a0, a1, a2, a3);
+  result = targets_posterior_direction(a0, a1);
   let_go(&held);
-  return PyFloat_FromDouble(result);
+  return give_T2d(result);
 }
 static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:feature";
@@ -10383,11 +10375,10 @@ static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *a
   Vector a0;
   targets_posterior_Situation a1;
   targets_posterior_Law a2;
-  bool a3;
   T6d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 4)
+  if (!(counted(law, count, 3)
         && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[1], law, "now", 8)
@@ -10395,8 +10386,8 @@ static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *a
         && take_double(PyTuple_GetItem(args[1], 1), &a1.y)
         && take_double(PyTuple_GetItem(args[1], 2), &a1.trail_x)
         && take_double(PyTuple_GetItem(args[1], 3), &a1.trail_y)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.vx)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.vy)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.ux)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.uy)
         && take_double(PyTuple_GetItem(args[1], 6), &a1.log_way)
         && take_double(PyTuple_GetItem(args[1], 7), &a1.log_sweep)
         && take_tuple(args[2], law, "predicted", 6)
@@ -10405,10 +10396,9 @@ static PyObject *py_targets_posterior_feature(PyObject *self, PyObject *const *a
         && take_double(PyTuple_GetItem(args[2], 2), &a2.sxx)
         && take_double(PyTuple_GetItem(args[2], 3), &a2.sxy)
         && take_double(PyTuple_GetItem(args[2], 4), &a2.syy)
-        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)
-        && take_bool(args[3], &a3)))
+        && take_double(PyTuple_GetItem(args[2], 5), &a2.tail)))
     return let_go(&held);
-  result = targets_posterior_feature(a0, a1, a2, a3);
+  result = targets_posterior_feature(a0, a1, a2);
   let_go(&held);
   return give_T6d(result);
 }
@@ -10462,6 +10452,35 @@ static PyObject *py_targets_posterior_lawful(PyObject *self, PyObject *const *ar
   result = targets_posterior_lawful(a0);
   let_go(&held);
   return PyBool_FromLong(result);
+}
+static PyObject *py_targets_posterior_log_mass(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:log_mass";
+  Held held;
+  const Py_buffer *view;
+  targets_posterior_Law a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_tuple(args[0], law, "predicted", 6)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.sxx)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.sxy)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.syy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.tail)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_posterior_log_mass(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
 }
 static PyObject *py_targets_posterior_normalise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:normalise";
@@ -10712,132 +10731,6 @@ static PyObject *py_targets_prefetch_visit(PyObject *self, PyObject *const *args
   Py_BEGIN_ALLOW_THREADS targets_prefetch_visit(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_targets_rectangle_mass_enough(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:enough";
-  Held held;
-  const Py_buffer *view;
-  double a0;
-  double a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_double(args[0], &a0)
-        && take_double(args[1], &a1)))
-    return let_go(&held);
-  result = targets_rectangle_mass_enough(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_targets_rectangle_mass_log_density(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:log_density";
-  Held held;
-  const Py_buffer *view;
-  double a0;
-  double a1;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_double(args[0], &a0)
-        && take_double(args[1], &a1)))
-    return let_go(&held);
-  result = targets_rectangle_mass_log_density(a0, a1);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_rectangle_mass_log_mass(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:log_mass";
-  Held held;
-  const Py_buffer *view;
-  T4d a0;
-  T4d a1;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_tuple(args[0], law, "rectangle", 4)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.f0)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.f1)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.f2)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.f3)
-        && take_tuple(args[1], law, "spread", 4)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)))
-    return let_go(&held);
-  result = targets_rectangle_mass_log_mass(a0, a1);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_rectangle_mass_node_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:node_sum";
-  Held held;
-  const Py_buffer *view;
-  targets_rectangle_mass_Distance a0;
-  double a1;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_tuple(args[0], law, "distance", 6)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
-        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
-        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)
-        && take_double(args[1], &a1)))
-    return let_go(&held);
-  result = targets_rectangle_mass_node_sum(a0, a1);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_rectangle_mass_normal_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:normal_sum";
-  Held held;
-  const Py_buffer *view;
-  targets_rectangle_mass_Distance a0;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_tuple(args[0], law, "distance", 6)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
-        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
-        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)))
-    return let_go(&held);
-  result = targets_rectangle_mass_normal_sum(a0);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_rectangle_mass_student_sum(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.rectangle_mass:student_sum";
-  Held held;
-  const Py_buffer *view;
-  targets_rectangle_mass_Distance a0;
-  double a1;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_tuple(args[0], law, "distance", 6)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.far)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.gx)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.gy)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.gxy)
-        && take_double(PyTuple_GetItem(args[0], 4), &a0.hx)
-        && take_double(PyTuple_GetItem(args[0], 5), &a0.hy)
-        && take_double(args[1], &a1)))
-    return let_go(&held);
-  result = targets_rectangle_mass_student_sum(a0, a1);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
 }
 static PyObject *py_targets_rectangles_complete(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.rectangles:complete";
@@ -11870,10 +11763,11 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.past:rule_weight", (PyCFunction)(void (*)(void))py_targets_past_rule_weight, METH_FASTCALL, NULL},
   {"pointpred.targets.past:shares", (PyCFunction)(void (*)(void))py_targets_past_shares, METH_FASTCALL, NULL},
   {"pointpred.targets.past:weigh", (PyCFunction)(void (*)(void))py_targets_past_weigh, METH_FASTCALL, NULL},
-  {"pointpred.targets.posterior:bend", (PyCFunction)(void (*)(void))py_targets_posterior_bend, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:direction", (PyCFunction)(void (*)(void))py_targets_posterior_direction, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:feature", (PyCFunction)(void (*)(void))py_targets_posterior_feature, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:features", (PyCFunction)(void (*)(void))py_targets_posterior_features, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:lawful", (PyCFunction)(void (*)(void))py_targets_posterior_lawful, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:log_mass", (PyCFunction)(void (*)(void))py_targets_posterior_log_mass, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:normalise", (PyCFunction)(void (*)(void))py_targets_posterior_normalise, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:scores", (PyCFunction)(void (*)(void))py_targets_posterior_scores, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:situation", (PyCFunction)(void (*)(void))py_targets_posterior_situation, METH_FASTCALL, NULL},
@@ -11885,12 +11779,6 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.prefetch:step", (PyCFunction)(void (*)(void))py_targets_prefetch_step, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:urgency", (PyCFunction)(void (*)(void))py_targets_prefetch_urgency, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:visit", (PyCFunction)(void (*)(void))py_targets_prefetch_visit, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:enough", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_enough, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:log_density", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_log_density, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:log_mass", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_log_mass, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:node_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_node_sum, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:normal_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_normal_sum, METH_FASTCALL, NULL},
-  {"pointpred.targets.rectangle_mass:student_sum", (PyCFunction)(void (*)(void))py_targets_rectangle_mass_student_sum, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangles:complete", (PyCFunction)(void (*)(void))py_targets_rectangles_complete, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangles:holder", (PyCFunction)(void (*)(void))py_targets_rectangles_holder, METH_FASTCALL, NULL},
   {"pointpred.training.calibration:fill_reaches", (PyCFunction)(void (*)(void))py_training_calibration_fill_reaches, METH_FASTCALL, NULL},

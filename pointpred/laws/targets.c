@@ -49,6 +49,7 @@ static const int64_t targets_past_RULES = 5;
 static const double targets_posterior_ACROSS = 0.2;
 static const double targets_posterior_ALONG = 0.5;
 static const double targets_posterior_ANGLE = 0.15;
+static const double targets_posterior_EFFECTIVE = 4.133;
 static const int64_t targets_posterior_FEATURES = 6;
 static const double targets_posterior_FITTED_NONE = 0.25;
 static const double targets_posterior_FITTED_TARGETS = 16.0;
@@ -75,22 +76,6 @@ static const double targets_prefetch_REFERENCE_S = 0.25;
 static const double targets_prefetch_RESTING = 2.0;
 static const double targets_prefetch_SHORTEST_S = 0.005;
 static const double targets_prefetch_SMALLEST = 1e-06;
-static const T6q targets_rectangle_mass_BEGINS = {0, 0, 0, 0, 3, 7};
-static const double targets_rectangle_mass_EFFECTIVE = 4.133;
-static const double targets_rectangle_mass_FLAT3 = 16.0;
-static const double targets_rectangle_mass_FLAT4 = 6.0;
-static const double targets_rectangle_mass_HEAVIEST = 8.0;
-static const double targets_rectangle_mass_INNER = 0.5384693101056831;
-static const double targets_rectangle_mass_NEGLIGIBLE = -40.0;
-static const T5d targets_rectangle_mass_NODES = {-0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664};
-static const double targets_rectangle_mass_OUTER = 0.906179845938664;
-static const T12d targets_rectangle_mass_PLACES = {-0.7745966692414834, 0.0, 0.7745966692414834, -0.8611363115940526, -0.33998104358485626, 0.33998104358485626, 0.8611363115940526, -0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664};
-static const T12d targets_rectangle_mass_SHARES = {0.5555555555555557, 0.8888888888888888, 0.5555555555555557, 0.34785484513745357, 0.6521451548625464, 0.6521451548625464, 0.34785484513745357, 0.23692688505618928, 0.4786286704993663, 0.5688888888888887, 0.4786286704993663, 0.23692688505618928};
-static const double targets_rectangle_mass_STEEPEST = 300.0;
-static const T5d targets_rectangle_mass_WEIGHTS = {0.23692688505618928, 0.4786286704993663, 0.5688888888888887, 0.4786286704993663, 0.23692688505618928};
-static const double targets_rectangle_mass_W_INNER = 0.4786286704993663;
-static const double targets_rectangle_mass_W_MIDDLE = 0.5688888888888887;
-static const double targets_rectangle_mass_W_OUTER = 0.23692688505618928;
 static const int64_t targets_rectangles_CENTRE_X = 0;
 static const int64_t targets_rectangles_CENTRE_Y = 1;
 static const int64_t targets_rectangles_HEIGHT = 3;
@@ -140,188 +125,48 @@ T3d targets_posterior_unclaimed(targets_cursor_State * s, double x, double y) {
   return (T3d){across + more * ux * ux, more * ux * uy, across + more * uy * uy};
 }
 
+/* A vector of length 1; (0, 0) where it has none. */
+T2d targets_posterior_direction(double x, double y) {
+  double size;
+  size = hypot(x, y);
+  return size > 0.0 ? (T2d){x / size, y / size} : (T2d){0.0, 0.0};
+}
+
 /* What the features of all targets share. */
 targets_posterior_Situation targets_posterior_situation(targets_cursor_State * s) {
-  double x, y, way, sweep, trail_x, trail_y, vx, vy;
+  double x, y, way, sweep, trail_x, trail_y, ux, uy;
   x = s->x;
   y = s->y;
   way = hypot(x - s->x0, y - s->y0);
   sweep = s->speed * (s->t - s->t0);
-  trail_x = x - s->trail_x;
-  trail_y = y - s->trail_y;
-  vx = s->vx;
-  vy = s->vy;
-  return (targets_posterior_Situation){x, y, trail_x, trail_y, vx, vy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
+  T2d values_1 = targets_posterior_direction(x - s->trail_x, y - s->trail_y);
+  trail_x = values_1.f0;
+  trail_y = values_1.f1;
+  T2d values_2 = targets_posterior_direction(s->vx, s->vy);
+  ux = values_2.f0;
+  uy = values_2.f1;
+  return (targets_posterior_Situation){x, y, trail_x, trail_y, ux, uy, log(max_float(way, 1.0)), log(max_float(sweep, 1.0))};
 }
 
-/* ``node_sum`` of a normal law less its value at the centre: a product along x, along y and of both. */
-double targets_rectangle_mass_normal_sum(targets_rectangle_mass_Distance distance) {
-  double gx, gy, gxy, hx, hy, xo, xi, yo, yi, po, pi_, qo, qi, oo, oi, ii, x1, x2, x4, x5, y1, y2, y4, y5, outer, between, inner, cross;
-  gx = distance.gx;
-  gy = distance.gy;
-  gxy = distance.gxy;
-  hx = distance.hx;
-  hy = distance.hy;
-  xo = targets_rectangle_mass_W_OUTER * exp(-0.5 * targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * hx);
-  xi = targets_rectangle_mass_W_INNER * exp(-0.5 * targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * hx);
-  yo = targets_rectangle_mass_W_OUTER * exp(-0.5 * targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * hy);
-  yi = targets_rectangle_mass_W_INNER * exp(-0.5 * targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * hy);
-  po = exp(targets_rectangle_mass_OUTER * gx);
-  pi_ = exp(targets_rectangle_mass_INNER * gx);
-  qo = exp(targets_rectangle_mass_OUTER * gy);
-  qi = exp(targets_rectangle_mass_INNER * gy);
-  oo = exp(-targets_rectangle_mass_OUTER * targets_rectangle_mass_OUTER * gxy);
-  oi = exp(-targets_rectangle_mass_OUTER * targets_rectangle_mass_INNER * gxy);
-  ii = exp(-targets_rectangle_mass_INNER * targets_rectangle_mass_INNER * gxy);
-  x1 = xo * po;
-  x2 = xi * pi_;
-  x4 = xi / pi_;
-  x5 = xo / po;
-  y1 = yo * qo;
-  y2 = yi * qi;
-  y4 = yi / qi;
-  y5 = yo / qo;
-  outer = (x1 * y1 + x5 * y5) * oo + (x1 * y5 + x5 * y1) / oo;
-  between = (x1 * y2 + x5 * y4 + x2 * y1 + x4 * y5) * oi + (x1 * y4 + x5 * y2 + x2 * y5 + x4 * y1) / oi;
-  inner = (x2 * y2 + x4 * y4) * ii + (x2 * y4 + x4 * y2) / ii;
-  cross = targets_rectangle_mass_W_MIDDLE * (x1 + x2 + x4 + x5 + y1 + y2 + y4 + y5 + targets_rectangle_mass_W_MIDDLE);
-  return log(outer + between + inner + cross);
-}
-
-/* How many nodes a Student law needs along an axis, by the squared half size in deviations. */
-int64_t targets_rectangle_mass_enough(double half2, double tail) {
-  if (targets_rectangle_mass_FLAT3 * half2 < tail) {
-    return 3;
-  }
-  return targets_rectangle_mass_FLAT4 * half2 < tail ? 4 : 5;
-}
-
-/* Logarithm of a law's density, less that at its centre, at a squared Mahalanobis distance. */
-double targets_rectangle_mass_log_density(double far, double tail) {
-  if (tail != tail) {
-    return -0.5 * far;
-  }
-  return -0.5 * (tail + 2.0) * log(1.0 + far / tail);
-}
-
-/* ``node_sum`` of a heavy-tailed law, with fewer nodes where it is flat over the rectangle. */
-double targets_rectangle_mass_student_sum(targets_rectangle_mass_Distance distance, double tail) {
-  double far, gx, gy, gxy, hx, hy, power, whole, total, u, part, fixed, slope, v;
-  int64_t across, along;
-  far = distance.far;
-  gx = distance.gx;
-  gy = distance.gy;
-  gxy = distance.gxy;
-  hx = distance.hx;
-  hy = distance.hy;
-  power = -0.5 * (tail + 2.0);
-  whole = 1.0 / (tail + far);
-  across = targets_rectangle_mass_enough(hy, tail);
-  along = targets_rectangle_mass_enough(hx, tail);
-  total = 0.0;
-  for (int64_t i = ((const int64_t *)&targets_rectangle_mass_BEGINS)[along], end_1 = ((const int64_t *)&targets_rectangle_mass_BEGINS)[along] + along; i < end_1; i++) {
-    u = ((const double *)&targets_rectangle_mass_PLACES)[i];
-    part = 0.0;
-    fixed = 1.0 + whole * (2.0 * u * gx + u * u * hx);
-    slope = 2.0 * whole * (gy + u * gxy);
-    for (int64_t j = ((const int64_t *)&targets_rectangle_mass_BEGINS)[across], end_2 = ((const int64_t *)&targets_rectangle_mass_BEGINS)[across] + across; j < end_2; j++) {
-      v = ((const double *)&targets_rectangle_mass_PLACES)[j];
-      part += ((const double *)&targets_rectangle_mass_SHARES)[j] * exp(power * log(fixed + v * (slope + v * whole * hy)));
-    }
-    total += ((const double *)&targets_rectangle_mass_SHARES)[i] * part;
-  }
-  return log(total) + targets_rectangle_mass_log_density(far, tail);
-}
-
-/* Logarithm of the weighted densities at 5 x 5 nodes: any law, any distance. */
-double targets_rectangle_mass_node_sum(targets_rectangle_mass_Distance distance, double tail) {
-  double far, gx, gy, gxy, hx, hy, nearest, u, v, here, top, total, less;
-  far = distance.far;
-  gx = distance.gx;
-  gy = distance.gy;
-  gxy = distance.gxy;
-  hx = distance.hx;
-  hy = distance.hy;
-  nearest = INFINITY;
-  for (int64_t i = 0; i < 5; i++) {
-    u = ((const double *)&targets_rectangle_mass_NODES)[i];
-    for (int64_t j = 0; j < 5; j++) {
-      v = ((const double *)&targets_rectangle_mass_NODES)[j];
-      here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy;
-      nearest = min_float(nearest, here);
-    }
-  }
-  top = targets_rectangle_mass_log_density(nearest, tail);
-  total = 0.0;
-  for (int64_t i = 0; i < 5; i++) {
-    u = ((const double *)&targets_rectangle_mass_NODES)[i];
-    for (int64_t j = 0; j < 5; j++) {
-      v = ((const double *)&targets_rectangle_mass_NODES)[j];
-      here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy;
-      less = targets_rectangle_mass_log_density(here, tail) - top;
-      if (less > targets_rectangle_mass_NEGLIGIBLE) {
-        total += ((const double *)&targets_rectangle_mass_WEIGHTS)[i] * ((const double *)&targets_rectangle_mass_WEIGHTS)[j] * exp(less);
-      }
-    }
-  }
-  return log(total) + top;
-}
-
-/* Logarithm of a law's mass in a rectangle: (dx, dy, width, height) px, its centre from the law's. */
-double targets_rectangle_mass_log_mass(T4d rectangle, T4d spread) {
-  double dx, dy, width, height, sxx, sxy, syy, tail, det, a, b, ixx, ixy, iyy, far, gx, gy, gxy, hx, hy, total;
-  targets_rectangle_mass_Distance distance;
-  dx = rectangle.f0;
-  dy = rectangle.f1;
-  width = rectangle.f2;
-  height = rectangle.f3;
-  sxx = spread.f0;
-  sxy = spread.f1;
-  syy = spread.f2;
-  tail = spread.f3;
-  sxx += square(width / targets_rectangle_mass_EFFECTIVE);
-  syy += square(height / targets_rectangle_mass_EFFECTIVE);
+/* Logarithm of how much of a law falls to a rectangle with its centre at (dx, dy) from the law's, px. */
+double targets_posterior_log_mass(targets_posterior_Law predicted, double dx, double dy, double width, double height) {
+  double sxx, sxy, syy, det, area, far, flat;
+  sxx = predicted.sxx + square(width / targets_posterior_EFFECTIVE);
+  sxy = predicted.sxy;
+  syy = predicted.syy + square(height / targets_posterior_EFFECTIVE);
   det = sxx * syy - sxy * sxy;
-  a = 0.5 * width;
-  b = 0.5 * height;
-  ixx = syy / det;
-  ixy = -sxy / det;
-  iyy = sxx / det;
-  far = ixx * dx * dx + 2.0 * ixy * dx * dy + iyy * dy * dy;
-  gx = a * (ixx * dx + ixy * dy);
-  gy = b * (ixy * dx + iyy * dy);
-  gxy = a * b * ixy;
-  hx = ixx * a * a;
-  hy = iyy * b * b;
-  distance = (targets_rectangle_mass_Distance){far, gx, gy, gxy, hx, hy};
-  if (tail != tail && fabs(gx) + fabs(gy) + fabs(gxy) + hx + hy < targets_rectangle_mass_STEEPEST) {
-    total = targets_rectangle_mass_normal_sum(distance) - 0.5 * far;
-  } else if (tail <= targets_rectangle_mass_HEAVIEST) {
-    total = targets_rectangle_mass_student_sum(distance, tail);
-  } else {
-    total = targets_rectangle_mass_node_sum(distance, tail);
+  area = width * height / (2.0 * 3.141592653589793);
+  far = max_float((syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / det, 0.0);
+  flat = 0.5 * log(area * area / det);
+  if (predicted.tail != predicted.tail) {
+    return flat - 0.5 * far;
   }
-  return total + log(0.25 * width * height / (2.0 * 3.141592653589793 * sqrt(det)));
+  return flat - (0.5 * predicted.tail + 1.0) * log(1.0 + far / predicted.tail);
 }
 
-/* How little a direction u speaks for a goal at g: logarithm of 1 + (angle / what is straight)^2. */
-double targets_posterior_bend(T2d u, T2d g, double far2, double size) {
-  double ux, uy, gx, gy, angle;
-  ux = u.f0;
-  uy = u.f1;
-  gx = g.f0;
-  gy = g.f1;
-  if ((ux == 0.0 && uy == 0.0) || far2 == 0.0) {
-    return 0.0;
-  }
-  angle = atan2(ux * gy - uy * gx, ux * gx + uy * gy);
-  return log(1.0 + angle * angle / (targets_posterior_ANGLE * targets_posterior_ANGLE + 0.0625 * size * size / far2));
-}
-
-/* The features of one target, a row of a table; MASS only where it is asked for. */
-T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targets_posterior_Law predicted, bool mass) {
-  double x, y, width, height, gx, gy, size, far2, left, log_left, inside;
-  T4d spread;
+/* The features of one target, a row of a table. */
+T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targets_posterior_Law predicted) {
+  double x, y, width, height, gx, gy, size, far2, far, straight, trail, heading, off, left, log_left;
   x = row.p[targets_rectangles_CENTRE_X];
   y = row.p[targets_rectangles_CENTRE_Y];
   width = row.p[targets_rectangles_WIDTH];
@@ -330,20 +175,27 @@ T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targe
   gy = y - now.y;
   size = 0.5 * (width + height);
   far2 = gx * gx + gy * gy;
-  left = max_float(sqrt(far2), 1.0);
-  log_left = log(left);
-  inside = 0.0;
-  if (mass) {
-    spread = (T4d){predicted.sxx, predicted.sxy, predicted.syy, predicted.tail};
-    inside = targets_rectangle_mass_log_mass((T4d){x - predicted.x, y - predicted.y, width, height}, spread);
+  far = sqrt(far2);
+  straight = targets_posterior_ANGLE * targets_posterior_ANGLE * far2 + 0.0625 * size * size;
+  trail = 0.0;
+  heading = 0.0;
+  if (now.trail_x != 0.0 || now.trail_y != 0.0) {
+    off = max_float(far - now.trail_x * gx - now.trail_y * gy, 0.0);
+    trail = log(1.0 + 2.0 * far * off / straight);
   }
-  return (T6d){inside, targets_posterior_bend((T2d){now.trail_x, now.trail_y}, (T2d){gx, gy}, far2, size), targets_posterior_bend((T2d){now.vx, now.vy}, (T2d){gx, gy}, far2, size), log_left - now.log_way, log_left - now.log_sweep, log(1.0 + 2.0 * left / size)};
+  if (now.ux != 0.0 || now.uy != 0.0) {
+    off = max_float(far - now.ux * gx - now.uy * gy, 0.0);
+    heading = log(1.0 + 2.0 * far * off / straight);
+  }
+  left = max_float(far, 1.0);
+  log_left = log(left);
+  return (T6d){targets_posterior_log_mass(predicted, x - predicted.x, y - predicted.y, width, height), trail, heading, log_left - now.log_way, log_left - now.log_sweep, log(1.0 + 2.0 * left / size)};
 }
 
 /* The logarithm of each target's share, up to a constant; behind them that of none of them. */
 void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer, targets_posterior_Coefficients * coefficients, double elsewhere, Vector out) {
   double x, y, sxx, sxy, syy, tail, fast, usual, f0, f1, f2, f3, f4, f5, score, none;
-  bool claimed, mass;
+  bool claimed;
   targets_posterior_Weights * fit;
   targets_posterior_Law predicted;
   targets_posterior_Situation now;
@@ -378,14 +230,13 @@ void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer
     weight.p[j] = (1.0 - fast) * fit->slow[j] + fast * fit->fast[j];
   }
   count = table.n;
-  mass = weight.p[0] != 0.0;
   usual = log(targets_posterior_FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - targets_posterior_FITTED_NONE));
   for (int64_t i = 0; i < count; i++) {
     if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
       out.p[i] = -INFINITY;
       continue;
     }
-    T6d values_3 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted, mass);
+    T6d values_3 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted);
     f0 = values_3.f0;
     f1 = values_3.f1;
     f2 = values_3.f2;
@@ -559,8 +410,8 @@ void targets_endpoint_write_target(Vector row, targets_posterior_Law predicted, 
   sxy = predicted.sxy;
   syy = predicted.syy;
   tail = predicted.tail;
-  across = square(row.p[targets_rectangles_WIDTH] / targets_rectangle_mass_EFFECTIVE);
-  down = square(row.p[targets_rectangles_HEIGHT] / targets_rectangle_mass_EFFECTIVE);
+  across = square(row.p[targets_rectangles_WIDTH] / targets_posterior_EFFECTIVE);
+  down = square(row.p[targets_rectangles_HEIGHT] / targets_posterior_EFFECTIVE);
   dx = x - row.p[targets_rectangles_CENTRE_X];
   dy = y - row.p[targets_rectangles_CENTRE_Y];
   least_x = (1.0 + targets_endpoint_NARROWEST) * across;
@@ -1161,7 +1012,7 @@ void targets_posterior_features(targets_cursor_State * s, Table table, targets_p
   now = targets_posterior_situation(s);
   for (int64_t i = 0; i < table.n; i++) {
     f = (Vector){out.p + i * out.m, out.m};
-    T6d values_1 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted, true);
+    T6d values_1 = targets_posterior_feature((Vector){table.p + i * table.m, table.m}, now, predicted);
     f.p[targets_posterior_MASS] = values_1.f0;
     f.p[targets_posterior_TRAIL] = values_1.f1;
     f.p[targets_posterior_HEADING] = values_1.f2;

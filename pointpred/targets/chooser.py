@@ -13,7 +13,7 @@ from pointpred.targets.aim import Aim
 from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, changes, decide
 from pointpred.targets.decision import HIGHEST, LOWEST, USUAL, Settings
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.rectangle_mass import EFFECTIVE
+from pointpred.targets.posterior import EFFECTIVE
 from pointpred.targets.rectangles import FIELDS, NOBODY, Target, around, holder, table
 
 Action = Literal["propose", "retract"]

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-SLOW = (0, -0.2328, -0.4561, -1.789, 0.05295, -0.5663)
+SLOW = (0, -0.2847, -0.5136, -1.885, 0.007931, -0.3766)
 """Of each feature while the cursor stands."""
-FAST = (0.2747, -0.4731, -0.3258, -0.6721, 0.3524, 0)
+FAST = (0.3346, -0.4765, -0.3369, -0.5665, 0.3197, 0)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
-NONE = (-0.3208, -2.712)
+NONE = (-0.07224, -2.993)
 """Score of *none of them*, standing and at the peak."""
-UNCLAIMED_SLOW = (0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918)
-UNCLAIMED_FAST = (0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329)
-UNCLAIMED_NONE = (-0.5535, -1.907)
+UNCLAIMED_SLOW = (0, -0.2753, -0.5252, -1.908, 0.04102, -0.5306)
+UNCLAIMED_FAST = (0.0003597, -0.5578, -0.4107, -0.7617, 0.3807, -0.1901)
+UNCLAIMED_NONE = (-0.3547, -1.842)
 """The same where the predictor claims no region."""
-NEAREST = (-2.865, -0.7696)
+NEAREST = (-2.659, -0.7306)
 """Of the feature NEAR alone, standing and at the peak, for the nearest target to the cursor."""
-NEAREST_NONE = (-5.336, -0.3403)
+NEAREST_NONE = (-5.561, -0.24)
 PAGES_SLOW = (0.5715, -0.06125, -0.3979, 0.03605, 0.02572, -0.07829)
 PAGES_FAST = (0.5593, -0.2038, -0.07994, 0.2008, -0.07514, 0)
 PAGES_NONE = (-2.534, -1.879)

@@ -18,8 +18,7 @@ from pointpred.compiled import law
 from pointpred.predictors.mixture import PartRow
 from pointpred.records import FloatArray, FloatTable, TenFloats
 from pointpred.targets import cursor, posterior
-from pointpred.targets.posterior import Law
-from pointpred.targets.rectangle_mass import EFFECTIVE
+from pointpred.targets.posterior import EFFECTIVE, Law
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 
 WIDER, NARROWEST = 2.0, 0.25

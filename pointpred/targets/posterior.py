@@ -5,7 +5,7 @@ Every feature is free of scale and of the screen's orientation, so the same coef
 
 from __future__ import annotations
 
-from math import atan2, exp, hypot, inf, log, nan, sqrt
+from math import exp, hypot, inf, log, nan, pi, sqrt
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -15,11 +15,12 @@ from pointpred.layout import Layout
 from pointpred.records import LARGEST, FloatArray, FloatTable, SixFloats, TenFloats
 from pointpred.targets import coefficients as fitted
 from pointpred.targets import cursor
-from pointpred.targets.rectangle_mass import log_mass
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
+EFFECTIVE = 4.133
+"""Endpoints scatter about a target's centre with a standard deviation of its width over this number."""
 ANGLE = 0.15
-"""Angles (rad) below this are as good as straight."""
+"""Chords of angles, on a circle of radius 1, below this are as good as straight."""
 ALONG, ACROSS, LEAST = 0.5, 0.2, 0.1
 """Deviations of a default law, as shares of the way left, and the least way."""
 
@@ -38,31 +39,18 @@ class Law(NamedTuple):
 
 
 class Situation(NamedTuple):
-    """What the features of all targets share: the cursor, its way of late, its velocity, how far it went."""
+    """What the features of all targets share: the cursor, the directions of its way of late and of its
+    velocity, (0, 0) where it has none, and how far it went.
+    """
 
     x: float
     y: float
     trail_x: float
     trail_y: float
-    vx: float
-    vy: float
+    ux: float
+    uy: float
     log_way: float
     log_sweep: float
-
-
-@law
-def bend(u: tuple[float, float], g: tuple[float, float], far2: float, size: float) -> float:
-    """How little a direction u speaks for a goal at g: logarithm of 1 + (angle / what is straight)^2.
-
-    What is straight: 0.15 rad, and more where the goal is so near that its own size fills an angle. ``far2``
-    is the square of the distance to the goal.
-    """
-    ux, uy = u
-    gx, gy = g
-    if (ux == 0.0 and uy == 0.0) or far2 == 0.0:
-        return 0.0
-    angle = atan2(ux * gy - uy * gx, ux * gx + uy * gy)
-    return log(1.0 + angle * angle / (ANGLE * ANGLE + 0.0625 * size * size / far2))
 
 
 @law
@@ -87,36 +75,68 @@ def unclaimed(s: cursor.State, x: float, y: float) -> tuple[float, float, float]
 
 
 @law
+def direction(x: float, y: float) -> tuple[float, float]:
+    """A vector of length 1; (0, 0) where it has none."""
+    size = hypot(x, y)
+    return (x / size, y / size) if size > 0.0 else (0.0, 0.0)
+
+
+@law
 def situation(s: cursor.State) -> Situation:
     """What the features of all targets share."""
     x, y = s.x, s.y
     way = hypot(x - s.x0, y - s.y0)
     sweep = s.speed * (s.t - s.t0)
-    trail_x, trail_y = x - s.trail_x, y - s.trail_y
-    vx, vy = s.vx, s.vy
-    return Situation(x, y, trail_x, trail_y, vx, vy, log(max(way, 1.0)), log(max(sweep, 1.0)))
+    trail_x, trail_y = direction(x - s.trail_x, y - s.trail_y)
+    ux, uy = direction(s.vx, s.vy)
+    return Situation(x, y, trail_x, trail_y, ux, uy, log(max(way, 1.0)), log(max(sweep, 1.0)))
 
 
 @law
-def feature(row: FloatArray, now: Situation, predicted: Law, mass: bool) -> SixFloats:
-    """The features of one target, a row of a table; MASS only where it is asked for.
+def log_mass(predicted: Law, dx: float, dy: float, width: float, height: float) -> float:
+    """Logarithm of how much of a law falls to a rectangle with its centre at (dx, dy) from the law's, px.
 
-    MASS: logarithm of the law's mass in the rectangle. TRAIL, HEADING: how far the target lies off the way of
-    late and off the velocity. PER_WAY, PER_SPEED: logarithm of the way left over the way done, and over the
-    speed times the time since the start. NEAR: logarithm of 1 + the way left over half the target's size.
+    People aim at centres and scatter in proportion to the width (MacKenzie 1992, section 2.3): an endpoint
+    predicted exactly is still known only to (width / 4.133, height / 4.133). These variances are added to the
+    scale matrix; the density at the centre of the rectangle, times its area, is the answer.
+    """
+    sxx, sxy = predicted.sxx + (width / EFFECTIVE) ** 2, predicted.sxy
+    syy = predicted.syy + (height / EFFECTIVE) ** 2
+    det, area = sxx * syy - sxy * sxy, width * height / (2.0 * pi)
+    far = max((syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / det, 0.0)
+    flat = 0.5 * log(area * area / det)
+    if predicted.tail != predicted.tail:
+        return flat - 0.5 * far
+    return flat - (0.5 * predicted.tail + 1.0) * log(1.0 + far / predicted.tail)
+
+
+@law
+def feature(row: FloatArray, now: Situation, predicted: Law) -> SixFloats:
+    """The features of one target, a row of a table.
+
+    MASS: ``log_mass``. TRAIL, HEADING: how far the target lies off the way of late and off the velocity, the
+    logarithm of 1 + (chord of the angle / what is straight)^2. Straight is 0.15, and more where the target is
+    so near that its own size fills an angle. PER_WAY, PER_SPEED: logarithm of the way left over the way done,
+    and over the speed times the time since the start. NEAR: logarithm of 1 + the way left over half the
+    target's size.
     """
     x, y, width, height = row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT]
     gx, gy, size = x - now.x, y - now.y, 0.5 * (width + height)
     far2 = gx * gx + gy * gy
-    left = max(sqrt(far2), 1.0)
-    log_left, inside = log(left), 0.0
-    if mass:
-        spread = predicted.sxx, predicted.sxy, predicted.syy, predicted.tail
-        inside = log_mass((x - predicted.x, y - predicted.y, width, height), spread)
+    far = sqrt(far2)
+    straight, trail, heading = ANGLE * ANGLE * far2 + 0.0625 * size * size, 0.0, 0.0
+    if now.trail_x != 0.0 or now.trail_y != 0.0:
+        off = max(far - now.trail_x * gx - now.trail_y * gy, 0.0)
+        trail = log(1.0 + 2.0 * far * off / straight)
+    if now.ux != 0.0 or now.uy != 0.0:
+        off = max(far - now.ux * gx - now.uy * gy, 0.0)
+        heading = log(1.0 + 2.0 * far * off / straight)
+    left = max(far, 1.0)
+    log_left = log(left)
     return (
-        inside,
-        bend((now.trail_x, now.trail_y), (gx, gy), far2, size),
-        bend((now.vx, now.vy), (gx, gy), far2, size),
+        log_mass(predicted, x - predicted.x, y - predicted.y, width, height),
+        trail,
+        heading,
         log_left - now.log_way,
         log_left - now.log_sweep,
         log(1.0 + 2.0 * left / size),
@@ -129,9 +149,7 @@ def features(s: cursor.State, table: FloatTable, predicted: Law, out: FloatTable
     now = situation(s)
     for i in range(len(table)):
         f = out[i]
-        f[MASS], f[TRAIL], f[HEADING], f[PER_WAY], f[PER_SPEED], f[NEAR] = feature(
-            table[i], now, predicted, True
-        )
+        f[MASS], f[TRAIL], f[HEADING], f[PER_WAY], f[PER_SPEED], f[NEAR] = feature(table[i], now, predicted)
 
 
 class Weights(Layout):
@@ -216,13 +234,13 @@ def scores(
     fast = min(s.speed / s.peak, 1.0) if s.peak > 0.0 else 0.0
     for j in range(FEATURES):
         weight[j] = (1.0 - fast) * fit.slow[j] + fast * fit.fast[j]
-    count, mass = len(table), weight[0] != 0.0
+    count = len(table)
     usual = log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
     for i in range(count):
         if table[i, LOG_WEIGHT] == -inf:
             out[i] = -inf
             continue
-        f0, f1, f2, f3, f4, f5 = feature(table[i], now, predicted, mass)
+        f0, f1, f2, f3, f4, f5 = feature(table[i], now, predicted)
         score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
         out[i] = table[i, LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
     none = (1.0 - fast) * fit.none[0] + fast * fit.none[1]

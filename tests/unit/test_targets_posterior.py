@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy import stats
 
 from pointpred import EventColumns, PointerEvent, Prediction, build
 from pointpred import run as run_columns
@@ -53,21 +54,19 @@ def test_shares_are_shares_of_one(rows: list[tuple[float, ...]], prediction: Pre
     assert shares.sum() == pytest.approx(1.0)
 
 
-def test_shares_are_prior_times_the_mass_of_drawn_endpoints() -> None:
-    generator = np.random.default_rng(3)
-    places = [Target("a", 250.0, -130.0, 60.0, 60.0, 1.0), Target("b", 200.0, -60.0, 50.0, 30.0, 2.5)]
-    drawn = []
+def test_shares_are_prior_times_the_mass_of_small_targets() -> None:
+    places = [Target("a", 276.0, -104.0, 8.0, 8.0, 1.0), Target("b", 222.0, -51.0, 6.0, 12.0, 2.5)]
+    masses = []
     for place in places:
         spread = np.diag([(place.width / 4.133) ** 2, (place.height / 4.133) ** 2])
-        points = generator.multivariate_normal(
-            [280.0, -100.0], np.array([[1600.0, -500.0], [-500.0, 900.0]]) + spread, 400_000
+        law = stats.multivariate_normal(
+            [280.0, -100.0], np.array([[1600.0, -500.0], [-500.0, 900.0]]) + spread
         )
-        x, y = points.T
-        held = (x > place.x) & (x < place.x + place.width) & (y > place.y) & (y < place.y + place.height)
-        drawn.append(place.weight * held.mean())
+        low = np.array([place.x, place.y])
+        masses.append(place.weight * law.cdf(low + (place.width, place.height), lower_limit=low))
     normal = Prediction(0.0, 280.0, -100.0, (1600.0, -500.0, 900.0), "ballistic", 0.2)
     shares = after(Chooser(places, coefficients=MASS_ALONE), reach(), normal)
-    assert shares[0] / shares[1] == pytest.approx(drawn[0] / drawn[1], rel=0.02)
+    assert shares[0] / shares[1] == pytest.approx(masses[0] / masses[1], rel=0.02)
 
 
 @given(targets.filter(lambda rows: len(rows) > 1), st.floats(1.0, 3.0), st.floats(1.0, 3.0))

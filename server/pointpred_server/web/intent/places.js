@@ -2,7 +2,7 @@
 
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
-import { HIGHEST, LOWEST, USUAL } from "../laws/targets/posterior.js";
+import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { attempt } from "../prediction/ledger.js";
 import { REMAINING_S, claimed, isRefused } from "../prediction/row.js";
 

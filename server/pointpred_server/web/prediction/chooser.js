@@ -5,7 +5,7 @@ import * as law from "../laws/targets/choice_law.js";
 import * as cursor from "../laws/targets/cursor.js";
 import { HIGHEST, LOWEST, rank, USUAL } from "../laws/targets/decision.js";
 import * as posterior from "../laws/targets/posterior.js";
-import { EFFECTIVE } from "../laws/targets/rectangle_mass.js";
+import { EFFECTIVE } from "../laws/targets/posterior.js";
 import { complete, holder, LEAST, LOG_WEIGHT, MOST_TARGETS, NOBODY } from "../laws/targets/rectangles.js";
 import { EventError, ParameterError } from "./errors.js";
 import { Ledger } from "./ledger.js";

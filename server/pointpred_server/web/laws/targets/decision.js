@@ -2,11 +2,13 @@
 import { hypot, larger } from "../arithmetic.js";
 import * as $cursor from "./cursor.js";
 import * as $rectangles from "./rectangles.js";
-export const NOBODY = -1;
+export const LOWEST = [0.01, 0, 0];
+export const HIGHEST = [0.999, 10, 1000];
+export const USUAL = [0.5, 0, 3];
 export function likeliest(shares, count) {
-  let best = NOBODY;
+  let best = $rectangles.NOBODY;
   for (let i = 0; i < count; i++) {
-    if (best === NOBODY || shares[i] > shares[best]) {
+    if (best === $rectangles.NOBODY || shares[i] > shares[best]) {
       best = i;
     }
   }
@@ -14,11 +16,11 @@ export function likeliest(shares, count) {
 }
 export function rank(shares, count, order) {
   for (let k = 0, end_1 = order.length; k < end_1; k++) {
-    order[k] = NOBODY;
+    order[k] = $rectangles.NOBODY;
   }
   for (let i = 0; i < count; i++) {
     let place = order.length;
-    while (place > 0 && (order[place - 1] === NOBODY || shares[i] > shares[Math.trunc(order[place - 1])])) {
+    while (place > 0 && (order[place - 1] === $rectangles.NOBODY || shares[i] > shares[Math.trunc(order[place - 1])])) {
       place -= 1;
     }
     if (place < order.length) {
@@ -45,18 +47,18 @@ export function decide(s, table, shares, standing, remaining_s, bounds, s_at = 0
   const least_s = bounds[2];
   const least_px = bounds[3];
   const best = likeliest(shares, table.length);
-  if (best === NOBODY) {
-    return NOBODY;
+  if (best === $rectangles.NOBODY) {
+    return $rectangles.NOBODY;
   }
-  if (standing !== NOBODY && (best === standing || shares[best] < ask)) {
-    return shares[standing] >= keep ? standing : NOBODY;
+  if (standing !== $rectangles.NOBODY && (best === standing || shares[best] < ask)) {
+    return shares[standing] >= keep ? standing : $rectangles.NOBODY;
   }
   const far = hypot(s[s_at + 2] - s[s_at + 6], s[s_at + 3] - s[s_at + 7]);
   if (shares[best] >= ask && far >= least_px && early(s, table[best], remaining_s, least_s, s_at)) {
     return best;
   }
-  if (standing !== NOBODY && shares[standing] >= keep) {
+  if (standing !== $rectangles.NOBODY && shares[standing] >= keep) {
     return standing;
   }
-  return NOBODY;
+  return $rectangles.NOBODY;
 }

@@ -1,5 +1,5 @@
 // Written by `make laws` from ledger.py: change that and run it again.
-import * as $decision from "./decision.js";
+import * as $rectangles from "./rectangles.js";
 export const LATEST = 1000;
 export const MADE = 0;
 export const ENTRY = 1;
@@ -10,7 +10,7 @@ export const ENTERED = 7;
 export const STATES = 8;
 export function begin(s, rows, s_at = 0) {
   s.fill(0, s_at, s_at + 8);
-  s[s_at] = s[s_at + 2] = $decision.NOBODY;
+  s[s_at] = s[s_at + 2] = $rectangles.NOBODY;
   for (let i = 0, end_1 = rows.length; i < end_1; i++) {
     rows[i][MADE] = 0;
     rows[i][ENTRY] = NaN;
@@ -21,15 +21,15 @@ export function propose(s, rows, t, place, s_at = 0) {
   s[s_at + 5] += 1;
   s[s_at] = place;
   s[s_at + 1] = t;
-  if (place !== $decision.NOBODY) {
+  if (place !== $rectangles.NOBODY) {
     rows[place][MADE] += 1;
   }
 }
 export function withdraw(s, t, place, released, s_at = 0) {
-  if (place === $decision.NOBODY || s[s_at] !== place) {
+  if (place === $rectangles.NOBODY || s[s_at] !== place) {
     return;
   }
-  s[s_at] = $decision.NOBODY;
+  s[s_at] = $rectangles.NOBODY;
   if (released) {
     const value_1 = place;
     const value_2 = t;
@@ -42,13 +42,13 @@ export function withdraw(s, t, place, released, s_at = 0) {
   }
 }
 export function enter(s, rows, t, place, s_at = 0) {
-  if (place !== $decision.NOBODY && rows[place][ENTRY] !== rows[place][ENTRY]) {
+  if (place !== $rectangles.NOBODY && rows[place][ENTRY] !== rows[place][ENTRY]) {
     rows[place][ENTRY] = t;
     rows[place][ENTRY_SINCE] = s[s_at] === place ? s[s_at + 1] : NaN;
   }
 }
 export function close(s, rows, t, place, s_at = 0) {
-  if (place === $decision.NOBODY) {
+  if (place === $rectangles.NOBODY) {
     return [0, NaN, NaN];
   }
   let entry = rows[place][ENTRY];

@@ -1,33 +1,19 @@
 // Written by `make laws` from posterior.py: change that and run it again.
 import { hypot, larger, smaller, square } from "../arithmetic.js";
 import * as $records from "../records.js";
-import * as $rectangle_mass from "./rectangle_mass.js";
 import * as $rectangles from "./rectangles.js";
+export const EFFECTIVE = 4.133;
 export const ANGLE = 0.15;
 export const ALONG = 0.5;
 export const ACROSS = 0.2;
 export const LEAST = 0.1;
 export const FEATURES = 6;
-export const FITTED = /* @__PURE__ */ new Float64Array([0, -0.2328, -0.4561, -1.789, 0.05295, -0.5663, 0.2747, -0.4731, -0.3258, -0.6721, 0.3524, 0, -0.3208, -2.712, 0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918, 0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329, -0.5535, -1.907]);
+export const FITTED = /* @__PURE__ */ new Float64Array([0, -0.2847, -0.5136, -1.885, 0.007931, -0.3766, 0.3346, -0.4765, -0.3369, -0.5665, 0.3197, 0, -0.07224, -2.993, 0, -0.2753, -0.5252, -1.908, 0.04102, -0.5306, 0.0003597, -0.5578, -0.4107, -0.7617, 0.3807, -0.1901, -0.3547, -1.842]);
 export const FITTED_PAGES = /* @__PURE__ */ new Float64Array([0.5715, -0.06125, -0.3979, 0.03605, 0.02572, -0.07829, 0.5593, -0.2038, -0.07994, 0.2008, -0.07514, 0, -2.534, -1.879, 0, -0.1784, -0.4685, -0.001198, 0.03061, -1.652, 0.0001214, -0.3341, -0.31, 0.07046, 0.01493, -0.6832, -2.639, -1.233]);
-export const LOWEST = [0.01, 1e-06, 0, 0];
-export const HIGHEST = [0.999, 0.999999, 10, 1000];
-export const USUAL = [0.5, 0.02, 0, 3];
 export const FITTED_NONE = 0.25;
 export const FITTED_TARGETS = 16;
 export const FLATTEST = 1e-12;
 export const TAILS = [0.001, 1000000000];
-export function bend(u, g, far2, size) {
-  const ux = u[0];
-  const uy = u[1];
-  const gx = g[0];
-  const gy = g[1];
-  if (ux === 0 && uy === 0 || far2 === 0) {
-    return 0;
-  }
-  const angle = Math.atan2(ux * gy - uy * gx, ux * gx + uy * gy);
-  return Math.log(1 + angle * angle / (ANGLE * ANGLE + 0.0625 * size * size / far2));
-}
 export function unclaimed(s, x, y, s_at = 0) {
   let gx = x - s[s_at + 2];
   let gy = y - s[s_at + 3];
@@ -50,18 +36,38 @@ export function unclaimed(s, x, y, s_at = 0) {
   const uy = gy / size;
   return [across + more * ux * ux, more * ux * uy, across + more * uy * uy];
 }
+export function direction(x, y) {
+  const size = hypot(x, y);
+  return size > 0 ? [x / size, y / size] : [0, 0];
+}
 export function situation(s, s_at = 0) {
   const x = s[s_at + 2];
   const y = s[s_at + 3];
   const way = hypot(x - s[s_at + 6], y - s[s_at + 7]);
   const sweep = s[s_at + 12] * (s[s_at + 1] - s[s_at + 5]);
-  const trail_x = x - s[s_at + 8];
-  const trail_y = y - s[s_at + 9];
-  const vx = s[s_at + 10];
-  const vy = s[s_at + 11];
-  return [x, y, trail_x, trail_y, vx, vy, Math.log(larger(way, 1)), Math.log(larger(sweep, 1))];
+  const values_1 = direction(x - s[s_at + 8], y - s[s_at + 9]);
+  const trail_x = values_1[0];
+  const trail_y = values_1[1];
+  const values_2 = direction(s[s_at + 10], s[s_at + 11]);
+  const ux = values_2[0];
+  const uy = values_2[1];
+  return [x, y, trail_x, trail_y, ux, uy, Math.log(larger(way, 1)), Math.log(larger(sweep, 1))];
 }
-export function feature(row, now, predicted, mass) {
+export function log_mass(predicted, dx, dy, width, height) {
+  const sxx = predicted[2] + square(width / EFFECTIVE);
+  const sxy = predicted[3];
+  const syy = predicted[4] + square(height / EFFECTIVE);
+  const det = sxx * syy - sxy * sxy;
+  const area = width * height / (2 * Math.PI);
+  const far = larger((syy * dx * dx - 2 * sxy * dx * dy + sxx * dy * dy) / det, 0);
+  const flat = 0.5 * Math.log(area * area / det);
+  if (predicted[5] !== predicted[5]) {
+    return flat - 0.5 * far;
+  }
+  return flat - (0.5 * predicted[5] + 1) * Math.log(1 + far / predicted[5]);
+}
+export function feature(row, now, predicted) {
+  let off;
   const x = row[$rectangles.CENTRE_X];
   const y = row[$rectangles.CENTRE_Y];
   const width = row[$rectangles.WIDTH];
@@ -70,14 +76,21 @@ export function feature(row, now, predicted, mass) {
   const gy = y - now[1];
   const size = 0.5 * (width + height);
   const far2 = gx * gx + gy * gy;
-  const left = larger(Math.sqrt(far2), 1);
-  const log_left = Math.log(left);
-  let inside = 0;
-  if (mass) {
-    const spread = [predicted[2], predicted[3], predicted[4], predicted[5]];
-    inside = $rectangle_mass.log_mass([x - predicted[0], y - predicted[1], width, height], spread);
+  const far = Math.sqrt(far2);
+  const straight = ANGLE * ANGLE * far2 + 0.0625 * size * size;
+  let trail = 0;
+  let heading = 0;
+  if (now[2] !== 0 || now[3] !== 0) {
+    off = larger(far - now[2] * gx - now[3] * gy, 0);
+    trail = Math.log(1 + 2 * far * off / straight);
   }
-  return [inside, bend([now[2], now[3]], [gx, gy], far2, size), bend([now[4], now[5]], [gx, gy], far2, size), log_left - now[6], log_left - now[7], Math.log(1 + 2 * left / size)];
+  if (now[4] !== 0 || now[5] !== 0) {
+    off = larger(far - now[4] * gx - now[5] * gy, 0);
+    heading = Math.log(1 + 2 * far * off / straight);
+  }
+  const left = larger(far, 1);
+  const log_left = Math.log(left);
+  return [log_mass(predicted, x - predicted[0], y - predicted[1], width, height), trail, heading, log_left - now[6], log_left - now[7], Math.log(1 + 2 * left / size)];
 }
 export function lawful(predicted) {
   const sxx = predicted[2];
@@ -118,14 +131,13 @@ export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0,
     weight[j] = (1 - fast) * coefficients[fit_at + j] + fast * coefficients[fit_at + j + 6];
   }
   const count = table.length;
-  const mass = weight[0] !== 0;
   const usual = Math.log(FITTED_TARGETS * (1 - elsewhere) / (1 - FITTED_NONE));
   for (let i = 0; i < count; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
       out[i] = -Infinity;
       continue;
     }
-    const values_2 = feature(table[i], now, predicted, mass);
+    const values_2 = feature(table[i], now, predicted);
     const f0 = values_2[0];
     const f1 = values_2[1];
     const f2 = values_2[2];

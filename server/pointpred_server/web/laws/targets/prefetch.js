@@ -19,7 +19,6 @@ export const AGE_S = 1;
 export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
 export const THRESHOLD = 0.5;
-export const ELSEWHERE = 0.02;
 export const FITTED = [1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477];
 export function contact(x, y, dx, dy, row) {
   let enters = 0;
@@ -51,7 +50,7 @@ export function visit(x, y, table, shares, out) {
     let total = shares[i];
     for (let place = 0; place < PATHS; place++) {
       const end = Math.trunc(ends[place]);
-      if (end === $decision.NOBODY || end === i || shares[end] < NEGLIGIBLE) {
+      if (i === end || end === $rectangles.NOBODY || shares[end] < NEGLIGIBLE) {
         continue;
       }
       const to_x = table[end][$rectangles.CENTRE_X] - x;
