@@ -4,7 +4,8 @@ Replays the movements of every person in POINTPRED_RECORDINGS, in the order of r
 that did not know the person, and fits the weights of ``pointpred.predictors.adaptation.time_left`` to the
 time left at the moments by which a person is judged. Prints for each set the error over that of the clock,
 with weights fitted to all sets and to the others only. Writes
-pointpred/predictors/adaptation/time_left_prior.py.
+pointpred/predictors/adaptation/time_left_prior.py, and for movements among targets
+pointpred/targets/arrival_prior.py: those of the recordings, or a grid over each movement.
 FOLDER: coefficients as ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache.
 """
 
@@ -18,19 +19,25 @@ import numpy as np
 
 from evidence import ROOT
 from evidence.arguments import parse
-from evidence.held_out import HeldOut, held_out, stored
-from pointpred import Pipeline, run
+from evidence.held_out import HeldOut, held_out, stored, trained_predictors
+from pointpred import build, run
 from pointpred.predictors.adaptation import time_left
 from pointpred.predictors.adaptation.arrival_intervals import Intervals
 from pointpred.predictors.adaptation.predictor import Memory
 from pointpred.predictors.adaptation.time_left import JUDGED, SMALL, TERMS
 from pointpred.recording import Recording
-from pointpred.records import FloatArray
-from pointpred.scoring import Prepared, prepare
+from pointpred.records import EventColumns, FloatArray
+from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.time_left import clock_s
+from pointpred.scoring.target_layouts import layouts
+from pointpred.targets import Target, around
+from pointpred.targets.aim import Memory as AimMemory
 from pointpred.training import data
 
 FILE = ROOT / "pointpred" / "predictors" / "adaptation" / "time_left_prior.py"
+AMONG_TARGETS = ROOT / "pointpred" / "targets" / "arrival_prior.py"
+PREDICTORS = ("kinematic", "kinematic-adaptive")
+"""Among targets the weights are fitted behind both of these."""
 MOVEMENTS = 2.0
 """Movements of the person that everybody's weights count for."""
 RIDGE = 0.1
@@ -102,13 +109,37 @@ def gather(recording: Recording, coefficients: HeldOut) -> Set:
         pipeline = pipelines[user].fresh()
         for k in (k for k, one in enumerate(prepared.trials) if one.trial.user == user):
             run(pipeline, prepared.rows(k))
-            movements += movement(user, pipeline, prepared, k)
+            memory = Memory(np.frombuffer(pipeline.predictor.remembered()))
+            movements += movement(user, memory, prepared, k)
     return Set(recording.name, movements, clock_s([one.arrival_s for one in prepared.trials]))
 
 
-def movement(user: str, pipeline: Pipeline, prepared: Prepared, k: int) -> list[Movement]:
+def gather_among_targets(recording: Recording, predictor: str, coefficients: HeldOut) -> Set:
+    """As ``gather``, each movement among its candidates."""
+    prepared = prepare(recording, threads=1)
+    among = {one.trial: targets_at(one.table) for same in layouts(prepared).values() for one in same}
+    known = coefficients.of_people(predictor, recording) if predictor in trained_predictors() else {}
+    movements, user = [], None
+    for k in sorted(among, key=lambda k: (prepared.trials[k].trial.user, k)):
+        if user != prepared.trials[k].trial.user:
+            user = prepared.trials[k].trial.user
+            pipeline = known[user].fresh() if known else build(predictor, **resolution(recording, None, None))
+        pipeline.reset()
+        pipeline.register(among[k])
+        run(pipeline, EventColumns(prepared.rows(k).table))
+        movements += movement(user, AimMemory(np.frombuffer(pipeline.aim.remembered())), prepared, k)
+    name = f"{recording.name}, {predictor}"
+    return Set(name, movements, clock_s([one.arrival_s for one in prepared.trials]))
+
+
+def targets_at(table: FloatArray) -> list[Target]:
+    """Targets that are named by their places."""
+    places = [(x, y, width, height) for x, y, width, height, _ in table.tolist()]
+    return [around(f"{x:.0f} {y:.0f}", x, y, width, height) for x, y, width, height in places]
+
+
+def movement(user: str, memory: Memory | AimMemory, prepared: Prepared, k: int) -> list[Movement]:
     """The movement that a pipeline has just followed; none where nothing was known of the person."""
-    memory = Memory(np.frombuffer(pipeline.predictor.remembered()))
     state, median = memory.movement.time_left, float(memory.person.durations.median)
     if state.ready == 0.0:
         return []
@@ -163,19 +194,30 @@ def text(sets: Sequence[Set], prior: FloatArray) -> str:
         rows.append(f"        *({numbers}{',' if count == 1 else ''}),")
         first += count
     movements = sum(len(one.movements) for one in sets)
-    names = ", ".join(one.name for one in sets)
+    names = ", ".join(dict.fromkeys(one.name.split(",")[0] for one in sets))
     return TEXT.format(movements=movements, names=names, rows="\n".join(rows))
 
 
-def main(coefficients: HeldOut, recordings: Sequence[Recording]) -> None:
+def write(sets: Sequence[Set], file: Path) -> None:
     """Fit, print what the weights are worth, and write them."""
-    sets = [gather(recording, coefficients) for recording in recordings]
     prior = fitted(sets)
     for one in sets:
-        others = fitted([other for other in sets if other is not one])
+        of = one.name.split(",")[0]
+        others = fitted([other for other in sets if other.name.split(",")[0] != of])
         own, without = share_of_clock(one, prior), share_of_clock(one, others)
         print(f"{one.name}: {own:.3f}, fitted to the other sets {without:.3f}")
-    FILE.write_text(text(sets, prior), encoding="utf-8")
+    file.write_text(text(sets, prior), encoding="utf-8")
+
+
+def main(coefficients: HeldOut, recordings: Sequence[Recording]) -> None:
+    """Write the weights without and with targets."""
+    write([gather(recording, coefficients) for recording in recordings], FILE)
+    among = [
+        gather_among_targets(recording, predictor, coefficients)
+        for recording in recordings
+        for predictor in PREDICTORS
+    ]
+    write(among, AMONG_TARGETS)
 
 
 if __name__ == "__main__":
