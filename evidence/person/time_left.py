@@ -30,7 +30,7 @@ from pointpred.records import EventColumns, FloatArray
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.target_layouts import layouts
-from pointpred.targets import Target, around
+from pointpred.targets import Target, around, arrival
 from pointpred.targets.aim import Memory as AimMemory
 from pointpred.training import data
 
@@ -75,7 +75,7 @@ class Movement(msgspec.Struct, frozen=True):
     span: tuple[float, float]
     """Its start and its arrival, s."""
     median: float
-    """Of the person's durations before it, s."""
+    """Of the person's durations before it, s; among targets their mean."""
 
     def judged(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of each moment by which it is judged: the terms, the time left and the time passed, s."""
@@ -140,7 +140,8 @@ def targets_at(table: FloatArray) -> list[Target]:
 
 def movement(user: str, memory: Memory | AimMemory, prepared: Prepared, k: int) -> list[Movement]:
     """The movement that a pipeline has just followed; none where nothing was known of the person."""
-    state, median = memory.movement.time_left, float(memory.person.durations.median)
+    state, known = memory.movement.time_left, memory.person.durations
+    median = arrival.mean(known) if isinstance(memory, AimMemory) else float(known.median)
     if state.ready == 0.0:
         return []
     t, first = prepared.events.t, prepared.offsets[k]

@@ -899,13 +899,17 @@ typedef struct {
   double none;
 } targets_past_Past;
 typedef struct {
+  double total;
+  double count;
+} targets_arrival_Durations;
+typedef struct {
   double elsewhere;
   double learn;
 } targets_aim_Settings;
 typedef struct {
   targets_past_Past past;
   predictors_adaptation_region_widening_Radii regions;
-  predictors_adaptation_durations_Durations durations;
+  targets_arrival_Durations durations;
   predictors_adaptation_time_left_Sums time_left;
   predictors_adaptation_arrival_intervals_Intervals intervals;
 } targets_aim_Person;
@@ -1405,7 +1409,9 @@ double targets_aim_size_of(Table rows, Vector shares);
 T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 int64_t targets_aim_taken(Table rows, double x, double y);
 void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-T7d targets_arrival_terms(double predicted, double since, double median, double left_px, double size_px);
+double targets_arrival_mean(targets_arrival_Durations * s);
+void targets_arrival_remember(targets_arrival_Durations * s, double duration);
+T7d targets_arrival_terms(double predicted, double since, double usual, double left_px, double size_px);
 T4q targets_choice_law_changes(T2q before, T2q now);
 T3q targets_choice_law_decide(targets_cursor_State * s, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_decision_Settings settings, int64_t standing);
 int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y, bool released);

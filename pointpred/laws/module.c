@@ -9410,7 +9410,7 @@ static PyObject *py_targets_aim_begin(PyObject *self, PyObject *const *args, Py_
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
@@ -9436,7 +9436,7 @@ static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
@@ -9580,7 +9580,7 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "event", 6)
         && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
@@ -9650,7 +9650,7 @@ static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_s
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "begins", 'b', 1, false, &view)
         && (a1 = (FlagVector){view->buf, view->shape[0]}, true)
@@ -9673,6 +9673,39 @@ static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_s
         && (a5 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_aim_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_arrival_mean(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.arrival:mean";
+  Held held;
+  const Py_buffer *view;
+  targets_arrival_Durations * a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", false, 2, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = targets_arrival_mean(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_arrival_remember(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.arrival:remember";
+  Held held;
+  const Py_buffer *view;
+  targets_arrival_Durations * a0;
+  double a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 2, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  targets_arrival_remember(a0, a1);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -11734,6 +11767,8 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.aim:step", (PyCFunction)(void (*)(void))py_targets_aim_step, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:taken", (PyCFunction)(void (*)(void))py_targets_aim_taken, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:walk", (PyCFunction)(void (*)(void))py_targets_aim_walk, METH_FASTCALL, NULL},
+  {"pointpred.targets.arrival:mean", (PyCFunction)(void (*)(void))py_targets_arrival_mean, METH_FASTCALL, NULL},
+  {"pointpred.targets.arrival:remember", (PyCFunction)(void (*)(void))py_targets_arrival_remember, METH_FASTCALL, NULL},
   {"pointpred.targets.arrival:terms", (PyCFunction)(void (*)(void))py_targets_arrival_terms, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:changes", (PyCFunction)(void (*)(void))py_targets_choice_law_changes, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:decide", (PyCFunction)(void (*)(void))py_targets_choice_law_decide, METH_FASTCALL, NULL},

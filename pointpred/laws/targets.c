@@ -15,7 +15,9 @@ static const int64_t targets_aim_MOST = 32;
 static const int64_t targets_aim_POINTS_LEAST = 8;
 static const double targets_aim_SIZE_PX = 20.0;
 static const double targets_arrival_DIFFICULTY_OF = 4.0;
-static const double targets_arrival_prior_PRIOR[] = {0.072, 0.305, 0.301, 0.137, 0.089, -0.206, -0.119, 5.845, 7.729, 18.181, 4.578, 8.286, 6.308, 3.336, 5.994, 3.822, 3.768, 2.557, 3.336, 2.304, 2.005, 1.755, 2.632, 7.419, 2.549, 1.194, 0.507, 6.122, 1.075, 2.269, 0.921, 1.039, 0.542, 0.716, 0.66};
+static const double targets_arrival_KEEP = 0.98;
+static const double targets_arrival_LONGER = 3.0;
+static const double targets_arrival_prior_PRIOR[] = {0.103, 0.34, 0.22, 0.053, 0.162, -0.237, -0.169, 5.079, 7.222, 18.259, 4.412, 8.719, 6.744, 3.098, 6.017, 3.963, 3.812, 2.215, 3.098, 2.193, 1.859, 1.519, 2.487, 7.489, 2.794, 1.202, 0.476, 6.189, 0.939, 2.131, 0.914, 0.972, 0.469, 0.68, 0.577};
 static const double targets_choice_law_ENTERED = 2.0;
 static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
@@ -604,6 +606,19 @@ void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t t
   s->kinds[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_KIND] : targets_past_NO_TARGET;
 }
 
+/* The mean duration in s; 0 where none is known. */
+double targets_arrival_mean(targets_arrival_Durations * s) {
+  return s->count > 0.0 ? s->total / s->count : 0.0;
+}
+
+/* Take in the duration of a finished movement, s. */
+void targets_arrival_remember(targets_arrival_Durations * s, double duration) {
+  double most;
+  most = s->count > 0.0 ? targets_arrival_LONGER * targets_arrival_mean(s) : duration;
+  s->total = targets_arrival_KEEP * s->total + min_float(duration, most);
+  s->count = targets_arrival_KEEP * s->count + 1.0;
+}
+
 /* The movement has ended where the cursor is: learn from it, and forget it. */
 void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   targets_cursor_State * s;
@@ -611,7 +626,7 @@ void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__V
   targets_aim_Person * person;
   Table rows, keys;
   Vector own;
-  double x, y, distance, end, clock;
+  double x, y, distance, end, usual;
   bool whole;
   T2d span;
   s = &memory->cursor;
@@ -629,9 +644,9 @@ void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__V
     targets_past_learn(&person->past, own, keys, targets_aim_taken(rows, x, y));
     span = (T2d){s->t0, end};
     targets_aim_learn_regions(&person->regions, movement, (T2d){x, y}, span, targets, coefficients);
-    clock = person->durations.median;
-    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, clock, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
-    predictors_adaptation_durations_remember(&person->durations, end - s->t0);
+    usual = targets_arrival_mean(&person->durations);
+    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, usual, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    targets_arrival_remember(&person->durations, end - s->t0);
   }
   memset(movement, 0, sizeof(targets_aim_Movement));
 }
@@ -790,11 +805,11 @@ targets_endpoint_Ellipse targets_endpoint_ellipse(Table parts, int64_t count, T2
   return (targets_endpoint_Ellipse){x, y, sxx, (wide2 - broad2) * ux * uy, syy, targets_endpoint_TAIL};
 }
 
-/* What the time left is a sum of, in medians of the last durations. */
-T7d targets_arrival_terms(double predicted, double since, double median, double left_px, double size_px) {
+/* What the time left is a sum of, in mean durations, of which each is ``usual`` s. */
+T7d targets_arrival_terms(double predicted, double since, double usual, double left_px, double size_px) {
   double own, passed, difficulty, near, both, with_clock;
-  own = min_float(predicted / median, predictors_adaptation_time_left_LONGEST);
-  passed = min_float(since / median, predictors_adaptation_time_left_LONGEST);
+  own = min_float(predicted / usual, predictors_adaptation_time_left_LONGEST);
+  passed = min_float(since / usual, predictors_adaptation_time_left_LONGEST);
   difficulty = min_float(log(1.0 + left_px / size_px) / (targets_arrival_DIFFICULTY_OF * log(2.0)), predictors_adaptation_time_left_LONGEST);
   near = size_px * size_px / (size_px * size_px + left_px * left_px);
   both = min_float(own * difficulty, predictors_adaptation_time_left_LONGEST);
@@ -804,7 +819,7 @@ T7d targets_arrival_terms(double predicted, double since, double median, double 
 
 /* Take in an event and the prediction made at it: the prediction given the targets. */
 T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
-  double t, x, y, buttons, pressed, least, since, left, spread, way, total, share, factor, tail, phase;
+  double t, x, y, buttons, pressed, least, since, left, spread, usual, way, total, share, factor, tail, phase;
   Table rows, parts;
   Vector shares;
   targets_cursor_State * s;
@@ -814,7 +829,6 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   int64_t count;
   T2d end;
   targets_endpoint_Ellipse region;
-  predictors_adaptation_durations_Durations * clock;
   T7d known;
   t = event.f0;
   x = event.f1;
@@ -853,15 +867,15 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   since = t - s->t0;
   left = answer.f6;
   spread = answer.f9;
-  clock = &person->durations;
-  if (clock->count > 0.0 && left == left) {
+  usual = targets_arrival_mean(&person->durations);
+  if (usual > 0.0 && left == left) {
     way = hypot(end.f0 - x, end.f1 - y);
-    known = targets_arrival_terms(left, since, clock->median, way, targets_aim_size_of(rows, shares));
-    T2d values_2 = predictors_adaptation_time_left_weighed(&person->time_left, &person->intervals, &movement->time_left, (T3d){t, x, y}, since, clock->median, left, known, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    known = targets_arrival_terms(left, since, usual, way, targets_aim_size_of(rows, shares));
+    T2d values_2 = predictors_adaptation_time_left_weighed(&person->time_left, &person->intervals, &movement->time_left, (T3d){t, x, y}, since, usual, left, known, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
     left = values_2.f0;
     spread = values_2.f1;
   }
-  total = left == left ? since + left : max_float(clock->median, since);
+  total = left == left ? since + left : max_float(usual, since);
   share = total > 0.0 ? since / total : 0.0;
   T2d values_3 = predictors_adaptation_region_widening_widen(&person->regions, share, region.tail);
   factor = values_3.f0;

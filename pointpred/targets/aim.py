@@ -14,7 +14,7 @@ from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.layout import Layout, clear, slots_of
 from pointpred.parameter import parameter
-from pointpred.predictors.adaptation import durations, levels, moments, region_widening, time_left
+from pointpred.predictors.adaptation import levels, moments, region_widening, time_left
 from pointpred.predictors.adaptation.arrival_intervals import Intervals
 from pointpred.predictors.adaptation.correction import LEAST_S, NEAR_PX, NEAR_SHARE, SAMPLES_LEAST
 from pointpred.predictors.adaptation.distances import SHORTEST_PX
@@ -66,7 +66,7 @@ class Person(Layout):
 
     past: past.Past
     regions: region_widening.Radii
-    durations: durations.Durations
+    durations: arrival.Durations
     time_left: time_left.Sums
     intervals: Intervals
 
@@ -206,9 +206,9 @@ def conclude(memory: Memory, targets: Targets, coefficients: Coefficients) -> No
         past.learn(person.past, own, keys, taken(rows, x, y))
         span = s.t0, end
         learn_regions(person.regions, movement, (x, y), span, targets, coefficients)
-        clock = person.durations.median
-        time_left.learn(person.time_left, person.intervals, movement.time_left, span, clock, PRIOR)
-        durations.remember(person.durations, end - s.t0)
+        usual = arrival.mean(person.durations)
+        time_left.learn(person.time_left, person.intervals, movement.time_left, span, usual, PRIOR)
+        arrival.remember(person.durations, end - s.t0)
     clear(movement)
 
 
@@ -288,22 +288,22 @@ def step(
     end = endpoint.geometric_median(parts, count)
     region = endpoint.ellipse(parts, count, end, (x - s.x0, y - s.y0))
     since, left, spread = t - s.t0, answer[6], answer[9]
-    clock = person.durations
-    if clock.count > 0.0 and left == left:
+    usual = arrival.mean(person.durations)
+    if usual > 0.0 and left == left:
         way = hypot(end[0] - x, end[1] - y)
-        known = arrival.terms(left, since, clock.median, way, size_of(rows, shares))
+        known = arrival.terms(left, since, usual, way, size_of(rows, shares))
         left, spread = time_left.weighed(
             person.time_left,
             person.intervals,
             movement.time_left,
             (t, x, y),
             since,
-            clock.median,
+            usual,
             left,
             known,
             PRIOR,
         )
-    total = since + left if left == left else max(clock.median, since)
+    total = since + left if left == left else max(usual, since)
     share = since / total if total > 0.0 else 0.0
     factor, tail = region_widening.widen(person.regions, share, region.tail)
     region = endpoint.Ellipse(
