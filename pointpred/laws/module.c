@@ -8711,7 +8711,7 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && has_columns(law, "table", a2.m, 5)
-        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[3], law, "coefficients", false, 32, &view)
         && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "shares", 'd', 2, true, &view)
@@ -9474,7 +9474,7 @@ static PyObject *py_targets_choice_law_step(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[4], law, "coefficients", false, 32, &view)
         && (a4 = view->buf, true)
         && take_tuple(args[5], law, "settings", 4)
         && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
@@ -9579,7 +9579,7 @@ static PyObject *py_targets_choice_law_walk(PyObject *self, PyObject *const *arg
         && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 2), law, "targets", 'd', 1, true, &view)
         && (a3.f2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[4], law, "coefficients", false, 32, &view)
         && (a4 = view->buf, true)
         && take_tuple(args[5], law, "settings", 4)
         && take_double(PyTuple_GetItem(args[5], 0), &a5.precision)
@@ -10035,6 +10035,21 @@ static PyObject *py_targets_posterior_log_mass(PyObject *self, PyObject *const *
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
+static PyObject *py_targets_posterior_log_total(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:log_total";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = targets_posterior_log_total(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_targets_posterior_normalise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:normalise";
   Held held;
@@ -10079,7 +10094,7 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
         && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
         && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
-        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[3], law, "coefficients", false, 32, &view)
         && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
@@ -10135,7 +10150,7 @@ static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -10217,7 +10232,7 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
@@ -10230,7 +10245,7 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
         && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[3], law, "settings", false, 10, &view)
+        && take_memory(&held, args[3], law, "settings", false, 6, &view)
         && (a3 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_prefetch_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
@@ -10252,7 +10267,7 @@ static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *ar
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "settings", false, 10, &view)
+        && take_memory(&held, args[2], law, "settings", false, 6, &view)
         && (a2 = view->buf, true)))
     return let_go(&held);
   result = targets_prefetch_urgency(a0, a1, a2);
@@ -11283,6 +11298,7 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.posterior:features", (PyCFunction)(void (*)(void))py_targets_posterior_features, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:lawful", (PyCFunction)(void (*)(void))py_targets_posterior_lawful, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:log_mass", (PyCFunction)(void (*)(void))py_targets_posterior_log_mass, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:log_total", (PyCFunction)(void (*)(void))py_targets_posterior_log_total, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:normalise", (PyCFunction)(void (*)(void))py_targets_posterior_normalise, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:scores", (PyCFunction)(void (*)(void))py_targets_posterior_scores, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:situation", (PyCFunction)(void (*)(void))py_targets_posterior_situation, METH_FASTCALL, NULL},
