@@ -11,12 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from math import exp, log
-from pathlib import Path
 
 import msgspec
 import numpy as np
 
-from evidence import ROOT
 from evidence.arguments import parse
 from evidence.data import file_of, write
 from evidence.data import read as stored
@@ -27,7 +25,7 @@ from evidence.intent.movements import PAGES, Movement, movements
 from evidence.intent.targets_fit import Cases
 from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.targets import cursor, posterior, prefetch
+from pointpred.targets import cursor
 from pointpred.targets.posterior import FEATURES, Law, features, unclaimed
 from pointpred.training.data import folder
 
@@ -51,7 +49,7 @@ def coefficients(movements: Sequence[Movement], groups: dict[str, int]) -> Float
                 own = [one for one in movements if one.layout == layout and groups[one.set] == group]
                 if own:
                     parts.append(cases(own, predictor, np.random.default_rng([group, len(layout)])))
-        fitted.append(targets_fit.fit(parts))
+        fitted.append(targets_fit.fit(parts, around=False))
     return np.concatenate(fitted)
 
 
@@ -59,17 +57,7 @@ def cases(movements: Sequence[Movement], predictor: str, generator: np.random.Ge
     """The situations of movements; in a quarter of them the right target is taken away."""
     chosen = generator.permutation(len(movements))[:MOST_MOVEMENTS].tolist()
     parts = [part for k in chosen for part in _moments(movements[k], predictor, generator)]
-    slots = max(len(rows) for rows, _, _ in parts) + 1
-    table, absent = np.zeros((len(parts), slots, 2 * FEATURES + 2)), np.full((len(parts), slots), -1e9)
-    right = np.empty(len(parts), dtype=np.int64)
-    for i, (rows, fast, own) in enumerate(parts):
-        count = len(rows)
-        table[i, :count, :FEATURES], table[i, :count, FEATURES:-2] = (1.0 - fast) * rows, fast * rows
-        table[i, -1, -2:] = 1.0 - fast, fast
-        absent[i, :count], absent[i, -1], right[i] = 0.0, 0.0, own
-        if generator.uniform() < posterior.FITTED_NONE:
-            absent[i, own], right[i] = -1e9, slots - 1
-    return Cases(table, absent, right)
+    return targets_fit.arranged(parts, generator)
 
 
 def _moments(
@@ -106,9 +94,9 @@ GROUPS = {
     "humanmovemouse": 2,
 }
 """Sets that are left out together; none has people or blocks of another."""
-SPREAD = (0.4, 0.2, 0.05, 0.15, 0.1, 0.3, 0.3, 0.5, 0.01, 0.05)
-"""How far each setting is varied at first."""
-GENERATIONS, CHILDREN, PARENTS = 60, 16, 5
+START, SPREAD = (1.5, 0.7, 0.3, 0.1, 0.7, 2.5), (0.4, 0.2, 0.15, 0.1, 0.3, 0.5)
+"""Where the search begins, and how far each setting is varied at first."""
+GENERATIONS, CHILDREN, PARENTS = 90, 24, 6
 WORST = 120.0
 """How sharply the worst layout decides."""
 
@@ -166,14 +154,14 @@ def by_layout(chosen: Sequence[Movement], fired: Sequence[FloatArray]) -> dict[s
 
 
 def settings(chosen: Sequence[Movement], shares: Sequence[FloatArray]) -> list[float]:
-    """The settings of largest margin, searched from those that come with pointpred."""
+    """The settings of largest margin."""
     rule = by_layout(chosen, [by_rule(one, FRAME_S) for one in chosen])
 
     def worth(values: FloatArray) -> float:
         fired = [by_policy(one, own, values, FRAME_S) for one, own in zip(chosen, shares, strict=True)]
         return margin(by_layout(chosen, fired), rule)
 
-    best: list[float] = searched(worth, np.array(prefetch.FITTED), np.array(SPREAD)).tolist()
+    best: list[float] = searched(worth, np.array(START), np.array(SPREAD)).tolist()
     return best
 
 
@@ -194,21 +182,6 @@ def searched(worth: Callable[[FloatArray], float], start: FloatArray, spread: Fl
     return best
 
 
-def write_evidence(values: Sequence[float], file: Path) -> None:
-    """Put the coefficients into the package."""
-    half, features = posterior.Weights.length, posterior.FEATURES
-    parts = {}
-    for prefix, part in (("PAGES_", values[:half]), ("PAGES_UNCLAIMED_", values[half:])):
-        parts[f"{prefix}SLOW"], parts[f"{prefix}FAST"] = part[:features], part[features : 2 * features]
-        parts[f"{prefix}NONE"] = part[2 * features :]
-    lines = file.read_text(encoding="utf-8").splitlines()
-    for i, line in enumerate(lines):
-        name = line.split(" = ")[0]
-        if name in parts:
-            lines[i] = f"{name} = ({', '.join(f'{value:.4g}' for value in parts[name])})"
-    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
 def fit(everything: Sequence[Movement]) -> Fits:
     """The fits to these movements; settings are fitted to shares by evidence that does not know the group."""
     groups = sorted(set(GROUPS.values()))
@@ -227,7 +200,8 @@ def main() -> None:
     """Fit without each group and to all."""
     done = fit(recorded((CLAIMING, SILENT)))
     write(done, file_of("intent", "fits"))
-    write_evidence(done.whole.evidence, ROOT / "pointpred" / "targets" / "coefficients.py")
+    claimed, unclaimed = np.split(np.array(done.whole.evidence), 2)
+    targets_fit.put(targets_fit.named("PAGES_", claimed) | targets_fit.named("PAGES_UNCLAIMED_", unclaimed))
     print("settings:", ", ".join(f"{value:.4g}" for value in done.whole.settings))
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from math import log
 from pathlib import Path
 from typing import NamedTuple
 
@@ -27,7 +28,7 @@ from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, posterior
-from pointpred.targets.posterior import FEATURES, MASS, NEAR, Law, features, unclaimed
+from pointpred.targets.posterior import FEATURES, MASS, NEAR, Law, features, log_total, unclaimed
 
 SETS = (
     *("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo"),
@@ -39,7 +40,7 @@ MOST_TRIALS = 200
 CLAIMING, SILENT = "kinematic", "minimum-jerk"
 """The predictors that it is fitted with: one that claims a law and one that does not."""
 PENALTY = 1e-3
-SLOTS = 24
+WEIGHTS = posterior.Weights.length
 SIGNS = {MASS: (0.0, None), 1: (None, 0.0), 2: (None, 0.0), NEAR: (None, 0.0)}
 """A likelier rectangle, a straighter way and a nearer target never speak against a target."""
 
@@ -70,15 +71,27 @@ def cases(recording: Recording, predictors: Iterable[str | Pipeline], seed: int 
         pipeline = predictor.fresh() if isinstance(predictor, Pipeline) else build(predictor, **settings)
         answers = run(pipeline, prepared.events)
         parts += [part for k in picked for part in _trial(prepared, choices[k], answers)]
-    there = [len(part[0]) for part in parts]
-    table, absent = np.zeros((len(parts), SLOTS, 2 * FEATURES + 2)), np.full((len(parts), SLOTS), -1e9)
+    return arranged(parts, generator)
+
+
+def arranged(parts: Sequence[tuple[FloatArray, float, int]], generator: np.random.Generator) -> Cases:
+    """Situations as arrays; in a share of FITTED_NONE of them the right target is taken away.
+
+    The candidates of each count as if they were FITTED_TARGETS.
+    """
+    slots = max(len(rows) for rows, _, _ in parts) + 1
+    table, absent = np.zeros((len(parts), slots, WEIGHTS)), np.full((len(parts), slots), -1e9)
     right = np.empty(len(parts), dtype=np.int64)
     for i, (rows, fast, own) in enumerate(parts):
-        table[i, : there[i], :FEATURES], table[i, : there[i], FEATURES:-2] = (1.0 - fast) * rows, fast * rows
-        table[i, -1, -2:] = 1.0 - fast, fast
-        absent[i, : there[i]], absent[i, -1], right[i] = 0.0, 0.0, own
-        if generator.uniform() < posterior.FITTED_NONE:
-            absent[i, own], right[i] = -1e9, SLOTS - 1
+        there = np.ones(len(rows), dtype=bool)
+        if taken := generator.uniform() < posterior.FITTED_NONE:
+            there[own] = False
+        right[i] = slots - 1 if taken else own
+        around = log_total(float(np.exp(rows[there, MASS]).sum()) / there.sum())
+        table[i, : len(rows)][:, :FEATURES] = (1.0 - fast) * rows
+        table[i, : len(rows)][:, FEATURES : 2 * FEATURES] = fast * rows
+        table[i, -1, 2 * FEATURES :] = 1.0 - fast, fast, (1.0 - fast) * around, fast * around
+        absent[i, : len(rows)][there], absent[i, -1] = log(posterior.FITTED_TARGETS / there.sum()), 0.0
     return Cases(table, absent, right)
 
 
@@ -106,10 +119,10 @@ def _trial(
     return parts
 
 
-def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
+def fit(sets: Sequence[Cases], only: Sequence[int] | None = None, around: bool = True) -> FloatArray:
     """The coefficients of largest penalised likelihood, each set with the same weight.
 
-    ``only``: the features that may count; the others are 0.
+    ``only``: the features that may count; the others are 0. ``around``: whether what falls to all may count.
     """
     scale = np.sqrt(np.mean([(one.features**2).mean(axis=(0, 1)) for one in sets], axis=0)) + 1e-9
     scaled = [one.features / scale for one in sets]
@@ -135,7 +148,7 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
         np.zeros(len(scale)),
         jac=True,
         method="L-BFGS-B",
-        bounds=[*bounds, *bounds, *[(None, None)] * 2],
+        bounds=[*bounds, *bounds, *[(None, None)] * 2, *[(None, None) if around else (0.0, 0.0)] * 2],
     )
     weights: FloatArray = result.x / scale
     return weights
@@ -143,18 +156,25 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
 
 def coefficients(sets: Sequence[tuple[Cases, Cases]], only: Sequence[int] | None = None) -> FloatArray:
     """Coefficients as ``posterior`` takes them: for a claimed law, then for none."""
-    return np.concatenate([fit([one[place] for one in sets], only) for place in range(2)])
+    return np.concatenate([fit([one[place] for one in sets], only, only is None) for place in range(2)])
 
 
 def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
     """Fit on these sets and write the coefficients."""
-    ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR])
+    ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR], around=False)
+    values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[-4:-2]}
+    put(values | named("", ours[:WEIGHTS]) | named("UNCLAIMED_", ours[WEIGHTS:]))
+
+
+def named(prefix: str, part: FloatArray) -> dict[str, FloatArray]:
+    """A law's coefficients by their names in the package."""
+    cut = {"SLOW": part[:FEATURES], "FAST": part[FEATURES:-4], "NONE": part[-4:-2], "AROUND": part[-2:]}
+    return {prefix + name: values for name, values in cut.items()}
+
+
+def put(values: dict[str, FloatArray]) -> None:
+    """Put coefficients into the package."""
     file = ROOT / "pointpred" / "targets" / "coefficients.py"
-    values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[2 * FEATURES :]}
-    half = posterior.Weights.length
-    for prefix, part in (("", ours[:half]), ("UNCLAIMED_", ours[half:])):
-        values[f"{prefix}SLOW"], values[f"{prefix}FAST"] = part[:FEATURES], part[FEATURES : 2 * FEATURES]
-        values[f"{prefix}NONE"] = part[2 * FEATURES :]
     lines = file.read_text(encoding="utf-8").splitlines()
     for i, line in enumerate(lines):
         name = line.split(" = ")[0]

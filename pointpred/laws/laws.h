@@ -777,6 +777,7 @@ typedef struct {
   double slow[6];
   double fast[6];
   double none[2];
+  double around[2];
 } targets_posterior_Weights;
 typedef struct {
   targets_posterior_Weights claimed;
@@ -922,19 +923,14 @@ typedef struct {
 typedef struct {
   targets_cursor_State cursor;
   double began;
-  double count;
 } targets_prefetch_State;
 typedef struct {
   double base;
   double end;
-  double spent;
   double near;
   double far;
-  double age;
   double passed;
   double sure;
-  double late_s;
-  double late;
 } targets_prefetch_Settings;
 typedef struct {
   double px_per_count;
@@ -1445,6 +1441,7 @@ T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targe
 void targets_posterior_features(targets_cursor_State * s, Table table, targets_posterior_Law predicted, Table out);
 bool targets_posterior_lawful(targets_posterior_Law predicted);
 double targets_posterior_log_mass(targets_posterior_Law predicted, double dx, double dy, double width, double height);
+double targets_posterior_log_total(double mean);
 void targets_posterior_normalise(Vector out);
 void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer, targets_posterior_Coefficients * coefficients, double elsewhere, Vector out);
 targets_posterior_Situation targets_posterior_situation(targets_cursor_State * s);

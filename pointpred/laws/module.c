@@ -8783,7 +8783,7 @@ static PyObject *py_scoring_target_choice_weigh(PyObject *self, PyObject *const 
         && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
         && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && has_columns(law, "table", a2.m, 5)
-        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[3], law, "coefficients", false, 32, &view)
         && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "shares", 'd', 2, true, &view)
@@ -9447,7 +9447,7 @@ static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, 
         && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
         && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[2], law, "coefficients", false, 32, &view)
         && (a2 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_aim_conclude(a0, a1, a2); Py_END_ALLOW_THREADS
@@ -9486,7 +9486,7 @@ static PyObject *py_targets_aim_learn_regions(PyObject *self, PyObject *const *a
         && (a4.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[4], 3), law, "targets", 'd', 1, false, &view)
         && (a4.f3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[5], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[5], law, "coefficients", false, 32, &view)
         && (a5 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_aim_learn_regions(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
@@ -9609,7 +9609,7 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
         && (a3.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[3], 3), law, "targets", 'd', 1, true, &view)
         && (a3.f3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[4], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[4], law, "coefficients", false, 32, &view)
         && (a4 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_aim_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
@@ -9669,7 +9669,7 @@ static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_s
         && (a4.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[4], 3), law, "targets", 'd', 1, true, &view)
         && (a4.f3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[5], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[5], law, "coefficients", false, 32, &view)
         && (a5 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_aim_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
@@ -10515,6 +10515,21 @@ static PyObject *py_targets_posterior_log_mass(PyObject *self, PyObject *const *
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
+static PyObject *py_targets_posterior_log_total(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.posterior:log_total";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_double(args[0], &a0)))
+    return let_go(&held);
+  result = targets_posterior_log_total(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_targets_posterior_normalise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.posterior:normalise";
   Held held;
@@ -10559,7 +10574,7 @@ static PyObject *py_targets_posterior_scores(PyObject *self, PyObject *const *ar
         && take_double(PyTuple_GetItem(args[2], 7), &a2.f7)
         && take_double(PyTuple_GetItem(args[2], 8), &a2.f8)
         && take_double(PyTuple_GetItem(args[2], 9), &a2.f9)
-        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && take_memory(&held, args[3], law, "coefficients", false, 32, &view)
         && (a3 = view->buf, true)
         && take_double(args[4], &a4)
         && take_array(&held, args[5], law, "out", 'd', 1, true, &view)
@@ -10615,7 +10630,7 @@ static PyObject *py_targets_prefetch_begin(PyObject *self, PyObject *const *args
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "table", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
@@ -10697,7 +10712,7 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_memory(&held, args[0], law, "s", true, 17, &view)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
         && (a0 = view->buf, true)
         && take_tuple(args[1], law, "targets", 4)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
@@ -10710,7 +10725,7 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
         && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "shares", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[3], law, "settings", false, 10, &view)
+        && take_memory(&held, args[3], law, "settings", false, 6, &view)
         && (a3 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS result = targets_prefetch_step(a0, a1, a2, a3); Py_END_ALLOW_THREADS
@@ -10732,7 +10747,7 @@ static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *ar
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "settings", false, 10, &view)
+        && take_memory(&held, args[2], law, "settings", false, 6, &view)
         && (a2 = view->buf, true)))
     return let_go(&held);
   result = targets_prefetch_urgency(a0, a1, a2);
@@ -11803,6 +11818,7 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.posterior:features", (PyCFunction)(void (*)(void))py_targets_posterior_features, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:lawful", (PyCFunction)(void (*)(void))py_targets_posterior_lawful, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:log_mass", (PyCFunction)(void (*)(void))py_targets_posterior_log_mass, METH_FASTCALL, NULL},
+  {"pointpred.targets.posterior:log_total", (PyCFunction)(void (*)(void))py_targets_posterior_log_total, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:normalise", (PyCFunction)(void (*)(void))py_targets_posterior_normalise, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:scores", (PyCFunction)(void (*)(void))py_targets_posterior_scores, METH_FASTCALL, NULL},
   {"pointpred.targets.posterior:situation", (PyCFunction)(void (*)(void))py_targets_posterior_situation, METH_FASTCALL, NULL},

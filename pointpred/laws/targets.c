@@ -58,13 +58,13 @@ static const double targets_posterior_FITTED_TARGETS = 16.0;
 static const double targets_posterior_FLATTEST = 1e-12;
 static const int64_t targets_posterior_HEADING = 2;
 static const double targets_posterior_LEAST = 0.1;
+static const double targets_posterior_LEAST_MASS = 6e-06;
 static const int64_t targets_posterior_MASS = 0;
 static const int64_t targets_posterior_NEAR = 5;
 static const int64_t targets_posterior_PER_SPEED = 4;
 static const int64_t targets_posterior_PER_WAY = 3;
 static const T2d targets_posterior_TAILS = {0.001, 1000000000.0};
 static const int64_t targets_posterior_TRAIL = 1;
-static const double targets_prefetch_AGE_S = 1.0;
 static const double targets_prefetch_ARMED = 0.0;
 static const double targets_prefetch_ENTERED = 4.0;
 static const double targets_prefetch_FIRED = 1.0;
@@ -194,9 +194,14 @@ T6d targets_posterior_feature(Vector row, targets_posterior_Situation now, targe
   return (T6d){targets_posterior_log_mass(predicted, x - predicted.x, y - predicted.y, width, height), trail, heading, log_left - now.log_way, log_left - now.log_sweep, log(1.0 + 2.0 * left / size)};
 }
 
+/* Logarithm of how much of a law falls to FITTED_TARGETS targets, from the mean by weight. */
+double targets_posterior_log_total(double mean) {
+  return log(max_float(targets_posterior_FITTED_TARGETS * mean, targets_posterior_LEAST_MASS));
+}
+
 /* The logarithm of each target's share, up to a constant; behind them that of none of them. */
 void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer, targets_posterior_Coefficients * coefficients, double elsewhere, Vector out) {
-  double x, y, sxx, sxy, syy, tail, fast, usual, f0, f1, f2, f3, f4, f5, score, none;
+  double x, y, sxx, sxy, syy, tail, fast, total, usual, f0, f1, f2, f3, f4, f5, score, none, around;
   bool claimed;
   targets_posterior_Weights * fit;
   targets_posterior_Law predicted;
@@ -232,6 +237,7 @@ void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer
     weight.p[j] = (1.0 - fast) * fit->slow[j] + fast * fit->fast[j];
   }
   count = table.n;
+  total = 0.0;
   usual = log(targets_posterior_FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - targets_posterior_FITTED_NONE));
   for (int64_t i = 0; i < count; i++) {
     if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
@@ -247,9 +253,11 @@ void targets_posterior_scores(targets_cursor_State * s, Table table, T10d answer
     f5 = values_3.f5;
     score = weight.p[0] * f0 + weight.p[1] * f1 + weight.p[2] * f2;
     out.p[i] = table.p[i * table.m + targets_rectangles_LOG_WEIGHT] + usual + score + weight.p[3] * f3 + weight.p[4] * f4 + weight.p[5] * f5;
+    total += exp(table.p[i * table.m + targets_rectangles_LOG_WEIGHT] + f0);
   }
   none = (1.0 - fast) * fit->none[0] + fast * fit->none[1];
-  out.p[count] = none + log(elsewhere / targets_posterior_FITTED_NONE);
+  around = (1.0 - fast) * fit->around[0] + fast * fit->around[1];
+  out.p[count] = none + around * targets_posterior_log_total(total) + log(elsewhere / targets_posterior_FITTED_NONE);
 }
 
 /* Scores become shares of one; the last score is finite. */
@@ -1100,7 +1108,6 @@ void targets_prefetch_begin(targets_prefetch_State * s, Table table, Vector fire
     return;
   }
   s->began = s->cursor.t0;
-  s->count = 0.0;
   for (int64_t i = 0; i < table.n; i++) {
     if (fired.p[i] != targets_prefetch_ARMED) {
       fired.p[i] = targets_prefetch_inside(s->cursor.x0, s->cursor.y0, (Vector){table.p + i * table.m, table.m}) ? targets_prefetch_RESTING : targets_prefetch_ARMED;
@@ -1126,8 +1133,8 @@ double targets_prefetch_log_odds(double p) {
 int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings) {
   Table table;
   Vector thresholds, visits, fired;
-  double x, y, passed, sure, common, likely, score, line_s;
-  bool moves, late;
+  double x, y, passed, sure, common, likely, score;
+  bool moves;
   int64_t count;
   table = targets.f0;
   thresholds = targets.f1;
@@ -1146,7 +1153,6 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     }
   }
   common = settings->base + settings->passed * log(max_float(passed, targets_prefetch_LEAST_VISITS)) - settings->sure * sure;
-  common += settings->age * min_float(s->cursor.t - s->cursor.t0, targets_prefetch_AGE_S);
   moves = hypot(x - s->cursor.x0, y - s->cursor.y0) >= targets_prefetch_LEAST_WAY_PX;
   count = 0;
   for (int64_t i = 0; i < table.n; i++) {
@@ -1168,15 +1174,12 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     }
     likely = max_float(visits.p[i], targets_prefetch_SMALLEST);
     score = common + targets_prefetch_log_odds(likely) + settings->end * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
-    score = score + (targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings) - settings->spent * (s->count + count));
-    line_s = targets_prefetch_contact(x, y, s->cursor.vx, s->cursor.vy, (Vector){table.p + i * table.m, table.m});
-    late = line_s <= settings->late_s && likely >= max_float(settings->late, thresholds.p[i]);
-    if (late || score >= targets_prefetch_log_odds(thresholds.p[i])) {
+    score = score + targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings);
+    if (score >= targets_prefetch_log_odds(thresholds.p[i])) {
       fired.p[i] = targets_prefetch_PREDICTED;
       count = count + 1;
     }
   }
-  s->count += count;
   return count;
 }
 

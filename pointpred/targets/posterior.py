@@ -39,8 +39,9 @@ class Law(NamedTuple):
 
 
 class Situation(NamedTuple):
-    """What the features of all targets share: the cursor, the directions of its way of late and of its
-    velocity, (0, 0) where it has none, and how far it went.
+    """What the features of all targets share: the cursor, two directions, how far it went.
+
+    The directions of its way of late and of its velocity are (0, 0) where it has none.
     """
 
     x: float
@@ -153,11 +154,15 @@ def features(s: cursor.State, table: FloatTable, predicted: Law, out: FloatTable
 
 
 class Weights(Layout):
-    """Of each feature standing, of each at the peak of the speed, and of none of them at both."""
+    """Of each feature standing, of each at the peak of the speed, and of two more at both.
+
+    None of them, and the logarithm of how much of the law falls to all targets.
+    """
 
     slow: Annotated[FloatArray, FEATURES]
     fast: Annotated[FloatArray, FEATURES]
     none: Annotated[FloatArray, 2]
+    around: Annotated[FloatArray, 2]
 
 
 class Coefficients(Layout):
@@ -169,15 +174,17 @@ class Coefficients(Layout):
 
 FITTED: FloatArray = np.array(
     [
-        *(*fitted.SLOW, *fitted.FAST, *fitted.NONE),
-        *(*fitted.UNCLAIMED_SLOW, *fitted.UNCLAIMED_FAST, *fitted.UNCLAIMED_NONE),
+        *(*fitted.SLOW, *fitted.FAST, *fitted.NONE, *fitted.AROUND),
+        *(*fitted.UNCLAIMED_SLOW, *fitted.UNCLAIMED_FAST),
+        *(*fitted.UNCLAIMED_NONE, *fitted.UNCLAIMED_AROUND),
     ]
 )
 """The coefficients that come with pointpred."""
 FITTED_PAGES: FloatArray = np.array(
     [
-        *(*fitted.PAGES_SLOW, *fitted.PAGES_FAST, *fitted.PAGES_NONE),
-        *(*fitted.PAGES_UNCLAIMED_SLOW, *fitted.PAGES_UNCLAIMED_FAST, *fitted.PAGES_UNCLAIMED_NONE),
+        *(*fitted.PAGES_SLOW, *fitted.PAGES_FAST, *fitted.PAGES_NONE, *fitted.PAGES_AROUND),
+        *(*fitted.PAGES_UNCLAIMED_SLOW, *fitted.PAGES_UNCLAIMED_FAST),
+        *(*fitted.PAGES_UNCLAIMED_NONE, *fitted.PAGES_UNCLAIMED_AROUND),
     ]
 )
 """Those for a prefetch: sharpest early in a movement over cards, links and menus."""
@@ -190,6 +197,8 @@ for _weights in (Coefficients(FITTED_NEAREST).claimed, Coefficients(FITTED_NEARE
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 """Values in the fit: the share of movements to none of the targets, and the number of targets."""
+LEAST_MASS = 6e-6
+"""Less of a law than this in all targets is as good as none."""
 
 FLATTEST = 1e-12
 """The least determinant of a region over that of one with axes along x and y: below it, it is a line."""
@@ -209,6 +218,12 @@ def lawful(predicted: Law) -> bool:
 
 
 @law
+def log_total(mean: float) -> float:
+    """Logarithm of how much of a law falls to FITTED_TARGETS targets, from the mean by weight."""
+    return log(max(FITTED_TARGETS * mean, LEAST_MASS))
+
+
+@law
 def scores(
     s: cursor.State,
     table: FloatTable,
@@ -220,7 +235,9 @@ def scores(
     """The logarithm of each target's share, up to a constant; behind them that of none of them.
 
     ``answer`` is a ``PredictionRow``; a point beyond the bounds of positions, and a law that is
-    not ``lawful``, are as if not claimed. A target of weight 0 is not looked at.
+    not ``lawful``, are as if not claimed. A target of weight 0 is not looked at. None of them is weighed
+    against how much of the law falls to all targets, as if these were FITTED_TARGETS: early in a movement
+    that says how close they lie, not that it is for one of them.
     """
     _, x, y, sxx, sxy, syy, _, _, tail, _ = answer
     claimed = abs(x) <= LARGEST and abs(y) <= LARGEST
@@ -234,7 +251,7 @@ def scores(
     fast = min(s.speed / s.peak, 1.0) if s.peak > 0.0 else 0.0
     for j in range(FEATURES):
         weight[j] = (1.0 - fast) * fit.slow[j] + fast * fit.fast[j]
-    count = len(table)
+    count, total = len(table), 0.0
     usual = log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
     for i in range(count):
         if table[i, LOG_WEIGHT] == -inf:
@@ -243,8 +260,10 @@ def scores(
         f0, f1, f2, f3, f4, f5 = feature(table[i], now, predicted)
         score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
         out[i] = table[i, LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
+        total += exp(table[i, LOG_WEIGHT] + f0)
     none = (1.0 - fast) * fit.none[0] + fast * fit.none[1]
-    out[count] = none + log(elsewhere / FITTED_NONE)
+    around = (1.0 - fast) * fit.around[0] + fast * fit.around[1]
+    out[count] = none + around * log_total(total) + log(elsewhere / FITTED_NONE)
 
 
 @law

@@ -26,11 +26,10 @@ call, by prediction or because the cursor is in it."""
 
 
 class State(Layout):
-    """The cursor; when the movement began, s, and its firings."""
+    """The cursor, and when the movement began, s."""
 
     cursor: cursor.State
     began: float
-    count: float
 
 
 STATES = State.length
@@ -42,8 +41,6 @@ LEAST_WAY_PX = 3.0
 """Nothing is predicted nearer to where the movement started."""
 REFERENCE_S, SHORTEST_S, LONGEST_S = 0.25, 0.005, 5.0
 """Times to contact count as logarithms over the first, within the bounds of the others."""
-AGE_S = 1.0
-"""The longest time since the start that counts."""
 SMALLEST, LEAST_VISITS = 1e-6, 0.05
 """Bounds on probabilities and on their sum in logarithms."""
 
@@ -56,17 +53,13 @@ class Settings(Layout):
 
     base: float
     end: float
-    spent: float
     near: float
     far: float
-    age: float
     passed: float
     sure: float
-    late_s: float
-    late: float
 
 
-FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
+FITTED = (1.645, 0.86, 0.181, 0.077, 0.718, 3.055)
 """Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
 
 Targets = tuple[FloatTable, FloatArray, FloatArray, FloatArray]
@@ -124,7 +117,7 @@ def begin(s: State, table: FloatTable, fired: FloatArray) -> None:
             fired[i] = FIRED
     if s.began == s.cursor.t0:
         return
-    s.began, s.count = s.cursor.t0, 0.0
+    s.began = s.cursor.t0
     for i in range(len(table)):
         if fired[i] != ARMED:
             fired[i] = RESTING if inside(s.cursor.x0, s.cursor.y0, table[i]) else ARMED
@@ -162,14 +155,9 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
 
     - ``base``, and the logarithm of the odds of a visit;
     - plus ``passed`` times the logarithm of the expected number of targets visited, without those it is in;
-    - plus ``age`` times the time since the start, s, at most AGE_S;
     - plus ``near`` n - ``far`` n², where n is the logarithm of REFERENCE_S over the time to contact;
     - plus ``end`` times the logarithm of the share over the probability of a visit, which is at most 0;
-    - minus ``sure`` times the share of the likeliest target;
-    - minus ``spent`` times the firings of this movement so far.
-
-    It also fires where the cursor's own line meets it within ``late_s`` s and the probability of a visit is
-    at least ``late`` and the threshold.
+    - minus ``sure`` times the share of the likeliest target.
     """
     table, thresholds, visits, fired = targets
     begin(s, table, fired)
@@ -180,7 +168,6 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
         if not inside(x, y, table[i]):
             passed, sure = passed + visits[i], max(sure, shares[i])
     common = settings.base + settings.passed * log(max(passed, LEAST_VISITS)) - settings.sure * sure
-    common += settings.age * min(s.cursor.t - s.cursor.t0, AGE_S)
     moves = hypot(x - s.cursor.x0, y - s.cursor.y0) >= LEAST_WAY_PX
     count = 0
     for i in range(len(table)):
@@ -196,12 +183,9 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
             continue
         likely = max(visits[i], SMALLEST)
         score = common + log_odds(likely) + settings.end * log(max(shares[i], SMALLEST) / likely)
-        score += urgency(s.cursor, table[i], settings) - settings.spent * (s.count + count)
-        line_s = contact(x, y, s.cursor.vx, s.cursor.vy, table[i])
-        late = line_s <= settings.late_s and likely >= max(settings.late, thresholds[i])
-        if late or score >= log_odds(thresholds[i]):
+        score += urgency(s.cursor, table[i], settings)
+        if score >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1
-    s.count += count
     return count
 
 

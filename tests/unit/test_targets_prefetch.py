@@ -104,17 +104,6 @@ def test_the_next_movement_arms_again_but_for_where_it_starts() -> None:
     assert page.move(0.6, 200.0, 0.0) == [0]
 
 
-def test_each_firing_makes_the_next_one_cost_more() -> None:
-    first, later = Page([NEAR, ASIDE]), Page([NEAR, ASIDE])
-    for page, spent in ((first, 0.0), (later, 100.0)):
-        page.move(0.0, 0.0, 0.0)
-        page.state.count = spent
-    shares = (0.0, 0.9)
-    assert first.move(0.05, 0.0, 20.0, shares) == [1]
-    assert later.move(0.05, 0.0, 20.0, shares) == []
-    assert first.state.count == 1.0
-
-
 def test_a_higher_threshold_fires_later() -> None:
     def first(threshold: float) -> float:
         page = Page([NEAR, ASIDE, BEHIND], threshold)

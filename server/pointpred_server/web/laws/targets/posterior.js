@@ -8,10 +8,11 @@ export const ALONG = 0.5;
 export const ACROSS = 0.2;
 export const LEAST = 0.1;
 export const FEATURES = 6;
-export const FITTED = /* @__PURE__ */ new Float64Array([0, -0.2847, -0.5136, -1.885, 0.007931, -0.3766, 0.3346, -0.4765, -0.3369, -0.5665, 0.3197, 0, -0.07224, -2.993, 0, -0.2753, -0.5252, -1.908, 0.04102, -0.5306, 0.0003597, -0.5578, -0.4107, -0.7617, 0.3807, -0.1901, -0.3547, -1.842]);
-export const FITTED_PAGES = /* @__PURE__ */ new Float64Array([0.5715, -0.06125, -0.3979, 0.03605, 0.02572, -0.07829, 0.5593, -0.2038, -0.07994, 0.2008, -0.07514, 0, -2.534, -1.879, 0, -0.1784, -0.4685, -0.001198, 0.03061, -1.652, 0.0001214, -0.3341, -0.31, 0.07046, 0.01493, -0.6832, -2.639, -1.233]);
+export const FITTED = /* @__PURE__ */ new Float64Array([0, -0.291, -0.538, -1.481, 0.01996, -1.092, 0.6517, -0.4384, -0.3252, -0.2088, 0.1403, -0.1039, -0.6458, -1.732, 0.3475, 0.7895, 0, -0.2804, -0.5189, -2.041, 0.1073, -0.2959, 0.0003708, -0.5464, -0.4339, -0.7272, 0.315, -0.2122, -0.6068, -1.309, -0.1188, 0.06853]);
+export const FITTED_PAGES = /* @__PURE__ */ new Float64Array([0.3016, -0.1244, -0.4561, -0.01862, -0.03106, -0.4446, 0.5945, -0.2008, -0.09255, 0.1306, -0.0288, 0, -2.041, -1.813, 0, 0, 0, -0.1987, -0.491, -0.0658, 0.001723, -1.418, 2.236e-05, -0.3598, -0.3276, -0.05819, 0.07053, -0.5739, -2.091, -0.8464, 0, 0]);
 export const FITTED_NONE = 0.25;
 export const FITTED_TARGETS = 16;
+export const LEAST_MASS = 6e-06;
 export const FLATTEST = 1e-12;
 export const TAILS = [0.001, 1000000000];
 export function unclaimed(s, x, y, s_at = 0) {
@@ -102,6 +103,9 @@ export function lawful(predicted) {
   }
   return sxx * syy - sxy * sxy > FLATTEST * sxx * syy && (tail !== tail || TAILS[0] <= tail && tail <= TAILS[1]);
 }
+export function log_total(mean) {
+  return Math.log(larger(FITTED_TARGETS * mean, LEAST_MASS));
+}
 export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0, coefficients_at = 0) {
   let x = answer[1];
   let y = answer[2];
@@ -121,7 +125,7 @@ export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0,
     sxx = values_1[0];
     sxy = values_1[1];
     syy = values_1[2];
-    fit_at = coefficients_at + 14;
+    fit_at = coefficients_at + 16;
     predicted = [x, y, sxx, sxy, syy, NaN];
   }
   const now = situation(s, s_at);
@@ -131,6 +135,7 @@ export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0,
     weight[j] = (1 - fast) * coefficients[fit_at + j] + fast * coefficients[fit_at + j + 6];
   }
   const count = table.length;
+  let total = 0;
   const usual = Math.log(FITTED_TARGETS * (1 - elsewhere) / (1 - FITTED_NONE));
   for (let i = 0; i < count; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
@@ -146,9 +151,11 @@ export function scores(s, table, answer, coefficients, elsewhere, out, s_at = 0,
     const f5 = values_2[5];
     const score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2;
     out[i] = table[i][$rectangles.LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5;
+    total += Math.exp(table[i][$rectangles.LOG_WEIGHT] + f0);
   }
   const none = (1 - fast) * coefficients[fit_at + 12] + fast * coefficients[fit_at + 13];
-  out[count] = none + Math.log(elsewhere / FITTED_NONE);
+  const around = (1 - fast) * coefficients[fit_at + 14] + fast * coefficients[fit_at + 15];
+  out[count] = none + around * log_total(total) + Math.log(elsewhere / FITTED_NONE);
 }
 export function normalise(out) {
   let most = -Infinity;

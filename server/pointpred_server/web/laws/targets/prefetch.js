@@ -8,18 +8,17 @@ export const FIRED = 1;
 export const RESTING = 2;
 export const PREDICTED = 3;
 export const ENTERED = 4;
-export const STATES = 17;
+export const STATES = 16;
 export const PATHS = 8;
 export const NEGLIGIBLE = 0.001;
 export const LEAST_WAY_PX = 3;
 export const REFERENCE_S = 0.25;
 export const SHORTEST_S = 0.005;
 export const LONGEST_S = 5;
-export const AGE_S = 1;
 export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
 export const THRESHOLD = 0.5;
-export const FITTED = [1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477];
+export const FITTED = [1.645, 0.86, 0.181, 0.077, 0.718, 3.055];
 export function contact(x, y, dx, dy, row) {
   let enters = 0;
   let leaves = Infinity;
@@ -72,7 +71,6 @@ export function begin(s, table, fired, s_at = 0) {
     return;
   }
   s[s_at + 15] = s[s_at + 5];
-  s[s_at + 16] = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (fired[i] !== ARMED) {
       fired[i] = inside(s[s_at + 6], s[s_at + 7], table[i]) ? RESTING : ARMED;
@@ -82,7 +80,7 @@ export function begin(s, table, fired, s_at = 0) {
 export function urgency(s, row, settings, s_at = 0, settings_at = 0) {
   const left_s = $cursor.until(s, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT], s_at);
   const near = -Math.log(smaller(larger(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S);
-  return settings[settings_at + 3] * near - settings[settings_at + 4] * near * near;
+  return settings[settings_at + 2] * near - settings[settings_at + 3] * near * near;
 }
 export function log_odds(p) {
   p = smaller(larger(p, SMALLEST), 1 - SMALLEST);
@@ -105,8 +103,7 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
       sure = larger(sure, shares[i]);
     }
   }
-  let common = settings[settings_at] + settings[settings_at + 6] * Math.log(larger(passed, LEAST_VISITS)) - settings[settings_at + 7] * sure;
-  common += settings[settings_at + 5] * smaller(s[s_at + 1] - s[s_at + 5], AGE_S);
+  const common = settings[settings_at] + settings[settings_at + 4] * Math.log(larger(passed, LEAST_VISITS)) - settings[settings_at + 5] * sure;
   const moves = hypot(x - s[s_at + 6], y - s[s_at + 7]) >= LEAST_WAY_PX;
   let count = 0;
   for (let i = 0, end_2 = table.length; i < end_2; i++) {
@@ -128,14 +125,11 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
     }
     const likely = larger(visits[i], SMALLEST);
     let score = common + log_odds(likely) + settings[settings_at + 1] * Math.log(larger(shares[i], SMALLEST) / likely);
-    score += urgency(s, table[i], settings, s_at, settings_at) - settings[settings_at + 2] * (s[s_at + 16] + count);
-    const line_s = contact(x, y, s[s_at + 10], s[s_at + 11], table[i]);
-    const late = line_s <= settings[settings_at + 8] && likely >= larger(settings[settings_at + 9], thresholds[i]);
-    if (late || score >= log_odds(thresholds[i])) {
+    score += urgency(s, table[i], settings, s_at, settings_at);
+    if (score >= log_odds(thresholds[i])) {
       fired[i] = PREDICTED;
       count = count + 1;
     }
   }
-  s[s_at + 16] += count;
   return count;
 }
