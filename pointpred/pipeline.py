@@ -11,7 +11,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
-from pointpred.person import person_of
+from pointpred.person import person_of, restore
 from pointpred.predictors import Predictor
 from pointpred.predictors.mixture import Mixture
 from pointpred.records import (
@@ -243,9 +243,18 @@ class Pipeline:
         """What finished movements taught of the person, for ``build(name, person=...)``: printable ASCII.
 
         At most 16384 characters; "" while nobody is known, and always where nothing is learned or can be
-        saved (`ktm`). The movement that goes on is not in it: ``reset`` finishes it.
+        saved (`ktm`). The movement that goes on is not in it: ``reset`` finishes it. What is known of the
+        targets that the person takes stands behind a ``+``.
         """
-        return person_of(self.predictor)
+        own, taken = person_of(self.predictor), "" if self._aim is None else person_of(self._aim)
+        return f"{own}+{taken}" if taken else own
+
+    @person.setter
+    def person(self, person: str) -> None:
+        own, _, taken = person.partition("+") if isinstance(person, str) else (person, "", "")
+        restore(self.predictor, own)
+        if taken:
+            restore(self.aim, taken)
 
     @property
     def places(self) -> tuple[Place, ...]:

@@ -14,7 +14,6 @@ import msgspec
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter
-from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import (
     AdaptiveKinematicPredictor,
@@ -246,11 +245,12 @@ def build(
             raise error
     settings = GAINS | entry.preset | parameters | {"cpi": cpi, "dpi": dpi}
     predictor = entry.predictor(**{key: settings[key] for key in own if key in settings})
-    restore(predictor, person)
     differentiator = DIFFERENTIATORS[chosen](**{key: settings[key] for key in shared if key in settings})
     pipeline = Pipeline(name, differentiator, predictor)
-    if targets or parameters.keys() & set(of_targets):
+    if parameters.keys() & set(of_targets):
         pipeline.aim = Aim(**{key: parameters[key] for key in of_targets if key in parameters})
+    pipeline.person = person
+    if targets:
         pipeline.register(targets)
     return pipeline
 

@@ -1223,7 +1223,7 @@ double predictors_adaptation_stages_tempo(predictors_adaptation_stages_Stage * s
 double predictors_adaptation_stages_tempo_factor(predictors_adaptation_stages_Stage * s);
 double predictors_adaptation_stages_width_log(predictors_adaptation_stages_Stage * s, double squares);
 double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out);
-Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned);
+Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior);
 void predictors_adaptation_time_left_learn(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T2d span, double median, Vector prior);
 int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_left_Movement * movement, int64_t k, T2d span, double share);
 void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums * s, Vector prior, Vector weights);

@@ -5426,14 +5426,17 @@ static PyObject *py_predictors_adaptation_time_left_fault(PyObject *self, PyObje
   Held held;
   const Py_buffer *view;
   predictors_adaptation_time_left_Sums * a0;
+  Vector a1;
   Tqd result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 1)
+  if (!(counted(law, count, 2)
         && take_memory(&held, args[0], law, "learned", false, 35, &view)
-        && (a0 = view->buf, true)))
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "prior", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = predictors_adaptation_time_left_fault(a0);
+  result = predictors_adaptation_time_left_fault(a0, a1);
   let_go(&held);
   return give_Tqd(result);
 }

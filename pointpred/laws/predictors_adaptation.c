@@ -275,10 +275,10 @@ WIDE double predictors_adaptation_time_left_factor(predictors_adaptation_time_le
 }
 
 /* What is wrong with numbers that are each within their bounds, and the number that is wrong. */
-Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned) {
+Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior) {
   double least;
   double buffer_1[28];
-  least = predictors_adaptation_time_left_factor(learned, (Vector){(double *)predictors_adaptation_time_left_prior_PRIOR, 35}, (Vector){buffer_1, predictors_adaptation_time_left_SUMS});
+  least = predictors_adaptation_time_left_factor(learned, prior, (Vector){buffer_1, predictors_adaptation_time_left_SUMS});
   return least >= predictors_adaptation_time_left_LEAST_PIVOT ? (Tqd){predictors_adaptation_time_left_FINE, 0.0} : (Tqd){predictors_adaptation_time_left_NOT_POSITIVE, least};
 }
 
@@ -318,7 +318,7 @@ Tqd predictors_adaptation_correction_fault(predictors_adaptation_correction_Pers
   if (wrong != predictors_adaptation_durations_FINE) {
     return (Tqd){wrong, value};
   }
-  Tqd values_3 = predictors_adaptation_time_left_fault(&learned->time_left);
+  Tqd values_3 = predictors_adaptation_time_left_fault(&learned->time_left, (Vector){(double *)predictors_adaptation_time_left_prior_PRIOR, 35});
   wrong = values_3.f0;
   value = values_3.f1;
   if (wrong != predictors_adaptation_time_left_FINE) {

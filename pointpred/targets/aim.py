@@ -373,6 +373,7 @@ class Aim(CompiledStage):
     learned = Person.length
     states = Memory.length - Settings.length - Person.length
     slots = slots_of(Memory)
+    doubt = staticmethod(lambda known: time_left.doubt(Person(known).time_left, PRIOR))
 
     def __init__(self, *, coefficients: FloatArray = posterior.FITTED, **values: Any) -> None:
         """``coefficients``: of the evidence for a target. Raises ParameterError."""

@@ -119,7 +119,7 @@ def fault(learned: Person) -> tuple[int, float]:
     wrong, value = durations.fault(learned.durations)
     if wrong != durations.FINE:
         return wrong, value
-    wrong, value = time_left.fault(learned.time_left)
+    wrong, value = time_left.fault(learned.time_left, PRIOR)
     if wrong != time_left.FINE:
         return wrong, value
     return places.fault(learned.places)

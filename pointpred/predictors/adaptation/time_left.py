@@ -266,14 +266,14 @@ FINE, NOT_POSITIVE = 0, 31
 
 
 @law
-def fault(learned: Sums) -> tuple[int, float]:
+def fault(learned: Sums, prior: FloatArray) -> tuple[int, float]:
     """What is wrong with numbers that are each within their bounds, and the number that is wrong."""
-    least = factor(learned, PRIOR, np.empty(SUMS))
+    least = factor(learned, prior, np.empty(SUMS))
     return (FINE, 0.0) if least >= LEAST_PIVOT else (NOT_POSITIVE, least)
 
 
-def doubt(learned: Sums) -> str:
+def doubt(learned: Sums, prior: FloatArray = PRIOR) -> str:
     """``fault`` in words; empty for nothing."""
-    wrong, value = fault(learned.memory)
+    wrong, value = fault(learned.memory, prior)
     least = f"sums of products must be those of real terms, with pivots of at least {LEAST_PIVOT:g}"
     return "" if wrong == FINE else f"{least}, one is {value:g}"

@@ -11,7 +11,7 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.errors import EventError
-from pointpred.person import portable, restore
+from pointpred.person import person_of, portable, restore
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import (
     Conditions,
@@ -200,7 +200,8 @@ class PredictionStream:
         if another or message.parameters:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
-                restore(pipeline.predictor, self.pipeline.person)
+                restore(pipeline.predictor, person_of(self.pipeline.predictor))
+            pipeline.aim = self.pipeline.aim
             self._go_on_with(pipeline)
         if message.assist is not None and self.assistance is not None:
             before, self.assistance = self.assistance, Assistance(hello, message.assist)
@@ -242,12 +243,14 @@ class PredictionStream:
         Raises ProtocolError for what the predictor cannot use, nothing changed.
         """
         if replacement is not None:
-            self._go_on_with(self._in_window(self._build(structs.replace(self.hello, person=replacement))))
+            pipeline = self._in_window(self._build(structs.replace(self.hello, person=replacement)))
+            if self.tracker:
+                pipeline.register(self.tracker.targets)
+            self._go_on_with(pipeline)
         return self.pipeline.person
 
     def _go_on_with(self, pipeline: Pipeline) -> None:
-        """Another pipeline begins without memory, with the targets that are registered."""
-        pipeline.aim = self.pipeline.aim
+        """Another pipeline begins without a movement."""
         self.pipeline = pipeline
         for tracker in (self.tracker, self.place_tracker):
             if tracker:

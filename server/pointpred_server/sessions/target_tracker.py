@@ -43,7 +43,7 @@ class TargetTracker:
     def __init__(self, outbox: Outbox, pipeline: Pipeline, precision: float | None = None) -> None:
         self._outbox = outbox
         self._chooser = Chooser(pipeline)
-        self._targets: Sequence[Rectangle] = ()
+        self.targets: Sequence[Rectangle] = ()
         self._last_t: float | None = None
         if precision is not None:
             self.configure(precision)
@@ -69,7 +69,7 @@ class TargetTracker:
             raise ProtocolError(
                 "bad_field", str(error), "$.targets", field=error.field, value=error.value
             ) from None
-        self._targets = targets
+        self.targets = targets
         self._announce(self._chooser.follow_targets())
 
     def reset(self) -> None:
@@ -108,7 +108,7 @@ class TargetTracker:
 
         around = [
             one
-            for one in self._targets
+            for one in self.targets
             if distance(one)[0] <= one.width / 2 and distance(one)[1] <= one.height / 2
         ]
         return min(around, key=lambda one: sum(distance(one))).id if around else None

@@ -37,7 +37,7 @@ export function fault(learned, learned_at = 0) {
   if (wrong !== $durations.FINE) {
     return [wrong, value];
   }
-  const values_3 = $adaptation_time_left.fault(learned, learned_at + 178);
+  const values_3 = $adaptation_time_left.fault(learned, $time_left_prior.PRIOR, learned_at + 178);
   wrong = values_3[0];
   value = values_3[1];
   if (wrong !== $adaptation_time_left.FINE) {

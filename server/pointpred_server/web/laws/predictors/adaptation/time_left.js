@@ -146,7 +146,7 @@ export function learn(s, intervals, movement, span, median, prior, s_at = 0, int
     }
   }
 }
-export function fault(learned, learned_at = 0) {
-  const least = factor(learned, $time_left_prior.PRIOR, new Float64Array(SUMS), learned_at);
+export function fault(learned, prior, learned_at = 0) {
+  const least = factor(learned, prior, new Float64Array(SUMS), learned_at);
   return least >= LEAST_PIVOT ? [FINE, 0] : [NOT_POSITIVE, least];
 }
