@@ -1,8 +1,8 @@
 """The time left, given where the movement ends: for one person a sum of what is known.
 
 In mean durations of the person's movements it is a sum of seven terms: what the predictor says, a constant,
-the clock of that mean, the difficulty of the way that is left (Fitts: log2(1 + distance / size)), this times the
-predictor's and the clock's time, and how near the end is. The weights are learned as in
+the clock of that mean, the difficulty of the way that is left (Fitts: log2(1 + distance / size)), this times
+the predictor's and the clock's time, and how near the end is. The weights are learned as in
 ``predictors.adaptation.time_left``, from the person's finished movements and everybody's weights.
 """
 

@@ -44,6 +44,7 @@ sys.exit(pytest.main(["-q", "--capture=sys", "-p", "no:cacheprovider", *sys.argv
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(GCC is None, reason="needs gcc and its sanitizers")
 def test_no_law_reads_or_writes_outside_or_does_what_is_undefined(tmp_path: Path) -> None:
     flags = {"CC": "gcc", "CFLAGS": f"-O1 {FLAGS} -fno-sanitize-recover=all", "LDFLAGS": FLAGS}

@@ -131,7 +131,7 @@ def test_damaged_files_are_the_same_each_time_and_what_breaks_is_kept(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = inputs.listed(write_list(folder))[0]
-    runs = [inputs_fuzz.fuzz(file, folder, 12, folder) for _ in range(2)]
+    runs = [inputs_fuzz.fuzz(file, folder, 4, folder) for _ in range(2)]
     assert runs[0].ends == runs[1].ends
     assert not runs[0].broken
     assert runs[0].ends["read"] > 0 < runs[0].ends["refused"]

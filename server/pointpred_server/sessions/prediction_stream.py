@@ -158,7 +158,7 @@ class PredictionStream:
         self._outbox.predict(frames, count)
 
     def _follow(self, table: FloatArray) -> tuple[FloatArray, FloatArray, list[Aim] | None]:
-        """The events where assistance brought the cursor, their predictions, what the targets make of each."""
+        """The events as assistance moved the cursor, their predictions, what the targets make of each."""
         assistance, pipeline, tracker = self.assistance, self.pipeline, self.tracker
         if tracker is None and self.hello.places and self.place_tracker is None:
             self.place_tracker = PlaceTracker(self._outbox, pipeline, self.precision)
@@ -201,7 +201,8 @@ class PredictionStream:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, person_of(self.pipeline.predictor))
-            pipeline.aim = self.pipeline.aim
+            if self.tracker or self.place_tracker:
+                pipeline.aim = self.pipeline.aim
             self._go_on_with(pipeline)
         if message.assist is not None and self.assistance is not None:
             before, self.assistance = self.assistance, Assistance(hello, message.assist)
@@ -251,6 +252,7 @@ class PredictionStream:
 
     def _go_on_with(self, pipeline: Pipeline) -> None:
         """Another pipeline begins without a movement."""
+        pipeline.reset()
         self.pipeline = pipeline
         for tracker in (self.tracker, self.place_tracker):
             if tracker:
