@@ -1990,6 +1990,21 @@ bool predictors_adaptation_predictor_write_mixture(predictors_adaptation_predict
   return true;
 }
 
+/* Write the parts of the mixture into ``out``; returns how many, 0 for no mixture, and its offsets. */
+Tq2d predictors_adaptation_predictor_list_parts(predictors_adaptation_predictor_Memory * memory, Table out) {
+  predictors_adaptation_mixed_region_Mixture * asked;
+  if (!predictors_adaptation_predictor_write_mixture(memory)) {
+    return (Tq2d){0, 0.0, 0.0};
+  }
+  asked = &memory->movement.now.asked;
+  for (int64_t k = 0, end_1 = (int64_t)asked->count; k < end_1; k++) {
+    for (int64_t i = 0; i < 7; i++) {
+      out.p[k * out.m + i] = (Vector){(double *)&asked->rows[k], 7}.p[i];
+    }
+  }
+  return (Tq2d){(int64_t)asked->count, asked->offsets[0], asked->offsets[1]};
+}
+
 void loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out, Vector shared_0) {
   T10d answer;
   for (int64_t i = 0; i < rows.n; i++) {

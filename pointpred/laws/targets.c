@@ -19,6 +19,7 @@ static const double targets_arrival_prior_PRIOR[] = {0.3, 0.0, 0.5, 0.1, 0.1, 0.
 static const double targets_choice_law_ENTERED = 2.0;
 static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
+static const double targets_choice_law_LEAST_PX = 16.0;
 static const double targets_choice_law_OUTSIDE = 0.0;
 static const double targets_choice_law_RELEASED = 3.0;
 static const double targets_cursor_PAUSE_S = 0.3;
@@ -29,6 +30,7 @@ static const double targets_endpoint_RADII2 = 0.5;
 static const int64_t targets_endpoint_STEPS = 8;
 static const double targets_endpoint_TAIL = 3.0;
 static const double targets_endpoint_WIDER = 2.0;
+static const int64_t targets_ledger_KEY = 3;
 static const int64_t targets_past_AFTER = 3;
 static const int64_t targets_past_ALIKE = 4;
 static const int64_t targets_past_CAPACITY = 64;
@@ -507,6 +509,40 @@ void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, 
   }
 }
 
+/* When the movement that is over came to its end, s; NaN where nothing is learned from it. */
+double targets_aim_ended(targets_aim_Memory * memory, Table rows) {
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  double distance, end;
+  bool whole;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  distance = hypot(s->x - s->x0, s->y - s->y0);
+  end = targets_aim_arrived(movement, s->x, s->y, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance), s->t);
+  whole = movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST && distance >= predictors_adaptation_distances_SHORTEST_PX && end - s->t0 >= predictors_adaptation_correction_LEAST_S;
+  return memory->settings.learn == 1.0 && whole && rows.n > 0 ? end : NAN;
+}
+
+/* The movement has ended where the cursor is: learn how good its regions and times were. */
+void targets_aim_learn_prediction(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  targets_aim_Person * person;
+  double end, clock;
+  T2d span;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  person = &memory->person;
+  end = targets_aim_ended(memory, targets.f0);
+  if (end == end) {
+    span = (T2d){s->t0, end};
+    targets_aim_learn_regions(&person->regions, movement, (T2d){s->x, s->y}, span, targets, coefficients);
+    clock = person->durations.median;
+    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, clock, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    predictors_adaptation_durations_remember(&person->durations, end - s->t0);
+  }
+}
+
 /* Add the target that was taken ``k`` movements ago to the visits of each rule, as far as it is there. */
 void targets_past_add_visit(targets_past_Past * s, int64_t k, Table keys, Table out) {
   int64_t place;
@@ -604,36 +640,27 @@ void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t t
   s->kinds[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_KIND] : targets_past_NO_TARGET;
 }
 
-/* The movement has ended where the cursor is: learn from it, and forget it. */
-void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+/* The movement has ended where the cursor is: learn which target was taken, and forget it. */
+void targets_aim_learn_target(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
-  targets_aim_Person * person;
   Table rows, keys;
   Vector own;
-  double x, y, distance, end, clock;
-  bool whole;
-  T2d span;
+  double end;
   s = &memory->cursor;
-  movement = &memory->movement;
-  person = &memory->person;
   rows = targets.f0;
   own = targets.f1;
   keys = targets.f2;
-  x = s->x;
-  y = s->y;
-  distance = hypot(x - s->x0, y - s->y0);
-  end = targets_aim_arrived(movement, x, y, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance), s->t);
-  whole = movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST && distance >= predictors_adaptation_distances_SHORTEST_PX && end - s->t0 >= predictors_adaptation_correction_LEAST_S;
-  if (memory->settings.learn == 1.0 && whole && rows.n > 0) {
-    targets_past_learn(&person->past, own, keys, targets_aim_taken(rows, x, y));
-    span = (T2d){s->t0, end};
-    targets_aim_learn_regions(&person->regions, movement, (T2d){x, y}, span, targets, coefficients);
-    clock = person->durations.median;
-    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, clock, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
-    predictors_adaptation_durations_remember(&person->durations, end - s->t0);
+  end = targets_aim_ended(memory, rows);
+  if (end == end) {
+    targets_past_learn(&memory->person.past, own, keys, targets_aim_taken(rows, s->x, s->y));
   }
-  memset(movement, 0, sizeof(targets_aim_Movement));
+  memset(&memory->movement, 0, sizeof(targets_aim_Movement));
+}
+
+/* The movement has ended where the cursor is: learn from it, and forget it. */
+void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  targets_aim_learn_prediction(memory, targets, coefficients);
+  targets_aim_learn_target(memory, targets);
 }
 
 /* The share of movements to none of the targets; ``first``: what it is at least, and at first. */
@@ -686,6 +713,40 @@ void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vect
   for (int64_t i = 0; i < shares.n; i++) {
     shares.p[i] = shares.p[i] / total;
   }
+}
+
+/* Take in an event. Where a movement begins with it, learn which target the last one took. */
+void targets_aim_follow(targets_aim_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets) {
+  double t, x, y, buttons, pressed;
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  t = event.f0;
+  x = event.f1;
+  y = event.f2;
+  buttons = event.f5;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  pressed = (double)((int64_t)buttons & 1);
+  if (targets_cursor_begins(s, t, pressed)) {
+    targets_aim_learn_target(memory, targets);
+    targets_aim_begin(memory, targets);
+  }
+  movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
+  movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
+}
+
+/* Write how likely each target is after the last event, by the prediction made at it. */
+void targets_aim_weigh(targets_aim_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  Table rows;
+  Vector shares;
+  targets_aim_Movement * movement;
+  rows = targets.f0;
+  shares = targets.f3;
+  movement = &memory->movement;
+  targets_posterior_scores(&memory->cursor, rows, answer, coefficients, movement->elsewhere, shares);
+  targets_posterior_normalise(shares);
+  movement->remaining_s = answer.f6;
+  movement->claimed = 0.0;
 }
 
 /* The expected size of what the movement ends in, px. */
@@ -804,7 +865,7 @@ T7d targets_arrival_terms(double predicted, double since, double median, double 
 
 /* Take in an event and the prediction made at it: the prediction given the targets. */
 T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
-  double t, x, y, buttons, pressed, least, since, left, spread, way, total, share, factor, tail, phase;
+  double t, x, y, buttons, least, since, left, spread, way, total, share, factor, tail, phase;
   Table rows, parts;
   Vector shares;
   targets_cursor_State * s;
@@ -825,17 +886,11 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   s = &memory->cursor;
   movement = &memory->movement;
   person = &memory->person;
-  pressed = (double)((int64_t)buttons & 1);
-  if (targets_cursor_begins(s, t, pressed)) {
-    targets_aim_conclude(memory, targets, coefficients);
-    targets_aim_begin(memory, targets);
+  if (targets_cursor_begins(s, t, (double)((int64_t)buttons & 1))) {
+    targets_aim_learn_prediction(memory, targets, coefficients);
   }
-  movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
-  movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
-  targets_posterior_scores(s, rows, answer, coefficients, movement->elsewhere, shares);
-  targets_posterior_normalise(shares);
-  movement->remaining_s = answer.f6;
-  movement->claimed = 0.0;
+  targets_aim_follow(memory, event, targets);
+  targets_aim_weigh(memory, answer, targets, coefficients);
   if (answer.f1 != answer.f1 || rows.n == 0) {
     return answer;
   }
@@ -873,6 +928,30 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   movement->remaining_s = left;
   phase = answer.f7;
   return (T10d){t, region.x, region.y, region.sxx, region.sxy, region.syy, left, phase, tail, spread};
+}
+
+/* Write the parts of the law of the endpoint as it was stated last, elsewhere first, a row each. */
+Tq2d targets_aim_lay_parts(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out) {
+  targets_cursor_State * s;
+  targets_aim_Movement * movement;
+  Vector law_of;
+  targets_posterior_Law predicted;
+  int64_t count;
+  double since, total, share;
+  predictors_adaptation_levels_Offsets * mixed;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  if (movement->claimed == 0.0) {
+    return (Tq2d){0, 0.0, 0.0};
+  }
+  law_of = (Vector){movement->elsewhere_law, 6};
+  predicted = (targets_posterior_Law){law_of.p[0], law_of.p[1], law_of.p[2], law_of.p[3], law_of.p[4], law_of.p[5]};
+  count = targets_endpoint_mixture(targets.f0, targets.f3, predicted, targets_endpoint_NEGLIGIBLE, out);
+  since = s->t - s->t0;
+  total = since + movement->remaining_s;
+  share = total > 0.0 ? since / total : 0.0;
+  mixed = &memory->person.regions.mixed;
+  return (Tq2d){count, predictors_adaptation_levels_offset(mixed, share, 0), predictors_adaptation_levels_offset(mixed, share, 1)};
 }
 
 /* ``step`` over tables; the predictions take the place of ``answers``. */
@@ -980,6 +1059,165 @@ T4q targets_choice_law_changes(T2q before, T2q now) {
   return (T4q){ends, leaves, begins, enters};
 }
 
+/* The row of a target; NOBODY where it has none, unless ``new`` and there is room for another. */
+int64_t targets_ledger_row_of(targets_ledger_Account * s, Table rows, double key, bool new) {
+  int64_t count;
+  count = (int64_t)s->rows;
+  for (int64_t i = 0; i < count; i++) {
+    if (rows.p[i * rows.m + targets_ledger_KEY] == key) {
+      return i;
+    }
+  }
+  if (!new || count == rows.n) {
+    return targets_rectangles_NOBODY;
+  }
+  s->rows += 1.0;
+  rows.p[count * rows.m + targets_ledger_MADE] = 0.0;
+  rows.p[count * rows.m + targets_ledger_ENTRY] = NAN;
+  rows.p[count * rows.m + targets_ledger_ENTRY_SINCE] = NAN;
+  rows.p[count * rows.m + targets_ledger_KEY] = key;
+  return count;
+}
+
+/* The cursor goes into this target. */
+void targets_ledger_note_entry(targets_ledger_Account * s, Table rows, double t, double key) {
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, true);
+  targets_ledger_enter(value_1, value_2, t, value_4);
+}
+
+/* The proposal of this target that stands ends, as ``withdraw`` says. */
+void targets_ledger_note_end(targets_ledger_Account * s, Table rows, double t, double key, bool released) {
+  targets_ledger_State * value_1 = &s->movement;
+  int64_t value_3 = targets_ledger_row_of(s, rows, key, false);
+  targets_ledger_withdraw(value_1, t, value_3, released);
+}
+
+/* A proposal of the target of this number is made. */
+void targets_ledger_note_proposal(targets_ledger_Account * s, Table rows, double t, double key) {
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, true);
+  targets_ledger_propose(value_1, value_2, t, value_4);
+}
+
+/* Decide after the event that ``memory`` took in last; returns whether something changes. */
+bool targets_choice_law_update(targets_choice_law_State * s, targets_aim_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out) {
+  Vector inside;
+  targets_cursor_State * now;
+  bool released;
+  T2q before;
+  double left_s;
+  int64_t chosen, over, count;
+  inside = targets.f1;
+  now = &memory->cursor;
+  released = memory->movement.released == 1.0;
+  before = (T2q){(int64_t)s->predicted, (int64_t)s->entered};
+  left_s = memory->movement.remaining_s;
+  T3q values_1 = targets_choice_law_decide(now, released, left_s, targets, settings, before.f0);
+  chosen = values_1.f0;
+  over = values_1.f1;
+  count = values_1.f2;
+  if (before.f0 == chosen && before.f1 == over && count == 0) {
+    return false;
+  }
+  for (int64_t i = 0; i < inside.n; i++) {
+    if (inside.p[i] == targets_choice_law_ENTERED) {
+      targets_ledger_note_entry(account, rows, now->t, keys.p[i * keys.m + targets_past_ID]);
+    }
+  }
+  if (before.f0 != chosen && before.f0 != targets_rectangles_NOBODY) {
+    targets_ledger_note_end(account, rows, now->t, keys.p[before.f0 * keys.m + targets_past_ID], released);
+  }
+  if (before.f0 != chosen && chosen != targets_rectangles_NOBODY) {
+    targets_ledger_note_proposal(account, rows, now->t, keys.p[chosen * keys.m + targets_past_ID]);
+  }
+  if (before.f1 != over && over != targets_rectangles_NOBODY) {
+    account->movement.entered += 1.0;
+  }
+  s->predicted = chosen;
+  s->entered = over;
+  T4q values_2 = targets_choice_law_changes(before, (T2q){chosen, over});
+  out.p[0] = values_2.f0;
+  out.p[1] = values_2.f1;
+  out.p[2] = values_2.f2;
+  out.p[3] = values_2.f3;
+  return true;
+}
+
+/* Where the target of a number is, looked for from ``first`` on and around; NOBODY where it is not. */
+int64_t targets_choice_law_place_of(Table keys, double key, int64_t first) {
+  int64_t i;
+  for (int64_t k = 0; k < keys.n; k++) {
+    i = remainder_whole(first + k, keys.n);
+    if (keys.p[i * keys.m + targets_past_ID] == key) {
+      return i;
+    }
+  }
+  return targets_rectangles_NOBODY;
+}
+
+/* Go on with other targets: the numbers of those before and where the cursor was, and those from now on. */
+T2b targets_choice_law_replace(targets_choice_law_State * s, double t, T_Table__Vector_ before, T_Table__Vector_ now, targets_ledger_Account * account, Table rows) {
+  Table keys, new_keys;
+  Vector inside, new_inside;
+  int64_t near, place, predicted, entered;
+  keys = before.f0;
+  inside = before.f1;
+  new_keys = now.f0;
+  new_inside = now.f1;
+  near = 0;
+  for (int64_t i = 0; i < new_keys.n; i++) {
+    place = targets_choice_law_place_of(keys, new_keys.p[i * new_keys.m + targets_past_ID], near);
+    new_inside.p[i] = targets_choice_law_OUTSIDE;
+    if (place != targets_rectangles_NOBODY) {
+      new_inside.p[i] = inside.p[place] == targets_choice_law_ENTERED ? targets_choice_law_INSIDE : inside.p[place];
+      near = place + 1;
+    }
+  }
+  predicted = (int64_t)s->predicted;
+  entered = (int64_t)s->entered;
+  if (predicted != targets_rectangles_NOBODY) {
+    s->predicted = targets_choice_law_place_of(new_keys, keys.p[predicted * keys.m + targets_past_ID], predicted);
+    if (s->predicted == targets_rectangles_NOBODY) {
+      targets_ledger_note_end(account, rows, t, keys.p[predicted * keys.m + targets_past_ID], false);
+    }
+  }
+  if (entered != targets_rectangles_NOBODY) {
+    s->entered = targets_choice_law_place_of(new_keys, keys.p[entered * keys.m + targets_past_ID], entered);
+  }
+  return (T2b){predicted != targets_rectangles_NOBODY && s->predicted == targets_rectangles_NOBODY, entered != targets_rectangles_NOBODY && s->entered == targets_rectangles_NOBODY};
+}
+
+/* Nothing is proposed; a target that the cursor is in has to be left before it is entered again. */
+void targets_choice_law_reset(targets_choice_law_State * s, Vector inside) {
+  s->entered = targets_rectangles_NOBODY;
+  s->predicted = s->entered;
+  for (int64_t i = 0; i < inside.n; i++) {
+    if (inside.p[i] != targets_choice_law_OUTSIDE) {
+      inside.p[i] = targets_choice_law_RELEASED;
+    }
+  }
+}
+
+/* Places as targets. ``places``: x, y, p, number, spread, a row each; ``shares``: also of none of them. */
+void targets_choice_law_lay_places(Table places, Table table, Table keys, Vector shares) {
+  double known;
+  known = 0.0;
+  for (int64_t i = 0; i < places.n; i++) {
+    table.p[i * table.m + targets_rectangles_CENTRE_X] = places.p[i * places.m + 0];
+    table.p[i * table.m + targets_rectangles_CENTRE_Y] = places.p[i * places.m + 1];
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = 0.0;
+    shares.p[i] = places.p[i * places.m + 2];
+    keys.p[i * keys.m + targets_past_ID] = places.p[i * places.m + 3];
+    table.p[i * table.m + targets_rectangles_HEIGHT] = max_float(targets_posterior_EFFECTIVE * places.p[i * places.m + 4], targets_choice_law_LEAST_PX);
+    table.p[i * table.m + targets_rectangles_WIDTH] = table.p[i * table.m + targets_rectangles_HEIGHT];
+    known += places.p[i * places.m + 2];
+  }
+  shares.p[places.n] = max_float(1.0 - known, 0.0);
+}
+
 /* Whether an event's numbers are finite and within the bounds of events. */
 bool targets_cursor_usable(double t, double x, double y) {
   return fabs(t) < records_LATEST_S && fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
@@ -1003,6 +1241,50 @@ WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
       order.p[place] = i;
     }
   }
+}
+
+/* Add a movement: how many it proposed, whether it was hit, wasted, retracted, and entered. */
+void targets_ledger_add(targets_ledger_Totals * s, T5d movement) {
+  double proposed, hit, wasted, retracted, entered;
+  proposed = movement.f0;
+  hit = movement.f1;
+  wasted = movement.f2;
+  retracted = movement.f3;
+  entered = movement.f4;
+  s->movements += 1.0;
+  s->proposed += proposed;
+  s->right += proposed - wasted;
+  s->hits += hit;
+  s->wasted += wasted;
+  s->retracted += retracted;
+  s->entered += entered;
+}
+
+/* Forget the movement. */
+void targets_ledger_drop(targets_ledger_Account * s) {
+  memset(&s->movement, 0, sizeof(targets_ledger_State));
+  s->movement.ended = targets_rectangles_NOBODY;
+  s->movement.standing = s->movement.ended;
+  s->rows = 0.0;
+}
+
+/* Close the movement, for the target of this number or NOBODY, and add it to the totals. */
+T6d targets_ledger_finish(targets_ledger_Account * s, Table rows, double t, double key) {
+  double right, entry_s, click_s, proposed, retracted, entered, hit;
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, false);
+  T3d values_5 = targets_ledger_close(value_1, value_2, t, value_4);
+  right = values_5.f0;
+  entry_s = values_5.f1;
+  click_s = values_5.f2;
+  proposed = s->movement.proposed;
+  retracted = s->movement.retracted;
+  entered = s->movement.entered;
+  hit = entry_s == entry_s ? 1.0 : 0.0;
+  targets_ledger_add(&s->totals, (T5d){proposed, hit, proposed - right, retracted, entered});
+  targets_ledger_drop(s);
+  return (T6d){proposed, proposed - right, retracted, entered, entry_s, click_s};
 }
 
 /* A row of features for each target and a predicted law. */

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from hashlib import blake2b
-from math import exp, hypot, inf, log2
+from math import exp, hypot, inf, log2, nan
 from typing import Annotated, Any, Self
 
 import numpy as np
@@ -41,6 +40,7 @@ from pointpred.targets.rectangles import (
     WIDTH,
     Target,
     holder,
+    key_of,
     table,
 )
 
@@ -110,6 +110,11 @@ class Memory(Layout):
     cursor: cursor.State
     movement: Movement
 
+
+ELSEWHERE = 0.02
+"""The share of movements to none of the targets, unless given."""
+LENGTH, CURSOR = Memory.length, next(part.at for part in Memory.parts if part.name == "cursor")
+"""For JavaScript that makes a memory, and looks at the cursor."""
 
 Targets = tuple[FloatTable, FloatArray, FloatTable, FloatArray]
 """The table of the targets, the caller's weights as logarithms, the keys of ``past``; how likely each is, and
@@ -194,22 +199,44 @@ def learn_regions(
 
 
 @law
-def conclude(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
-    """The movement has ended where the cursor is: learn from it, and forget it."""
-    s, movement, person = memory.cursor, memory.movement, memory.person
-    rows, own, keys, _ = targets
-    x, y = s.x, s.y
-    distance = hypot(x - s.x0, y - s.y0)
-    end = arrived(movement, x, y, max(NEAR_PX, NEAR_SHARE * distance), s.t)
+def ended(memory: Memory, rows: FloatTable) -> float:
+    """When the movement that is over came to its end, s; NaN where nothing is learned from it."""
+    s, movement = memory.cursor, memory.movement
+    distance = hypot(s.x - s.x0, s.y - s.y0)
+    end = arrived(movement, s.x, s.y, max(NEAR_PX, NEAR_SHARE * distance), s.t)
     whole = movement.samples >= SAMPLES_LEAST and distance >= SHORTEST_PX and end - s.t0 >= LEAST_S
-    if memory.settings.learn == 1.0 and whole and len(rows) > 0:
-        past.learn(person.past, own, keys, taken(rows, x, y))
+    return float(end if memory.settings.learn == 1.0 and whole and len(rows) > 0 else nan)
+
+
+@law
+def learn_prediction(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
+    """The movement has ended where the cursor is: learn how good its regions and times were."""
+    s, movement, person = memory.cursor, memory.movement, memory.person
+    end = ended(memory, targets[0])
+    if end == end:
         span = s.t0, end
-        learn_regions(person.regions, movement, (x, y), span, targets, coefficients)
+        learn_regions(person.regions, movement, (s.x, s.y), span, targets, coefficients)
         clock = person.durations.median
         time_left.learn(person.time_left, person.intervals, movement.time_left, span, clock, PRIOR)
         durations.remember(person.durations, end - s.t0)
-    clear(movement)
+
+
+@law
+def learn_target(memory: Memory, targets: Targets) -> None:
+    """The movement has ended where the cursor is: learn which target was taken, and forget it."""
+    s = memory.cursor
+    rows, own, keys, _ = targets
+    end = ended(memory, rows)
+    if end == end:
+        past.learn(memory.person.past, own, keys, taken(rows, s.x, s.y))
+    clear(memory.movement)
+
+
+@law
+def conclude(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
+    """The movement has ended where the cursor is: learn from it, and forget it."""
+    learn_prediction(memory, targets, coefficients)
+    learn_target(memory, targets)
 
 
 @law
@@ -225,6 +252,29 @@ def begin(memory: Memory, targets: Targets) -> None:
         total += shares[i]
     for i in range(len(shares)):
         shares[i] /= total
+
+
+@law
+def follow(memory: Memory, event: SixFloats, targets: Targets) -> None:
+    """Take in an event. Where a movement begins with it, learn which target the last one took."""
+    t, x, y, _, _, buttons = event
+    s, movement = memory.cursor, memory.movement
+    pressed = float(int(buttons) & 1)
+    if cursor.begins(s, t, pressed):
+        learn_target(memory, targets)
+        begin(memory, targets)
+    movement.samples += 1.0 if t > s.t or movement.samples == 0.0 else 0.0
+    movement.released = 1.0 if cursor.follow(s, t, x, y, pressed) else 0.0
+
+
+@law
+def weigh(memory: Memory, answer: TenFloats, targets: Targets, coefficients: Coefficients) -> None:
+    """Write how likely each target is after the last event, by the prediction made at it."""
+    rows, _, _, shares = targets
+    movement = memory.movement
+    posterior.scores(memory.cursor, rows, answer, coefficients, movement.elsewhere, shares)
+    posterior.normalise(shares)
+    movement.remaining_s, movement.claimed = answer[6], 0.0
 
 
 @law
@@ -267,15 +317,10 @@ def step(
     t, x, y, _, _, buttons = event
     rows, _, _, shares = targets
     s, movement, person = memory.cursor, memory.movement, memory.person
-    pressed = float(int(buttons) & 1)
-    if cursor.begins(s, t, pressed):
-        conclude(memory, targets, coefficients)
-        begin(memory, targets)
-    movement.samples += 1.0 if t > s.t or movement.samples == 0.0 else 0.0
-    movement.released = 1.0 if cursor.follow(s, t, x, y, pressed) else 0.0
-    posterior.scores(s, rows, answer, coefficients, movement.elsewhere, shares)
-    posterior.normalise(shares)
-    movement.remaining_s, movement.claimed = answer[6], 0.0
+    if cursor.begins(s, t, float(int(buttons) & 1)):
+        learn_prediction(memory, targets, coefficients)
+    follow(memory, event, targets)
+    weigh(memory, answer, targets, coefficients)
     if answer[1] != answer[1] or len(rows) == 0:
         return answer
     predicted = endpoint.elsewhere(s, answer)
@@ -317,6 +362,25 @@ def step(
 
 
 @law
+def lay_parts(memory: Memory, targets: Targets, out: FloatTable) -> tuple[int, float, float]:
+    """Write the parts of the law of the endpoint as it was stated last, elsewhere first, a row each.
+
+    Returns how many, 0 where no endpoint was stated, and the offsets of ``Mixture``.
+    """
+    s, movement = memory.cursor, memory.movement
+    if movement.claimed == 0.0:
+        return 0, 0.0, 0.0
+    law_of = movement.elsewhere_law
+    predicted = posterior.Law(law_of[0], law_of[1], law_of[2], law_of[3], law_of[4], law_of[5])
+    count = endpoint.mixture(targets[0], targets[3], predicted, endpoint.NEGLIGIBLE, out)
+    since = s.t - s.t0
+    total = since + movement.remaining_s
+    share = since / total if total > 0.0 else 0.0
+    mixed = memory.person.regions.mixed
+    return count, levels.offset(mixed, share, 0), levels.offset(mixed, share, 1)
+
+
+@law
 def walk(
     memory: Memory,
     begins: BoolArray,
@@ -333,16 +397,6 @@ def walk(
         answer = step(memory, event_at(events, i), row_at(answers, i), targets, coefficients)
         for j in range(len(answer)):
             answers[i, j] = answer[j]
-
-
-KEY_BYTES = 6
-"""Of a target's id or kind: a float holds so long a whole number exactly."""
-
-
-def key_of(text: str) -> float:
-    """A text as a whole number above 0."""
-    digest = blake2b(text.encode(errors="surrogatepass"), digest_size=KEY_BYTES).digest()
-    return float(int.from_bytes(digest)) or 1.0
 
 
 def keys_of(target: Target) -> tuple[float, float]:
@@ -365,7 +419,7 @@ class Aim(CompiledStage):
         1e-6,
         0.999999,
         "share of movements that go to none of the targets: at least, and at first",
-        default=0.02,
+        default=ELSEWHERE,
     )
     learn: int = parameter(
         "", 0, 1, "1: learn from finished movements what the person takes; 0: not", default=1, whole=True
@@ -390,6 +444,16 @@ class Aim(CompiledStage):
         self.ids: tuple[Hashable, ...] = tuple(target.id for target in targets)
         self._targets: Targets = rows, rows[:, LOG_WEIGHT].copy(), keys, np.zeros(len(rows) + 1)
         begin(self._memory, self._targets)
+
+    @property
+    def keys(self) -> FloatTable:
+        """The numbers of the targets, as ``past`` takes them. A view."""
+        return self._targets[2]
+
+    @property
+    def memory(self) -> FloatArray:
+        """What is known of the person, the cursor and the movement, as laws take it. A view."""
+        return self._memory
 
     @property
     def shares(self) -> FloatArray:
@@ -434,12 +498,10 @@ class Aim(CompiledStage):
 
         ``None`` where no endpoint was stated.
         """
-        now = Memory(self._memory)
-        if now.movement.claimed == 0.0:
-            return None
         parts = np.empty((len(self.ids) + 1, PartRow.length))
-        predicted = posterior.Law(*now.movement.elsewhere_law.tolist())
-        count = endpoint.mixture(self.table, self.shares, predicted, endpoint.NEGLIGIBLE, parts)
+        count, *offsets = lay_parts(self._memory, self._targets, parts)
+        if count == 0:
+            return None
         first, *aimed = (
             Part(share, x, y, (sxx, sxy, syy), tail or None)
             for share, x, y, sxx, sxy, syy, tail in parts[:count].tolist()
@@ -449,9 +511,7 @@ class Aim(CompiledStage):
             structs.replace(one, share=one.share * first.share / sum(p.share for p in others))
             for one in others
         ]
-        since, left = now.cursor.t - now.cursor.t0, now.movement.remaining_s
-        share = since / (since + left) if since + left > 0.0 else 0.0
-        near, far = (levels.offset(now.person.regions.mixed, share, which) for which in range(len(LEVELS)))
+        near, far = map(float, offsets)
         return Mixture((*scaled, *aimed), (near, far))
 
     def reset(self) -> None:

@@ -9,7 +9,6 @@ export const KNOWN = 0;
 export const T = 1;
 export const X = 2;
 export const Y = 3;
-export const PRESSED = 4;
 export const T0 = 5;
 export const STATES = 15;
 export function usable(t, x, y) {
