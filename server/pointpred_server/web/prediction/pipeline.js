@@ -123,7 +123,8 @@ export class Pipeline {
 
   /** Copies of all memories; setting them goes on from there. */
   get remembered() {
-    return [this.#differentiator.remembered, this.#predictor.remembered, this.#aim?.remembered];
+    const stages = [this.#differentiator, this.#predictor, this.#aim].filter((one) => one !== null);
+    return stages.map(({ remembered }) => remembered);
   }
 
   set remembered([ofDifferentiator, ofPredictor, ofTargets]) {
