@@ -881,7 +881,7 @@ typedef struct {
   double tail;
   double answer[10];
   targets_cursor_State cursor;
-} targets_aim_Moment;
+} targets_heading_Moment;
 typedef struct {
   double samples;
   double elsewhere;
@@ -890,13 +890,13 @@ typedef struct {
   double claimed;
   double elsewhere_law[6];
   predictors_adaptation_moments_Series series;
-  targets_aim_Moment moments[32];
+  targets_heading_Moment moments[32];
   predictors_adaptation_time_left_Movement time_left;
-} targets_aim_Movement;
+} targets_heading_Movement;
 typedef struct {
   double elsewhere;
   double learn;
-} targets_aim_Settings;
+} targets_heading_Settings;
 typedef struct {
   double count;
   double ids[64];
@@ -911,13 +911,13 @@ typedef struct {
   predictors_adaptation_durations_Durations durations;
   predictors_adaptation_time_left_Sums time_left;
   predictors_adaptation_arrival_intervals_Intervals intervals;
-} targets_aim_Person;
+} targets_heading_Person;
 typedef struct {
-  targets_aim_Settings settings;
-  targets_aim_Person person;
+  targets_heading_Settings settings;
+  targets_heading_Person person;
   targets_cursor_State cursor;
-  targets_aim_Movement movement;
-} targets_aim_Memory;
+  targets_heading_Movement movement;
+} targets_heading_Memory;
 typedef struct {
   double movements;
   double proposed;
@@ -1417,22 +1417,15 @@ T14d simulation_loop_step(simulation_loop_Memory * memory, T5d chance);
 void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
 static inline void stage_learn_nothing(Vector memory);
-double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end);
-void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets);
-void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-double targets_aim_ended(targets_aim_Memory * memory, Table rows);
-void targets_aim_follow(targets_aim_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets);
-Tq2d targets_aim_lay_parts(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out);
-void targets_aim_learn_prediction(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-void targets_aim_learn_target(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets);
-void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
+void targets_aim_conclude(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out);
+void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_record(targets_heading_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
 T10d targets_aim_row_of(Vector values);
 double targets_aim_size_of(Table rows, Vector shares);
-T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-int64_t targets_aim_taken(Table rows, double x, double y);
-void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-void targets_aim_weigh(targets_aim_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 T7d targets_arrival_terms(double predicted, double since, double median, double left_px, double size_px);
 T4q targets_choice_law_changes(T2q before, T2q now);
 T3q targets_choice_law_decide(targets_cursor_State * s, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_decision_Settings settings, int64_t standing);
@@ -1442,7 +1435,7 @@ void targets_choice_law_lay_places(Table places, Table table, Table keys, Vector
 int64_t targets_choice_law_place_of(Table keys, double key, int64_t first);
 T2b targets_choice_law_replace(targets_choice_law_State * s, double t, T_Table__Vector_ before, T_Table__Vector_ now, targets_ledger_Account * account, Table rows);
 void targets_choice_law_reset(targets_choice_law_State * s, Vector inside);
-bool targets_choice_law_update(targets_choice_law_State * s, targets_aim_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out);
+bool targets_choice_law_update(targets_choice_law_State * s, targets_heading_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out);
 bool targets_cursor_begins(targets_cursor_State * s, double t, double pressed);
 static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed);
 double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height);
@@ -1456,6 +1449,13 @@ targets_posterior_Law targets_endpoint_elsewhere(targets_cursor_State * s, T10d 
 T2d targets_endpoint_geometric_median(Table parts, int64_t count);
 int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_Law predicted, double least, Table out);
 void targets_endpoint_write_target(Vector row, targets_posterior_Law predicted, double share, predictors_mixture_PartRow * part);
+double targets_heading_arrived(targets_heading_Movement * movement, double x, double y, double near, double end);
+void targets_heading_begin(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets);
+double targets_heading_ended(targets_heading_Memory * memory, Table rows);
+void targets_heading_follow(targets_heading_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets);
+void targets_heading_learn_target(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets);
+int64_t targets_heading_taken(Table rows, double x, double y);
+void targets_heading_weigh(targets_heading_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 void targets_ledger_add(targets_ledger_Totals * s, T5d movement);
 void targets_ledger_begin(targets_ledger_State * s, Table rows);
 static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place);

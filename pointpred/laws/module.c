@@ -9411,60 +9411,11 @@ static PyObject *py_stage_learn_nothing(PyObject *self, PyObject *const *args, P
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_aim_arrived(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:arrived";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Movement * a0;
-  double a1;
-  double a2;
-  double a3;
-  double a4;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_memory(&held, args[0], law, "movement", false, 1371, &view)
-        && (a0 = view->buf, true)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
-    return let_go(&held);
-  result = targets_aim_arrived(a0, a1, a2, a3, a4);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_aim_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:begin";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  T_Table__Vector__Table__Vector_ a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "targets", 4)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
-        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
-        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, true, &view)
-        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
-        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_aim_begin(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:conclude";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T_Table__Vector__Table__Vector_ a1;
   targets_posterior_Coefficients * a2;
   (void)self, (void)view;
@@ -9488,63 +9439,11 @@ static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, 
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_aim_ended(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:ended";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  Table a1;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", false, 1605, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_aim_ended(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_aim_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:follow";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  T6d a1;
-  T_Table__Vector__Table__Vector_ a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "event", 6)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_tuple(args[2], law, "targets", 4)
-        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
-        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
-        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
-        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
-        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_aim_follow(a0, a1, a2); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_targets_aim_lay_parts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:lay_parts";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T_Table__Vector__Table__Vector_ a1;
   Table a2;
   Tq2d result;
@@ -9573,7 +9472,7 @@ static PyObject *py_targets_aim_learn_prediction(PyObject *self, PyObject *const
   static const char law[] = "pointpred.targets.aim:learn_prediction";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T_Table__Vector__Table__Vector_ a1;
   targets_posterior_Coefficients * a2;
   (void)self, (void)view;
@@ -9602,7 +9501,7 @@ static PyObject *py_targets_aim_learn_regions(PyObject *self, PyObject *const *a
   Held held;
   const Py_buffer *view;
   predictors_adaptation_region_widening_Radii * a0;
-  targets_aim_Movement * a1;
+  targets_heading_Movement * a1;
   T2d a2;
   T2d a3;
   T_Table__Vector__Table__Vector_ a4;
@@ -9636,36 +9535,11 @@ static PyObject *py_targets_aim_learn_regions(PyObject *self, PyObject *const *a
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_aim_learn_target(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:learn_target";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  T_Table__Vector__Table__Vector_ a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "targets", 4)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
-        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
-        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
-        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
-        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_aim_learn_target(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_targets_aim_record(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:record";
   Held held;
   const Py_buffer *view;
-  targets_aim_Movement * a0;
+  targets_heading_Movement * a0;
   targets_cursor_State * a1;
   targets_endpoint_Ellipse a2;
   T10d a3;
@@ -9739,7 +9613,7 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
   static const char law[] = "pointpred.targets.aim:step";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T6d a1;
   T10d a2;
   T_Table__Vector__Table__Vector_ a3;
@@ -9784,32 +9658,11 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
   let_go(&held);
   return give_T10d(result);
 }
-static PyObject *py_targets_aim_taken(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:taken";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  double a1;
-  double a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 4)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_aim_taken(a0, a1, a2); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:walk";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   FlagVector a1;
   Table a2;
   Table a3;
@@ -9841,46 +9694,6 @@ static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_s
         && (a5 = view->buf, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_aim_walk(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_targets_aim_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:weigh";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  T10d a1;
-  T_Table__Vector__Table__Vector_ a2;
-  targets_posterior_Coefficients * a3;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "answer", 10)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
-        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
-        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
-        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
-        && take_tuple(args[2], law, "targets", 4)
-        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
-        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
-        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
-        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
-        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
-        && (a3 = view->buf, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_aim_weigh(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -10114,7 +9927,7 @@ static PyObject *py_targets_choice_law_update(PyObject *self, PyObject *const *a
   Held held;
   const Py_buffer *view;
   targets_choice_law_State * a0;
-  targets_aim_Memory * a1;
+  targets_heading_Memory * a1;
   T_Table_2_Vector_ a2;
   Table a3;
   targets_decision_Settings a4;
@@ -10462,6 +10275,193 @@ static PyObject *py_targets_endpoint_write_target(PyObject *self, PyObject *cons
         && (a3 = view->buf, true)))
     return let_go(&held);
   targets_endpoint_write_target(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_arrived(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:arrived";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Movement * a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "movement", false, 1371, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_heading_arrived(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_heading_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:begin";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, true, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_begin(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_ended(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:ended";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  Table a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", false, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_heading_ended(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_heading_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:follow";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T6d a1;
+  T_Table__Vector__Table__Vector_ a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_tuple(args[2], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
+        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
+        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_follow(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_learn_target(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:learn_target";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_learn_target(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_taken(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:taken";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 4)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_heading_taken(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_heading_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:weigh";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T10d a1;
+  T_Table__Vector__Table__Vector_ a2;
+  targets_posterior_Coefficients * a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "memory", true, 1605, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_tuple(args[2], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
+        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
+        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[3], law, "coefficients", false, 28, &view)
+        && (a3 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_weigh(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -12234,22 +12234,15 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:copy_values", (PyCFunction)(void (*)(void))py_stage_copy_values, METH_FASTCALL, NULL},
   {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
   {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:arrived", (PyCFunction)(void (*)(void))py_targets_aim_arrived, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:begin", (PyCFunction)(void (*)(void))py_targets_aim_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:conclude", (PyCFunction)(void (*)(void))py_targets_aim_conclude, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:ended", (PyCFunction)(void (*)(void))py_targets_aim_ended, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:follow", (PyCFunction)(void (*)(void))py_targets_aim_follow, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:lay_parts", (PyCFunction)(void (*)(void))py_targets_aim_lay_parts, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:learn_prediction", (PyCFunction)(void (*)(void))py_targets_aim_learn_prediction, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:learn_regions", (PyCFunction)(void (*)(void))py_targets_aim_learn_regions, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:learn_target", (PyCFunction)(void (*)(void))py_targets_aim_learn_target, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:record", (PyCFunction)(void (*)(void))py_targets_aim_record, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:row_of", (PyCFunction)(void (*)(void))py_targets_aim_row_of, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:size_of", (PyCFunction)(void (*)(void))py_targets_aim_size_of, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:step", (PyCFunction)(void (*)(void))py_targets_aim_step, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:taken", (PyCFunction)(void (*)(void))py_targets_aim_taken, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:walk", (PyCFunction)(void (*)(void))py_targets_aim_walk, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:weigh", (PyCFunction)(void (*)(void))py_targets_aim_weigh, METH_FASTCALL, NULL},
   {"pointpred.targets.arrival:terms", (PyCFunction)(void (*)(void))py_targets_arrival_terms, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:changes", (PyCFunction)(void (*)(void))py_targets_choice_law_changes, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:decide", (PyCFunction)(void (*)(void))py_targets_choice_law_decide, METH_FASTCALL, NULL},
@@ -12273,6 +12266,13 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.endpoint:geometric_median", (PyCFunction)(void (*)(void))py_targets_endpoint_geometric_median, METH_FASTCALL, NULL},
   {"pointpred.targets.endpoint:mixture", (PyCFunction)(void (*)(void))py_targets_endpoint_mixture, METH_FASTCALL, NULL},
   {"pointpred.targets.endpoint:write_target", (PyCFunction)(void (*)(void))py_targets_endpoint_write_target, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:arrived", (PyCFunction)(void (*)(void))py_targets_heading_arrived, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:begin", (PyCFunction)(void (*)(void))py_targets_heading_begin, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:ended", (PyCFunction)(void (*)(void))py_targets_heading_ended, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:follow", (PyCFunction)(void (*)(void))py_targets_heading_follow, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:learn_target", (PyCFunction)(void (*)(void))py_targets_heading_learn_target, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:taken", (PyCFunction)(void (*)(void))py_targets_heading_taken, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:weigh", (PyCFunction)(void (*)(void))py_targets_heading_weigh, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:add", (PyCFunction)(void (*)(void))py_targets_ledger_add, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:begin", (PyCFunction)(void (*)(void))py_targets_ledger_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:close", (PyCFunction)(void (*)(void))py_targets_ledger_close, METH_FASTCALL, NULL},

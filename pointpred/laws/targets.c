@@ -1,17 +1,16 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const double predictors_adaptation_correction_LEAST_S = 0.08;
-static const double predictors_adaptation_correction_NEAR_PX = 8.0;
-static const double predictors_adaptation_correction_NEAR_SHARE = 0.03;
-static const int64_t predictors_adaptation_correction_SAMPLES_LEAST = 6;
-static const double predictors_adaptation_distances_SHORTEST_PX = 1e-06;
+static const double predictors_adaptation_moments_LEAST_S = 0.08;
+static const double predictors_adaptation_moments_NEAR_PX = 8.0;
+static const double predictors_adaptation_moments_NEAR_SHARE = 0.03;
+static const int64_t predictors_adaptation_moments_SAMPLES_LEAST = 6;
+static const double predictors_adaptation_moments_SHORTEST_PX = 1e-06;
 static const int64_t predictors_adaptation_region_widening_JUDGED = 9;
 static const double predictors_adaptation_region_widening_MOVEMENTS_MOST = 1000000.0;
 static const double predictors_adaptation_time_left_LONGEST = 4.0;
 static const double targets_aim_JUDGED_LEAST = 0.02;
 static const int64_t targets_aim_JUDGED_POINTS = 128;
-static const int64_t targets_aim_MOST = 32;
 static const int64_t targets_aim_POINTS_LEAST = 8;
 static const double targets_aim_SIZE_PX = 20.0;
 static const double targets_arrival_DIFFICULTY_OF = 4.0;
@@ -30,6 +29,7 @@ static const double targets_endpoint_RADII2 = 0.5;
 static const int64_t targets_endpoint_STEPS = 8;
 static const double targets_endpoint_TAIL = 3.0;
 static const double targets_endpoint_WIDER = 2.0;
+static const int64_t targets_heading_MOST = 32;
 static const int64_t targets_ledger_KEY = 3;
 static const int64_t targets_past_AFTER = 3;
 static const int64_t targets_past_ALIKE = 4;
@@ -318,65 +318,6 @@ bool targets_decision_early(targets_cursor_State * s, Vector row, double remaini
   return left >= least_s;
 }
 
-/* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
-int64_t targets_rectangles_holder(Table table, double x, double y) {
-  int64_t best;
-  double smallest, least, across, down, area, away;
-  Vector row;
-  best = targets_rectangles_NOBODY;
-  smallest = INFINITY;
-  least = INFINITY;
-  for (int64_t i = 0; i < table.n; i++) {
-    row = (Vector){table.p + i * table.m, table.m};
-    across = fabs(row.p[targets_rectangles_CENTRE_X] - x);
-    down = fabs(row.p[targets_rectangles_CENTRE_Y] - y);
-    if (across <= 0.5 * row.p[targets_rectangles_WIDTH] && down <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
-      area = row.p[targets_rectangles_WIDTH] * row.p[targets_rectangles_HEIGHT];
-      away = across + down;
-      if (area < smallest || (area == smallest && away < least)) {
-        best = i;
-        smallest = area;
-        least = away;
-      }
-    }
-  }
-  return best;
-}
-
-/* The target that a movement was for that ended here; -1: none of them. */
-int64_t targets_aim_taken(Table rows, double x, double y) {
-  int64_t best;
-  double least, off;
-  Vector row;
-  best = targets_rectangles_holder(rows, x, y);
-  if (best != targets_rectangles_NOBODY) {
-    return best;
-  }
-  least = 1.0;
-  for (int64_t i = 0; i < rows.n; i++) {
-    row = (Vector){rows.p + i * rows.m, rows.m};
-    off = max_float(fabs(row.p[targets_rectangles_CENTRE_X] - x) / row.p[targets_rectangles_WIDTH], fabs(row.p[targets_rectangles_CENTRE_Y] - y) / row.p[targets_rectangles_HEIGHT]);
-    if (off < least) {
-      best = i;
-      least = off;
-    }
-  }
-  return best;
-}
-
-/* When the cursor came near its end (x, y) for good, s. */
-double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end) {
-  targets_aim_Moment * m;
-  for (int64_t k = (int64_t)movement->series.count - 1; k > (-1); k--) {
-    m = &movement->moments[k];
-    if (hypot(m->cursor.x - x, m->cursor.y - y) > near) {
-      return end;
-    }
-    end = m->t;
-  }
-  return end;
-}
-
 /* Ten numbers as a row. */
 T10d targets_aim_row_of(Vector values) {
   return (T10d){values.p[0], values.p[1], values.p[2], values.p[3], values.p[4], values.p[5], values.p[6], values.p[7], values.p[8], values.p[9]};
@@ -465,12 +406,12 @@ int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_L
 }
 
 /* Judge the ellipses and level sets that were stated over ``span``, in s, by where the movement ended. */
-void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   Table rows, parts;
   double x, y, step, share, within, nearer, near, far, tail, asked;
   Vector shares;
   int64_t k, count;
-  targets_aim_Moment * m;
+  targets_heading_Moment * m;
   T10d answer;
   targets_posterior_Law predicted;
   T6d ellipse;
@@ -509,31 +450,44 @@ void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, 
   }
 }
 
+/* When the cursor came near its end (x, y) for good, s. */
+double targets_heading_arrived(targets_heading_Movement * movement, double x, double y, double near, double end) {
+  targets_heading_Moment * m;
+  for (int64_t k = (int64_t)movement->series.count - 1; k > (-1); k--) {
+    m = &movement->moments[k];
+    if (hypot(m->cursor.x - x, m->cursor.y - y) > near) {
+      return end;
+    }
+    end = m->t;
+  }
+  return end;
+}
+
 /* When the movement that is over came to its end, s; NaN where nothing is learned from it. */
-double targets_aim_ended(targets_aim_Memory * memory, Table rows) {
+double targets_heading_ended(targets_heading_Memory * memory, Table rows) {
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
+  targets_heading_Movement * movement;
   double distance, end;
   bool whole;
   s = &memory->cursor;
   movement = &memory->movement;
   distance = hypot(s->x - s->x0, s->y - s->y0);
-  end = targets_aim_arrived(movement, s->x, s->y, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance), s->t);
-  whole = movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST && distance >= predictors_adaptation_distances_SHORTEST_PX && end - s->t0 >= predictors_adaptation_correction_LEAST_S;
+  end = targets_heading_arrived(movement, s->x, s->y, max_float(predictors_adaptation_moments_NEAR_PX, predictors_adaptation_moments_NEAR_SHARE * distance), s->t);
+  whole = movement->samples >= predictors_adaptation_moments_SAMPLES_LEAST && distance >= predictors_adaptation_moments_SHORTEST_PX && end - s->t0 >= predictors_adaptation_moments_LEAST_S;
   return memory->settings.learn == 1.0 && whole && rows.n > 0 ? end : NAN;
 }
 
 /* The movement has ended where the cursor is: learn how good its regions and times were. */
-void targets_aim_learn_prediction(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
-  targets_aim_Person * person;
+  targets_heading_Movement * movement;
+  targets_heading_Person * person;
   double end, clock;
   T2d span;
   s = &memory->cursor;
   movement = &memory->movement;
   person = &memory->person;
-  end = targets_aim_ended(memory, targets.f0);
+  end = targets_heading_ended(memory, targets.f0);
   if (end == end) {
     span = (T2d){s->t0, end};
     targets_aim_learn_regions(&person->regions, movement, (T2d){s->x, s->y}, span, targets, coefficients);
@@ -640,8 +594,54 @@ void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t t
   s->kinds[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_KIND] : targets_past_NO_TARGET;
 }
 
+/* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
+int64_t targets_rectangles_holder(Table table, double x, double y) {
+  int64_t best;
+  double smallest, least, across, down, area, away;
+  Vector row;
+  best = targets_rectangles_NOBODY;
+  smallest = INFINITY;
+  least = INFINITY;
+  for (int64_t i = 0; i < table.n; i++) {
+    row = (Vector){table.p + i * table.m, table.m};
+    across = fabs(row.p[targets_rectangles_CENTRE_X] - x);
+    down = fabs(row.p[targets_rectangles_CENTRE_Y] - y);
+    if (across <= 0.5 * row.p[targets_rectangles_WIDTH] && down <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
+      area = row.p[targets_rectangles_WIDTH] * row.p[targets_rectangles_HEIGHT];
+      away = across + down;
+      if (area < smallest || (area == smallest && away < least)) {
+        best = i;
+        smallest = area;
+        least = away;
+      }
+    }
+  }
+  return best;
+}
+
+/* The target that a movement was for that ended here; -1: none of them. */
+int64_t targets_heading_taken(Table rows, double x, double y) {
+  int64_t best;
+  double least, off;
+  Vector row;
+  best = targets_rectangles_holder(rows, x, y);
+  if (best != targets_rectangles_NOBODY) {
+    return best;
+  }
+  least = 1.0;
+  for (int64_t i = 0; i < rows.n; i++) {
+    row = (Vector){rows.p + i * rows.m, rows.m};
+    off = max_float(fabs(row.p[targets_rectangles_CENTRE_X] - x) / row.p[targets_rectangles_WIDTH], fabs(row.p[targets_rectangles_CENTRE_Y] - y) / row.p[targets_rectangles_HEIGHT]);
+    if (off < least) {
+      best = i;
+      least = off;
+    }
+  }
+  return best;
+}
+
 /* The movement has ended where the cursor is: learn which target was taken, and forget it. */
-void targets_aim_learn_target(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
+void targets_heading_learn_target(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
   targets_cursor_State * s;
   Table rows, keys;
   Vector own;
@@ -650,17 +650,60 @@ void targets_aim_learn_target(targets_aim_Memory * memory, T_Table__Vector__Tabl
   rows = targets.f0;
   own = targets.f1;
   keys = targets.f2;
-  end = targets_aim_ended(memory, rows);
+  end = targets_heading_ended(memory, rows);
   if (end == end) {
-    targets_past_learn(&memory->person.past, own, keys, targets_aim_taken(rows, s->x, s->y));
+    targets_past_learn(&memory->person.past, own, keys, targets_heading_taken(rows, s->x, s->y));
   }
-  memset(&memory->movement, 0, sizeof(targets_aim_Movement));
+  memset(&memory->movement, 0, sizeof(targets_heading_Movement));
 }
 
 /* The movement has ended where the cursor is: learn from it, and forget it. */
-void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_conclude(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   targets_aim_learn_prediction(memory, targets, coefficients);
-  targets_aim_learn_target(memory, targets);
+  targets_heading_learn_target(memory, targets);
+}
+
+/* The expected size of what the movement ends in, px. */
+double targets_aim_size_of(Table rows, Vector shares) {
+  double size, total;
+  size = targets_aim_SIZE_PX * shares.p[rows.n];
+  total = shares.p[rows.n];
+  for (int64_t i = 0; i < rows.n; i++) {
+    size += shares.p[i] * 0.5 * (rows.p[i * rows.m + targets_rectangles_WIDTH] + rows.p[i * rows.m + targets_rectangles_HEIGHT]);
+    total += shares.p[i];
+  }
+  return max_float(size / total, 1.0);
+}
+
+/* Remember what is stated now, if the last moment is far enough back. */
+void targets_aim_record(targets_heading_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer) {
+  targets_heading_Moment * last, *m;
+  int64_t number;
+  bool full;
+  last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
+  Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, (T3d){s->t, s->x, s->y}, targets_heading_MOST);
+  number = values_1.f0;
+  full = values_1.f1;
+  if (number < 0) {
+    return;
+  }
+  if (full) {
+    for (int64_t k = 1; k < number; k++) {
+      stage_copy_values((Vector){(double *)&movement->moments[2 * k], 32}, (Vector){(double *)&movement->moments[k], 32});
+    }
+  }
+  m = &movement->moments[number];
+  m->t = s->t;
+  m->x = region.x;
+  m->y = region.y;
+  m->sxx = region.sxx;
+  m->sxy = region.sxy;
+  m->syy = region.syy;
+  m->tail = region.tail;
+  for (int64_t i = 0; i < 10; i++) {
+    m->answer[i] = ((const double *)&answer)[i];
+  }
+  stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
 }
 
 /* The share of movements to none of the targets; ``first``: what it is at least, and at first. */
@@ -693,7 +736,7 @@ void targets_past_weigh(targets_past_Past * s, Vector own, Table keys, Table tab
 }
 
 /* A movement begins: lay out how likely each target is before it. */
-void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
+void targets_heading_begin(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
   Table rows, keys;
   Vector own, shares;
   double none, total;
@@ -716,10 +759,10 @@ void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vect
 }
 
 /* Take in an event. Where a movement begins with it, learn which target the last one took. */
-void targets_aim_follow(targets_aim_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets) {
+void targets_heading_follow(targets_heading_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets) {
   double t, x, y, buttons, pressed;
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
+  targets_heading_Movement * movement;
   t = event.f0;
   x = event.f1;
   y = event.f2;
@@ -728,18 +771,18 @@ void targets_aim_follow(targets_aim_Memory * memory, T6d event, T_Table__Vector_
   movement = &memory->movement;
   pressed = (double)((int64_t)buttons & 1);
   if (targets_cursor_begins(s, t, pressed)) {
-    targets_aim_learn_target(memory, targets);
-    targets_aim_begin(memory, targets);
+    targets_heading_learn_target(memory, targets);
+    targets_heading_begin(memory, targets);
   }
   movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
   movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
 }
 
 /* Write how likely each target is after the last event, by the prediction made at it. */
-void targets_aim_weigh(targets_aim_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_heading_weigh(targets_heading_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   Table rows;
   Vector shares;
-  targets_aim_Movement * movement;
+  targets_heading_Movement * movement;
   rows = targets.f0;
   shares = targets.f3;
   movement = &memory->movement;
@@ -747,49 +790,6 @@ void targets_aim_weigh(targets_aim_Memory * memory, T10d answer, T_Table__Vector
   targets_posterior_normalise(shares);
   movement->remaining_s = answer.f6;
   movement->claimed = 0.0;
-}
-
-/* The expected size of what the movement ends in, px. */
-double targets_aim_size_of(Table rows, Vector shares) {
-  double size, total;
-  size = targets_aim_SIZE_PX * shares.p[rows.n];
-  total = shares.p[rows.n];
-  for (int64_t i = 0; i < rows.n; i++) {
-    size += shares.p[i] * 0.5 * (rows.p[i * rows.m + targets_rectangles_WIDTH] + rows.p[i * rows.m + targets_rectangles_HEIGHT]);
-    total += shares.p[i];
-  }
-  return max_float(size / total, 1.0);
-}
-
-/* Remember what is stated now, if the last moment is far enough back. */
-void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer) {
-  targets_aim_Moment * last, *m;
-  int64_t number;
-  bool full;
-  last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
-  Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, (T3d){s->t, s->x, s->y}, targets_aim_MOST);
-  number = values_1.f0;
-  full = values_1.f1;
-  if (number < 0) {
-    return;
-  }
-  if (full) {
-    for (int64_t k = 1; k < number; k++) {
-      stage_copy_values((Vector){(double *)&movement->moments[2 * k], 32}, (Vector){(double *)&movement->moments[k], 32});
-    }
-  }
-  m = &movement->moments[number];
-  m->t = s->t;
-  m->x = region.x;
-  m->y = region.y;
-  m->sxx = region.sxx;
-  m->sxy = region.sxy;
-  m->syy = region.syy;
-  m->tail = region.tail;
-  for (int64_t i = 0; i < 10; i++) {
-    m->answer[i] = ((const double *)&answer)[i];
-  }
-  stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
 }
 
 /* The point of the least expected distance (Weiszfeld), px, softened by the size of each part. */
@@ -864,13 +864,13 @@ T7d targets_arrival_terms(double predicted, double since, double median, double 
 }
 
 /* Take in an event and the prediction made at it: the prediction given the targets. */
-T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   double t, x, y, buttons, least, since, left, spread, way, total, share, factor, tail, phase;
   Table rows, parts;
   Vector shares;
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
-  targets_aim_Person * person;
+  targets_heading_Movement * movement;
+  targets_heading_Person * person;
   targets_posterior_Law predicted;
   int64_t count;
   T2d end;
@@ -889,8 +889,8 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   if (targets_cursor_begins(s, t, (double)((int64_t)buttons & 1))) {
     targets_aim_learn_prediction(memory, targets, coefficients);
   }
-  targets_aim_follow(memory, event, targets);
-  targets_aim_weigh(memory, answer, targets, coefficients);
+  targets_heading_follow(memory, event, targets);
+  targets_heading_weigh(memory, answer, targets, coefficients);
   if (answer.f1 != answer.f1 || rows.n == 0) {
     return answer;
   }
@@ -931,9 +931,9 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
 }
 
 /* Write the parts of the law of the endpoint as it was stated last, elsewhere first, a row each. */
-Tq2d targets_aim_lay_parts(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out) {
+Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out) {
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
+  targets_heading_Movement * movement;
   Vector law_of;
   targets_posterior_Law predicted;
   int64_t count;
@@ -955,7 +955,7 @@ Tq2d targets_aim_lay_parts(targets_aim_Memory * memory, T_Table__Vector__Table__
 }
 
 /* ``step`` over tables; the predictions take the place of ``answers``. */
-void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   T10d answer;
   for (int64_t i = 0; i < events.n; i++) {
     if (begins.p[i]) {
@@ -1103,7 +1103,7 @@ void targets_ledger_note_proposal(targets_ledger_Account * s, Table rows, double
 }
 
 /* Decide after the event that ``memory`` took in last; returns whether something changes. */
-bool targets_choice_law_update(targets_choice_law_State * s, targets_aim_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out) {
+bool targets_choice_law_update(targets_choice_law_State * s, targets_heading_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out) {
   Vector inside;
   targets_cursor_State * now;
   bool released;

@@ -7,7 +7,7 @@ from math import inf
 from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.records import FloatArray, FloatTable
-from pointpred.targets import aim, cursor, decision, ledger, past
+from pointpred.targets import cursor, decision, heading, ledger, past
 from pointpred.targets.decision import Settings
 from pointpred.targets.posterior import EFFECTIVE
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, NOBODY, WIDTH
@@ -124,7 +124,7 @@ def changes(before: tuple[int, int], now: tuple[int, int]) -> tuple[int, int, in
 @law
 def update(
     s: State,
-    memory: aim.Memory,
+    memory: heading.Memory,
     targets: Targets,
     keys: FloatTable,
     settings: Settings,

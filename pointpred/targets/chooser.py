@@ -260,4 +260,6 @@ class PlaceChooser(Chooser):
         """
         now = self.pipeline.aim.cursor
         place = holder(self._squares, float(now.x), float(now.y))
-        return self.ledger.close(float(now.t), NOBODY if place == NOBODY else float(self._keys[place, past.ID]))
+        return self.ledger.close(
+            float(now.t), NOBODY if place == NOBODY else float(self._keys[place, past.ID])
+        )

@@ -282,7 +282,7 @@ class Ledger:
         drop(self.account.memory)
 
     def with_room(self, count: int) -> FloatArray:
-        """The rows, with room for so many more targets of this movement: at most LATEST, ids are the caller's."""
+        """The rows, with room for so many more targets of this movement: LATEST in all."""
         needed = min(int(self.account.rows) + count, LATEST)
         if needed > len(self.rows):
             more = np.empty((max(needed, 2 * len(self.rows)) - len(self.rows), FIELDS))

@@ -110,7 +110,13 @@ def among_targets() -> Iterator[dict[str, Any]]:
         ends = [row for row in rows if row and row[5] == 1.0]
         random = np.random.default_rng(seed)
         listed = [
-            Target(f"{i}", *random.uniform(0.0, 900.0, 2), *random.uniform(8.0, 120.0, 2), 1.0 + i % 3, "a" * (i % 2))
+            Target(
+                f"{i}",
+                *random.uniform(0.0, 900.0, 2),
+                *random.uniform(8.0, 120.0, 2),
+                1.0 + i % 3,
+                "a" * (i % 2),
+            )
             for i in range(30)
         ]
         listed += [around(f"end {k}", row[1], row[2] + 9.0 * (k % 2), 40.0) for k, row in enumerate(ends)]

@@ -33,12 +33,12 @@ class Stage {
 
 /** What can be pointed at: the laws that weigh it, and their memory. */
 class Aim {
-  constructor(law, { table, keys }, coefficients) {
+  constructor(law, heading, { table, keys }, coefficients) {
     const rows = table.map((row) => Float64Array.from(row));
-    [this.law, this.coefficients, this.memory] = [law, coefficients, new Float64Array(law.LENGTH)];
+    [this.law, this.heading, this.coefficients, this.memory] = [law, heading, coefficients, new Float64Array(heading.LENGTH)];
     this.targets = [rows, Float64Array.from(rows, (row) => row[4]), keys, new Float64Array(rows.length + 1)];
     this.memory.set(law.Aim.parameters.map((one) => one.default));
-    law.begin(this.memory, this.targets);
+    heading.begin(this.memory, this.targets);
   }
 
   step(event, answer) {
@@ -48,14 +48,14 @@ class Aim {
   reset() {
     this.law.conclude(this.memory, this.targets, this.coefficients);
     this.memory.fill(0, this.law.Aim.settings + this.law.Aim.learned);
-    this.law.begin(this.memory, this.targets);
+    this.heading.begin(this.memory, this.targets);
   }
 }
 
 /** What weighs targets. @param {string} laws @param {Targets|null} targets @returns {Promise<Aim|null>} */
 async function aimOf(laws, targets) {
-  const [law, { FITTED }] = await Promise.all([import(`${laws}/targets/aim.js`), import(`${laws}/targets/posterior.js`)]);
-  return targets && new Aim(law, targets, FITTED);
+  const [law, heading, { FITTED }] = await Promise.all(["aim", "heading", "posterior"].map((name) => import(`${laws}/targets/${name}.js`)));
+  return targets && new Aim(law, heading, targets, FITTED);
 }
 
 const numbers = (row) => row.map((value) => (value === null ? NaN : value));
@@ -127,7 +127,7 @@ export async function compareTargets(laws, given) {
     aim.step(numbers(event), numbers(given.answers[i]));
     const changed = choice.update(state, aim.memory, targets, keys, given.settings, counts, rows, changes);
     if (String([...state, ...(changed ? changes : [])]) !== String(given.decisions[i])) unequal.push(i);
-    memory.set(aim.memory.subarray(aim.law.CURSOR, aim.law.CURSOR + CURSOR));
+    memory.set(aim.memory.subarray(aim.heading.CURSOR, aim.heading.CURSOR + CURSOR));
     prefetch.step(memory, prefetched, shares, prefetch.FITTED);
     if (String(prefetched[3]) !== String(given.fired[i])) unequal.push(i);
     for (let k = 0; k <= count; k++) worst = Math.max(worst, Math.abs(shares[k] - given.shares[i][k]));

@@ -3,6 +3,7 @@
 import * as law from "../laws/targets/aim.js";
 import { STATES } from "../laws/targets/cursor.js";
 import { rank } from "../laws/targets/decision.js";
+import { begin, CURSOR, LENGTH } from "../laws/targets/heading.js";
 import { FITTED } from "../laws/targets/posterior.js";
 import { LOG_WEIGHT } from "../laws/targets/rectangles.js";
 import { Mixture, partRows } from "./mixture.js";
@@ -13,7 +14,7 @@ import { Keys, tableOf } from "./targets.js";
 
 /** The last stage of a pipeline. What is known of the person stays in it. */
 export class Aim {
-  /** What is known of the person, the cursor and the movement, as laws take it. */ memory = new Float64Array(law.LENGTH);
+  /** What is known of the person, the cursor and the movement, as laws take it. */ memory = new Float64Array(LENGTH);
   /** Of the targets, in their order. @type {unknown[]} */ ids = [];
   /** The registered targets. @type {readonly Target[]} */ list = [];
   #values; #targets; #keys = new Keys();
@@ -31,7 +32,7 @@ export class Aim {
     this.list = [...targets];
     this.ids = targets.map(({ id }) => id);
     this.#targets = [table, Float64Array.from(table, (row) => row[LOG_WEIGHT]), this.#keys.of(targets), new Float64Array(table.length + 1)];
-    law.begin(this.memory, this.#targets);
+    begin(this.memory, this.#targets);
   }
 
   /** The targets as laws take them, with their weights before the movement. @type {Float64Array[]} */
@@ -64,7 +65,7 @@ export class Aim {
 
   /** The cursor's way, as laws take it. @type {Float64Array} */
   get cursor() {
-    return this.memory.subarray(law.CURSOR, law.CURSOR + STATES);
+    return this.memory.subarray(CURSOR, CURSOR + STATES);
   }
 
   /** One event, and the prediction made at it, through the law. @param {number[]} row @param {number[]} answer @returns {number[]} */
@@ -99,7 +100,7 @@ export class Aim {
   reset() {
     law.conclude(this.memory, this.#targets, FITTED);
     this.memory.fill(0, law.Aim.settings + law.Aim.learned);
-    law.begin(this.memory, this.#targets);
+    begin(this.memory, this.#targets);
   }
 
   /** The same targets, which remembers no event and knows nobody. @returns {Aim} */

@@ -1,7 +1,8 @@
 // How long before it was needed something was proposed, over the newest movements.
 
-import { LATEST } from "../laws/targets/ledger.js";
 import { claimed } from "./row.js";
+
+const MOST = 1000;
 
 /** The median; the mean of the two middle values if their number is even; NaN of no values. @param {number[]} values @returns {number} */
 export function median(values) {
@@ -16,7 +17,7 @@ export class Leads {
 
   add(lead_s) {
     this.#values.push(lead_s);
-    if (this.#values.length > LATEST) this.#values.shift();
+    if (this.#values.length > MOST) this.#values.shift();
   }
 
   get median() {

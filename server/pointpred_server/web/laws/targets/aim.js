@@ -1,7 +1,5 @@
 // Written by `make laws` from aim.py: change that and run it again.
 import { hypot, larger, matrix, smaller, view } from "../arithmetic.js";
-import * as $correction from "../predictors/adaptation/correction.js";
-import * as $distances from "../predictors/adaptation/distances.js";
 import * as $durations from "../predictors/adaptation/durations.js";
 import * as $levels from "../predictors/adaptation/levels.js";
 import * as $moments from "../predictors/adaptation/moments.js";
@@ -13,42 +11,13 @@ import * as $arrival from "./arrival.js";
 import * as $arrival_prior from "./arrival_prior.js";
 import * as $cursor from "./cursor.js";
 import * as $targets_endpoint from "./endpoint.js";
-import * as $past from "./past.js";
+import * as $heading from "./heading.js";
 import * as $posterior from "./posterior.js";
 import * as $rectangles from "./rectangles.js";
-export const MOST = 32;
 export const JUDGED_LEAST = 0.02;
 export const JUDGED_POINTS = 128;
 export const POINTS_LEAST = 8;
 export const SIZE_PX = 20;
-export const LENGTH = 1605;
-export const CURSOR = 219;
-export function taken(rows, x, y) {
-  let best = $rectangles.holder(rows, x, y);
-  if (best !== $rectangles.NOBODY) {
-    return best;
-  }
-  let least = 1;
-  for (let i = 0, end_1 = rows.length; i < end_1; i++) {
-    const row = rows[i];
-    const off = larger(Math.abs(row[$rectangles.CENTRE_X] - x) / row[$rectangles.WIDTH], Math.abs(row[$rectangles.CENTRE_Y] - y) / row[$rectangles.HEIGHT]);
-    if (off < least) {
-      best = i;
-      least = off;
-    }
-  }
-  return best;
-}
-export function arrived(movement, x, y, near, end, movement_at = 0) {
-  for (let k = Math.trunc(movement[movement_at + 11]) - 1, end_1 = -1; k > end_1; k--) {
-    const m_at = movement_at + k * 32 + 15;
-    if (hypot(movement[m_at + 19] - x, movement[m_at + 20] - y) > near) {
-      return end;
-    }
-    end = movement[m_at];
-  }
-  return end;
-}
 export function row_of(values) {
   return [values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8], values[9]];
 }
@@ -85,19 +54,11 @@ export function learn_regions(s, movement, end, span, targets, coefficients, s_a
     }
   }
 }
-export function ended(memory, rows, memory_at = 0) {
-  const s_at = memory_at + 219;
-  const movement_at = memory_at + 234;
-  const distance = hypot(memory[s_at + 2] - memory[s_at + 6], memory[s_at + 3] - memory[s_at + 7]);
-  const end = arrived(memory, memory[s_at + 2], memory[s_at + 3], larger($correction.NEAR_PX, $correction.NEAR_SHARE * distance), memory[s_at + 1], movement_at);
-  const whole = memory[movement_at] >= $correction.SAMPLES_LEAST && distance >= $distances.SHORTEST_PX && end - memory[s_at + 5] >= $correction.LEAST_S;
-  return Number(memory[memory_at + 1] === 1 && whole && rows.length > 0 ? end : NaN);
-}
 export function learn_prediction(memory, targets, coefficients, memory_at = 0, coefficients_at = 0) {
   const s_at = memory_at + 219;
   const movement_at = memory_at + 234;
   const person_at = memory_at + 2;
-  const end = ended(memory, targets[0], memory_at);
+  const end = $heading.ended(memory, targets[0], memory_at);
   if (end === end) {
     const span = [memory[s_at + 5], end];
     learn_regions(memory, memory, [memory[s_at + 2], memory[s_at + 3]], span, targets, coefficients, person_at + 136, movement_at, coefficients_at);
@@ -106,62 +67,9 @@ export function learn_prediction(memory, targets, coefficients, memory_at = 0, c
     $durations.remember(memory, end - memory[s_at + 5], person_at + 157);
   }
 }
-export function learn_target(memory, targets, memory_at = 0) {
-  const s_at = memory_at + 219;
-  const rows = targets[0];
-  const own = targets[1];
-  const keys = targets[2];
-  const end = ended(memory, rows, memory_at);
-  if (end === end) {
-    $past.learn(memory, own, keys, taken(rows, memory[s_at + 2], memory[s_at + 3]), memory_at + 2);
-  }
-  memory.fill(0, memory_at + 234, memory_at + 1605);
-}
 export function conclude(memory, targets, coefficients, memory_at = 0, coefficients_at = 0) {
   learn_prediction(memory, targets, coefficients, memory_at, coefficients_at);
-  learn_target(memory, targets, memory_at);
-}
-export function begin(memory, targets, memory_at = 0) {
-  const rows = targets[0];
-  const own = targets[1];
-  const keys = targets[2];
-  const shares = targets[3];
-  const none = $past.elsewhere(memory, memory[memory_at], memory_at + 2);
-  $past.weigh(memory, own, keys, rows, memory_at + 2);
-  memory[memory_at + 235] = none;
-  let total = none;
-  shares[rows.length] = none;
-  for (let i = 0, end_1 = rows.length; i < end_1; i++) {
-    shares[i] = rows[i][$rectangles.LOG_WEIGHT] > -Infinity ? (1 - none) * Math.exp(rows[i][$rectangles.LOG_WEIGHT]) : 0;
-    total += shares[i];
-  }
-  for (let i = 0, end_2 = shares.length; i < end_2; i++) {
-    shares[i] /= total;
-  }
-}
-export function follow(memory, event, targets, memory_at = 0) {
-  const t = event[0];
-  const x = event[1];
-  const y = event[2];
-  const buttons = event[5];
-  const s_at = memory_at + 219;
-  const movement_at = memory_at + 234;
-  const pressed = Number(Math.trunc(buttons) & 1);
-  if ($cursor.begins(memory, t, pressed, s_at)) {
-    learn_target(memory, targets, memory_at);
-    begin(memory, targets, memory_at);
-  }
-  memory[movement_at] += t > memory[s_at + 1] || memory[movement_at] === 0 ? 1 : 0;
-  memory[movement_at + 2] = $cursor.follow(memory, t, x, y, pressed, s_at) ? 1 : 0;
-}
-export function weigh(memory, answer, targets, coefficients, memory_at = 0, coefficients_at = 0) {
-  const rows = targets[0];
-  const shares = targets[3];
-  const movement_at = memory_at + 234;
-  $posterior.scores(memory, rows, answer, coefficients, memory[movement_at + 1], shares, memory_at + 219, coefficients_at);
-  $posterior.normalise(shares);
-  memory[movement_at + 3] = answer[6];
-  memory[movement_at + 4] = 0;
+  $heading.learn_target(memory, targets, memory_at);
 }
 export function size_of(rows, shares) {
   let size = SIZE_PX * shares[rows.length];
@@ -174,7 +82,7 @@ export function size_of(rows, shares) {
 }
 export function record(movement, s, region, answer, movement_at = 0, s_at = 0) {
   const last_at = movement_at + larger(Math.trunc(movement[movement_at + 11]) - 1, 0) * 32 + 15;
-  const values_1 = $moments.next_moment(movement, movement[last_at], [s[s_at + 1], s[s_at + 2], s[s_at + 3]], MOST, movement_at + 11);
+  const values_1 = $moments.next_moment(movement, movement[last_at], [s[s_at + 1], s[s_at + 2], s[s_at + 3]], $heading.MOST, movement_at + 11);
   const number = values_1[0];
   const full = values_1[1];
   if (number < 0) {
@@ -211,8 +119,8 @@ export function step(memory, event, answer, targets, coefficients, memory_at = 0
   if ($cursor.begins(memory, t, Number(Math.trunc(buttons) & 1), s_at)) {
     learn_prediction(memory, targets, coefficients, memory_at, coefficients_at);
   }
-  follow(memory, event, targets, memory_at);
-  weigh(memory, answer, targets, coefficients, memory_at, coefficients_at);
+  $heading.follow(memory, event, targets, memory_at);
+  $heading.weigh(memory, answer, targets, coefficients, memory_at, coefficients_at);
   if (answer[1] !== answer[1] || rows.length === 0) {
     return answer;
   }
