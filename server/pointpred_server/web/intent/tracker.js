@@ -138,7 +138,7 @@ export class Tracker {
   /** What a picture of it needs. */
   get view() {
     const { entries, cursor, answer } = this.#shares;
-    return { cursor, answer, elements: entries.map(({ element, row, isHidden, registrations }, i) => ({ element, row, isHidden, registrations, share: this.#shares.share(i) })) };
+    return { cursor, answer, predictor: this.#source.predictor, elements: entries.map(({ element, row, isHidden, registrations }, i) => ({ element, row, isHidden, registrations, share: this.#shares.share(i) })) };
   }
 
   #close() {
