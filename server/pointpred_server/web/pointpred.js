@@ -143,6 +143,15 @@ export class Connection {
     return this.#proposals.newest;
   }
 
+  /**
+   * The law of the endpoint by targets, places and elsewhere, as the newest prediction has it, where the page predicts; null where
+   * the service does.
+   * @returns {import("./prediction/mixture.js").Mixture|null}
+   */
+  get mixture() {
+    return this.#socket instanceof PageSocket ? this.#socket.mixture : null;
+  }
+
   /** Events dropped because there was no connection for too long, or a slow one. @returns {number} */
   get dropped() {
     return this.#queue.dropped;

@@ -96,6 +96,11 @@ export class PredictionStream {
     this.#send(message);
   }
 
+  /** What the newest prediction knows beyond one law. @returns {import("./mixture.js").Mixture|null} */
+  get mixture() {
+    return this.#pipeline.mixture;
+  }
+
   /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {object} message checked */
   async configure(message) {
     this.checkAssist(message);

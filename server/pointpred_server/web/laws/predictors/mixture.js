@@ -13,7 +13,6 @@ export const AT_CENTRE = 0.4;
 export const CLOSER = 3;
 export const OUTSIDE = 1.0001;
 export const POINTS = 2000;
-export const VERTICES = 20000;
 export const POLYGONS = 256;
 export function squared_radius(share, tail) {
   const normal = -2 * Math.log1p(-share);
