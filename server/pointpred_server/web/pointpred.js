@@ -11,8 +11,8 @@
  *
  * @typedef {[number, number, number, number|null, number|null, number]} EventRow t s, x px, y px, counts, buttons
  * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} EventRecord
- * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number}} Target upper left corner,
- *   size, px; weight: its prior probability relative to the others
+ * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number, kind?: string}} Target upper left
+ *   corner, size, px; weight: its prior probability relative to the others; kind: what it is to the user, such as "button"
  * @typedef {{x: number, y: number, width: number}} Goal centre and width, px
  * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
  *   service has ended a session without events, the next event opens another; `refused`: waits for configure(); `closed`: for good
