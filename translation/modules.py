@@ -38,7 +38,8 @@ def texts() -> dict[str, bytes]:
     """The content of every file by its path in the folder; raises UntranslatableError."""
     all_stages = stages.stages()
     of_stages = [name for stage in all_stages for name in stages.laws_of(stage).values()]
-    wanted = reach([*roots(), *of_stages])
+    classes = {Name(stage.__module__, stage.__name__) for stage in all_stages}
+    wanted = reach([*(roots() - classes), *of_stages])
     modules = sorted({one.module for one in wanted} | {stage.__module__ for stage in all_stages})
     files = {
         path_of(name): text_of(name, wanted, [one for one in all_stages if one.__module__ == name]).encode()

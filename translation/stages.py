@@ -12,6 +12,7 @@ from pointpred.parameter import REQUIRED, Parameter
 from pointpred.person import layout_name
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY
 from pointpred.stage import CompiledStage
+from pointpred.targets.aim import Aim
 from translation.expressions import number
 from translation.names import path_of, qualified, renamed
 from translation.source import Name, is_law
@@ -20,13 +21,14 @@ COEFFICIENTS = "kinematic.f32"
 """The file of coefficients in the folder of laws."""
 LONGEST_GROUP = 16
 """Slots of a group that comes again and again, such as those of a place, at most."""
-LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places")
+LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places", "list_parts")
 """What a class may name as its laws."""
 
 
 def stages() -> list[type[CompiledStage]]:
-    """Every predictor and every differentiator that has a name."""
-    return list(dict.fromkeys([*(one.predictor for one in REGISTRY.values()), *DIFFERENTIATORS.values()]))
+    """Every predictor and every differentiator that has a name, and what weighs targets."""
+    named = [*(one.predictor for one in REGISTRY.values()), *DIFFERENTIATORS.values()]
+    return [*dict.fromkeys(named), Aim]
 
 
 def laws_of(stage: type[CompiledStage]) -> dict[str, Name]:
@@ -54,7 +56,7 @@ def text_of(stage: type[CompiledStage]) -> str:
     parts.append(
         f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"
     )
-    if stage.slots:
+    if stage.slots and "step" in laws:
         parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
         parts.append(f"slots: [\n{_lines(_shortened([_slot(slot) for slot in stage.slots]))}\n  ]")
     parts.append(f"parameters: [\n{_lines(_parameter(one) for one in stage.parameters)}\n  ]")

@@ -32,8 +32,13 @@ for (const name of Object.keys(PREDICTORS)) {
     return (row) => pipeline.advance(row);
   });
   const among = cost(() => {
-    const pipeline = pattern.fresh(), chooser = new Chooser(targets);
-    return (row) => chooser.update(pipeline.advance(row), row);
+    const pipeline = pattern.fresh();
+    pipeline.register(targets);
+    const chooser = new Chooser(pipeline);
+    return (row) => {
+      pipeline.advance(row);
+      chooser.update();
+    };
   });
   console.log(`${name.padEnd(22)}${alone.toFixed(2).padStart(8)}${among.toFixed(2).padStart(8)}`);
 }

@@ -15,6 +15,8 @@ import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
+from pointpred.registry import RECOMMENDED
+
 WEB = Path(__file__).resolve().parents[2] / "server" / "pointpred_server" / "web"
 STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
@@ -56,7 +58,7 @@ def _counts(path: Path, reader: Path, chosen: set[Path], kinematic: bool) -> boo
     name = path.relative_to(WEB).as_posix()
     if reader.name == "places.js" and name in ("prediction/build.js", "prediction/chooser.js"):
         return False  # for proposals of places
-    if reader.name == "source.js" and path.name == ("small-source.js" if kinematic else "build.js"):
+    if reader.name == "source.js" and path.name == "build.js" and not kinematic:
         return False
     return not name.startswith(ON_DEMAND) and (reader.name != "registry.js" or path in chosen)
 
@@ -66,7 +68,8 @@ def _modules_of(predictor: str) -> Iterator[Path]:
     laws = WEB / "laws"
     for line in (laws / "registry.js").read_text(encoding="utf-8").splitlines():
         named = re.match(r'  "([^"]+)": \{.*import\("(\.[^"]+)"\)', line)
-        if named and named[1] in (predictor, "homogeneous"):
+        first = "minimum-jerk" if predictor == RECOMMENDED else predictor  # predicts until that is loaded
+        if named and named[1] in (predictor, first, "homogeneous"):
             yield (laws / named[2]).resolve()
 
 

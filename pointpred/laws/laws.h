@@ -120,6 +120,7 @@ typedef struct { int64_t f0; predictors_kinematic_features_Frame f1; } Tq_predic
 typedef struct { int64_t f0; int64_t f1; } T2q;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; int64_t f4; } T5q;
 typedef struct { double key; double x; double y; } scene_Scene;
+typedef struct { int64_t f0; double f1; double f2; } Tq2d;
 typedef struct { double c0; double c1; double c2; double c3; double c4; } predictors_kep_Quartic;
 typedef struct { Vector w; Vector z; Table R; } regression_least_squares_Regression;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; double f9; double f10; double f11; double f12; double f13; double f14; double f15; double f16; double f17; double f18; double f19; double f20; double f21; } T22d;
@@ -136,6 +137,8 @@ typedef struct { double x; double y; double sxx; double sxy; double syy; double 
 typedef struct { Table f0; Vector f1; Vector f2; } T_Table_2_Vector_;
 typedef struct { double precision; double least_lead_s; double least_way_px; } targets_decision_Settings;
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; } T4q;
+typedef struct { bool f0; bool f1; } T2b;
+typedef struct { Table f0; Vector f1; } T_Table__Vector_;
 typedef struct { Table f0; Vector f1; Vector f2; Vector f3; } T_Table_3_Vector_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; } T8d;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; } transfer_assistance_OffsetReport;
@@ -879,7 +882,7 @@ typedef struct {
   double tail;
   double answer[10];
   targets_cursor_State cursor;
-} targets_aim_Moment;
+} targets_heading_Moment;
 typedef struct {
   double samples;
   double elsewhere;
@@ -888,9 +891,13 @@ typedef struct {
   double claimed;
   double elsewhere_law[6];
   predictors_adaptation_moments_Series series;
-  targets_aim_Moment moments[32];
+  targets_heading_Moment moments[32];
   predictors_adaptation_time_left_Movement time_left;
-} targets_aim_Movement;
+} targets_heading_Movement;
+typedef struct {
+  double elsewhere;
+  double learn;
+} targets_heading_Settings;
 typedef struct {
   double count;
   double ids[64];
@@ -904,22 +911,36 @@ typedef struct {
   double count;
 } targets_arrival_Durations;
 typedef struct {
-  double elsewhere;
-  double learn;
-} targets_aim_Settings;
-typedef struct {
   targets_past_Past past;
   predictors_adaptation_region_widening_Radii regions;
   targets_arrival_Durations durations;
   predictors_adaptation_time_left_Sums time_left;
   predictors_adaptation_arrival_intervals_Intervals intervals;
-} targets_aim_Person;
+} targets_heading_Person;
 typedef struct {
-  targets_aim_Settings settings;
-  targets_aim_Person person;
+  targets_heading_Settings settings;
+  targets_heading_Person person;
   targets_cursor_State cursor;
-  targets_aim_Movement movement;
-} targets_aim_Memory;
+  targets_heading_Movement movement;
+} targets_heading_Memory;
+typedef struct {
+  double movements;
+  double proposed;
+  double right;
+  double hits;
+  double wasted;
+  double retracted;
+  double entered;
+} targets_ledger_Totals;
+typedef struct {
+  targets_ledger_Totals totals;
+  targets_ledger_State movement;
+  double rows;
+} targets_ledger_Account;
+typedef struct {
+  double predicted;
+  double entered;
+} targets_choice_law_State;
 typedef struct {
   targets_cursor_State cursor;
   double began;
@@ -1200,6 +1221,7 @@ int64_t predictors_adaptation_places_visited(predictors_adaptation_places_Places
 void predictors_adaptation_predictor_conclude(predictors_adaptation_predictor_Memory * memory);
 void predictors_adaptation_predictor_enter_scene(predictors_adaptation_predictor_Memory * memory, scene_Scene scene);
 T2d predictors_adaptation_predictor_last_end(predictors_adaptation_places_Places * held, double key);
+Tq2d predictors_adaptation_predictor_list_parts(predictors_adaptation_predictor_Memory * memory, Table out);
 int64_t predictors_adaptation_predictor_list_places(predictors_adaptation_predictor_Memory * memory, Table out);
 predictors_adaptation_time_left_Pace predictors_adaptation_predictor_pace_of(predictors_kinematic_features_State * own, records_MotionRow m);
 T3q predictors_adaptation_predictor_sizes(Vector values);
@@ -1395,16 +1417,15 @@ T14d simulation_loop_step(simulation_loop_Memory * memory, T5d chance);
 void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
 static inline void stage_learn_nothing(Vector memory);
-double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end);
-void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets);
-void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
+void targets_aim_conclude(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out);
+void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_record(targets_heading_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
 T10d targets_aim_row_of(Vector values);
 double targets_aim_size_of(Table rows, Vector shares);
-T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
-int64_t targets_aim_taken(Table rows, double x, double y);
-void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 double targets_arrival_mean(targets_arrival_Durations * s);
 void targets_arrival_remember(targets_arrival_Durations * s, double duration);
 T7d targets_arrival_terms(double predicted, double since, double usual, double left_px, double size_px);
@@ -1412,6 +1433,11 @@ T4q targets_choice_law_changes(T2q before, T2q now);
 T3q targets_choice_law_decide(targets_cursor_State * s, bool released, double remaining_s, T_Table_2_Vector_ targets, targets_decision_Settings settings, int64_t standing);
 int64_t targets_choice_law_enter(Table table, Vector inside, double x, double y, bool released);
 int64_t targets_choice_law_innermost(Table table, Vector inside);
+void targets_choice_law_lay_places(Table places, Table table, Table keys, Vector shares);
+int64_t targets_choice_law_place_of(Table keys, double key, int64_t first);
+T2b targets_choice_law_replace(targets_choice_law_State * s, double t, T_Table__Vector_ before, T_Table__Vector_ now, targets_ledger_Account * account, Table rows);
+void targets_choice_law_reset(targets_choice_law_State * s, Vector inside);
+bool targets_choice_law_update(targets_choice_law_State * s, targets_heading_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out);
 bool targets_cursor_begins(targets_cursor_State * s, double t, double pressed);
 static inline bool targets_cursor_follow(targets_cursor_State * s, double t, double x, double y, double pressed);
 double targets_cursor_until(targets_cursor_State * s, double x, double y, double width, double height);
@@ -1425,10 +1451,24 @@ targets_posterior_Law targets_endpoint_elsewhere(targets_cursor_State * s, T10d 
 T2d targets_endpoint_geometric_median(Table parts, int64_t count);
 int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_Law predicted, double least, Table out);
 void targets_endpoint_write_target(Vector row, targets_posterior_Law predicted, double share, predictors_mixture_PartRow * part);
+double targets_heading_arrived(targets_heading_Movement * movement, double x, double y, double near, double end);
+void targets_heading_begin(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets);
+double targets_heading_ended(targets_heading_Memory * memory, Table rows);
+void targets_heading_follow(targets_heading_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets);
+void targets_heading_learn_target(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets);
+int64_t targets_heading_taken(Table rows, double x, double y);
+void targets_heading_weigh(targets_heading_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+void targets_ledger_add(targets_ledger_Totals * s, T5d movement);
 void targets_ledger_begin(targets_ledger_State * s, Table rows);
 static inline T3d targets_ledger_close(targets_ledger_State * s, Table rows, double t, int64_t place);
+void targets_ledger_drop(targets_ledger_Account * s);
 static inline void targets_ledger_enter(targets_ledger_State * s, Table rows, double t, int64_t place);
+T6d targets_ledger_finish(targets_ledger_Account * s, Table rows, double t, double key);
+void targets_ledger_note_end(targets_ledger_Account * s, Table rows, double t, double key, bool released);
+void targets_ledger_note_entry(targets_ledger_Account * s, Table rows, double t, double key);
+void targets_ledger_note_proposal(targets_ledger_Account * s, Table rows, double t, double key);
 static inline void targets_ledger_propose(targets_ledger_State * s, Table rows, double t, int64_t place);
+int64_t targets_ledger_row_of(targets_ledger_Account * s, Table rows, double key, bool new);
 static inline void targets_ledger_withdraw(targets_ledger_State * s, double t, int64_t place, bool released);
 void targets_past_add_visit(targets_past_Past * s, int64_t k, Table keys, Table out);
 double targets_past_elsewhere(targets_past_Past * s, double first);

@@ -186,6 +186,14 @@ static PyObject *give_Tqb(Tqb value) {
   PyTuple_SetItem(tuple, 1, PyBool_FromLong(value.f1));
   return tuple;
 }
+static PyObject *give_Tq2d(Tq2d value) {
+  PyObject *tuple = PyTuple_New(3);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyLong_FromLongLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  return tuple;
+}
 static PyObject *give_predictors_adaptation_time_left_Pace(predictors_adaptation_time_left_Pace value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
@@ -321,6 +329,13 @@ static PyObject *give_T4q(T4q value) {
   PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
   PyTuple_SetItem(tuple, 2, PyLong_FromLongLong(value.f2));
   PyTuple_SetItem(tuple, 3, PyLong_FromLongLong(value.f3));
+  return tuple;
+}
+static PyObject *give_T2b(T2b value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyBool_FromLong(value.f0));
+  PyTuple_SetItem(tuple, 1, PyBool_FromLong(value.f1));
   return tuple;
 }
 static PyObject *give_targets_endpoint_Ellipse(targets_endpoint_Ellipse value) {
@@ -4955,6 +4970,25 @@ static PyObject *py_predictors_adaptation_predictor_last_end(PyObject *self, PyO
   let_go(&held);
   return give_T2d(result);
 }
+static PyObject *py_predictors_adaptation_predictor_list_parts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.adaptation.predictor:list_parts";
+  Held held;
+  const Py_buffer *view;
+  predictors_adaptation_predictor_Memory * a0;
+  Table a1;
+  Tq2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 3949, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "out", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = predictors_adaptation_predictor_list_parts(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_Tq2d(result);
+}
 static PyObject *py_predictors_adaptation_predictor_list_places(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.adaptation.predictor:list_places";
   Held held;
@@ -9380,60 +9414,11 @@ static PyObject *py_stage_learn_nothing(PyObject *self, PyObject *const *args, P
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_targets_aim_arrived(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:arrived";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Movement * a0;
-  double a1;
-  double a2;
-  double a3;
-  double a4;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_memory(&held, args[0], law, "movement", false, 1371, &view)
-        && (a0 = view->buf, true)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
-    return let_go(&held);
-  result = targets_aim_arrived(a0, a1, a2, a3, a4);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_targets_aim_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:begin";
-  Held held;
-  const Py_buffer *view;
-  targets_aim_Memory * a0;
-  T_Table__Vector__Table__Vector_ a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "targets", 4)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
-        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
-        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, true, &view)
-        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
-        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS targets_aim_begin(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:conclude";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T_Table__Vector__Table__Vector_ a1;
   targets_posterior_Coefficients * a2;
   (void)self, (void)view;
@@ -9457,12 +9442,69 @@ static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, 
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_targets_aim_lay_parts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:lay_parts";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  Table a2;
+  Tq2d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", false, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_aim_lay_parts(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_Tq2d(result);
+}
+static PyObject *py_targets_aim_learn_prediction(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:learn_prediction";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  targets_posterior_Coefficients * a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[2], law, "coefficients", false, 32, &view)
+        && (a2 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_aim_learn_prediction(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_targets_aim_learn_regions(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:learn_regions";
   Held held;
   const Py_buffer *view;
   predictors_adaptation_region_widening_Radii * a0;
-  targets_aim_Movement * a1;
+  targets_heading_Movement * a1;
   T2d a2;
   T2d a3;
   T_Table__Vector__Table__Vector_ a4;
@@ -9500,7 +9542,7 @@ static PyObject *py_targets_aim_record(PyObject *self, PyObject *const *args, Py
   static const char law[] = "pointpred.targets.aim:record";
   Held held;
   const Py_buffer *view;
-  targets_aim_Movement * a0;
+  targets_heading_Movement * a0;
   targets_cursor_State * a1;
   targets_endpoint_Ellipse a2;
   T10d a3;
@@ -9574,7 +9616,7 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
   static const char law[] = "pointpred.targets.aim:step";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   T6d a1;
   T10d a2;
   T_Table__Vector__Table__Vector_ a3;
@@ -9619,32 +9661,11 @@ static PyObject *py_targets_aim_step(PyObject *self, PyObject *const *args, Py_s
   let_go(&held);
   return give_T10d(result);
 }
-static PyObject *py_targets_aim_taken(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.aim:taken";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  double a1;
-  double a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 4)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = targets_aim_taken(a0, a1, a2); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_targets_aim_walk(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:walk";
   Held held;
   const Py_buffer *view;
-  targets_aim_Memory * a0;
+  targets_heading_Memory * a0;
   FlagVector a1;
   Table a2;
   Table a3;
@@ -9835,6 +9856,151 @@ static PyObject *py_targets_choice_law_innermost(PyObject *self, PyObject *const
   Py_BEGIN_ALLOW_THREADS result = targets_choice_law_innermost(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_lay_places(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:lay_places";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Table a2;
+  Vector a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "places", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "places", a0.m, 5)
+        && take_array(&held, args[1], law, "table", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "table", a1.m, 5)
+        && take_array(&held, args[2], law, "keys", 'd', 2, true, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "keys", a2.m, 1)
+        && take_array(&held, args[3], law, "shares", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_choice_law_lay_places(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_choice_law_place_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:place_of";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  int64_t a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "keys", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[1], &a1)
+        && take_int64_t(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_place_of(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_choice_law_replace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:replace";
+  Held held;
+  const Py_buffer *view;
+  targets_choice_law_State * a0;
+  double a1;
+  T_Table__Vector_ a2;
+  T_Table__Vector_ a3;
+  targets_ledger_Account * a4;
+  Table a5;
+  T2b result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "s", true, 2, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_tuple(args[2], law, "before", 2)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "before", 'd', 2, false, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "before", 'd', 1, false, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_tuple(args[3], law, "now", 2)
+        && take_array(&held, PyTuple_GetItem(args[3], 0), law, "now", 'd', 2, true, &view)
+        && (a3.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[3], 1), law, "now", 'd', 1, true, &view)
+        && (a3.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[4], law, "account", true, 16, &view)
+        && (a4 = view->buf, true)
+        && take_array(&held, args[5], law, "rows", 'd', 2, true, &view)
+        && (a5 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_replace(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T2b(result);
+}
+static PyObject *py_targets_choice_law_reset(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:reset";
+  Held held;
+  const Py_buffer *view;
+  targets_choice_law_State * a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 2, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "inside", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  targets_choice_law_reset(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_choice_law_update(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.choice_law:update";
+  Held held;
+  const Py_buffer *view;
+  targets_choice_law_State * a0;
+  targets_heading_Memory * a1;
+  T_Table_2_Vector_ a2;
+  Table a3;
+  targets_decision_Settings a4;
+  targets_ledger_Account * a5;
+  Table a6;
+  Vector a7;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 8)
+        && take_memory(&held, args[0], law, "s", true, 2, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "memory", false, 1586, &view)
+        && (a1 = view->buf, true)
+        && take_tuple(args[2], law, "targets", 3)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 1, true, &view)
+        && (a2.f2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "keys", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_tuple(args[4], law, "settings", 3)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.precision)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.least_lead_s)
+        && take_double(PyTuple_GetItem(args[4], 2), &a4.least_way_px)
+        && take_memory(&held, args[5], law, "account", true, 16, &view)
+        && (a5 = view->buf, true)
+        && take_array(&held, args[6], law, "rows", 'd', 2, true, &view)
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[7], law, "out", 'd', 1, true, &view)
+        && (a7 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_choice_law_update(a0, a1, a2, a3, a4, a5, a6, a7); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
 }
 static PyObject *py_targets_cursor_begins(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.cursor:begins";
@@ -10148,6 +10314,215 @@ static PyObject *py_targets_endpoint_write_target(PyObject *self, PyObject *cons
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_targets_heading_arrived(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:arrived";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Movement * a0;
+  double a1;
+  double a2;
+  double a3;
+  double a4;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "movement", false, 1371, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = targets_heading_arrived(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_heading_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:begin";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, true, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, true, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, true, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, true, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_begin(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_ended(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:ended";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  Table a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", false, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_heading_ended(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_heading_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:follow";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T6d a1;
+  T_Table__Vector__Table__Vector_ a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "event", 6)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_tuple(args[2], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
+        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
+        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_follow(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_learn_target(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:learn_target";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T_Table__Vector__Table__Vector_ a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "targets", 'd', 2, false, &view)
+        && (a1.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "targets", 'd', 1, false, &view)
+        && (a1.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "targets", 'd', 2, false, &view)
+        && (a1.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "targets", 'd', 1, false, &view)
+        && (a1.f3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_learn_target(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_heading_taken(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:taken";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  double a1;
+  double a2;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 4)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_heading_taken(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
+static PyObject *py_targets_heading_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.heading:weigh";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Memory * a0;
+  T10d a1;
+  T_Table__Vector__Table__Vector_ a2;
+  targets_posterior_Coefficients * a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "memory", true, 1586, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "answer", 10)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
+        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
+        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
+        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
+        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)
+        && take_double(PyTuple_GetItem(args[1], 9), &a1.f9)
+        && take_tuple(args[2], law, "targets", 4)
+        && take_array(&held, PyTuple_GetItem(args[2], 0), law, "targets", 'd', 2, true, &view)
+        && (a2.f0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 1), law, "targets", 'd', 1, true, &view)
+        && (a2.f1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 2), law, "targets", 'd', 2, true, &view)
+        && (a2.f2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 3), law, "targets", 'd', 1, true, &view)
+        && (a2.f3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[3], law, "coefficients", false, 32, &view)
+        && (a3 = view->buf, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_heading_weigh(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_ledger_add(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:add";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Totals * a0;
+  T5d a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 7, &view)
+        && (a0 = view->buf, true)
+        && take_tuple(args[1], law, "movement", 5)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
+        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
+        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
+        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)))
+    return let_go(&held);
+  targets_ledger_add(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_targets_ledger_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:begin";
   Held held;
@@ -10191,6 +10566,21 @@ static PyObject *py_targets_ledger_close(PyObject *self, PyObject *const *args, 
   let_go(&held);
   return give_T3d(result);
 }
+static PyObject *py_targets_ledger_drop(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:drop";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  targets_ledger_drop(a0);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:enter";
   Held held;
@@ -10210,6 +10600,101 @@ static PyObject *py_targets_ledger_enter(PyObject *self, PyObject *const *args, 
         && take_int64_t(args[3], &a3)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS targets_ledger_enter(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_ledger_finish(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:finish";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  Table a1;
+  double a2;
+  double a3;
+  T6d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 4)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_ledger_finish(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_T6d(result);
+}
+static PyObject *py_targets_ledger_note_end(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:note_end";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  Table a1;
+  double a2;
+  double a3;
+  bool a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 4)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_bool(args[4], &a4)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_note_end(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_ledger_note_entry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:note_entry";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  Table a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 4)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_note_entry(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_ledger_note_proposal(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:note_proposal";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  Table a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 4)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS targets_ledger_note_proposal(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -10234,6 +10719,30 @@ static PyObject *py_targets_ledger_propose(PyObject *self, PyObject *const *args
   Py_BEGIN_ALLOW_THREADS targets_ledger_propose(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_targets_ledger_row_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.ledger:row_of";
+  Held held;
+  const Py_buffer *view;
+  targets_ledger_Account * a0;
+  Table a1;
+  double a2;
+  bool a3;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 16, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "rows", 'd', 2, true, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a1.m, 4)
+        && take_double(args[2], &a2)
+        && take_bool(args[3], &a3)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_ledger_row_of(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyLong_FromLongLong(result);
 }
 static PyObject *py_targets_ledger_withdraw(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.ledger:withdraw";
@@ -11582,6 +12091,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.adaptation.predictor:conclude", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_conclude, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:enter_scene", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_enter_scene, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:last_end", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_last_end, METH_FASTCALL, NULL},
+  {"pointpred.predictors.adaptation.predictor:list_parts", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_list_parts, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:list_places", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_list_places, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:pace_of", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_pace_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.adaptation.predictor:sizes", (PyCFunction)(void (*)(void))py_predictors_adaptation_predictor_sizes, METH_FASTCALL, NULL},
@@ -11775,15 +12285,14 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:copy_values", (PyCFunction)(void (*)(void))py_stage_copy_values, METH_FASTCALL, NULL},
   {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
   {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:arrived", (PyCFunction)(void (*)(void))py_targets_aim_arrived, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:begin", (PyCFunction)(void (*)(void))py_targets_aim_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:conclude", (PyCFunction)(void (*)(void))py_targets_aim_conclude, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:lay_parts", (PyCFunction)(void (*)(void))py_targets_aim_lay_parts, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:learn_prediction", (PyCFunction)(void (*)(void))py_targets_aim_learn_prediction, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:learn_regions", (PyCFunction)(void (*)(void))py_targets_aim_learn_regions, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:record", (PyCFunction)(void (*)(void))py_targets_aim_record, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:row_of", (PyCFunction)(void (*)(void))py_targets_aim_row_of, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:size_of", (PyCFunction)(void (*)(void))py_targets_aim_size_of, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:step", (PyCFunction)(void (*)(void))py_targets_aim_step, METH_FASTCALL, NULL},
-  {"pointpred.targets.aim:taken", (PyCFunction)(void (*)(void))py_targets_aim_taken, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:walk", (PyCFunction)(void (*)(void))py_targets_aim_walk, METH_FASTCALL, NULL},
   {"pointpred.targets.arrival:mean", (PyCFunction)(void (*)(void))py_targets_arrival_mean, METH_FASTCALL, NULL},
   {"pointpred.targets.arrival:remember", (PyCFunction)(void (*)(void))py_targets_arrival_remember, METH_FASTCALL, NULL},
@@ -11792,6 +12301,11 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.choice_law:decide", (PyCFunction)(void (*)(void))py_targets_choice_law_decide, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:enter", (PyCFunction)(void (*)(void))py_targets_choice_law_enter, METH_FASTCALL, NULL},
   {"pointpred.targets.choice_law:innermost", (PyCFunction)(void (*)(void))py_targets_choice_law_innermost, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:lay_places", (PyCFunction)(void (*)(void))py_targets_choice_law_lay_places, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:place_of", (PyCFunction)(void (*)(void))py_targets_choice_law_place_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:replace", (PyCFunction)(void (*)(void))py_targets_choice_law_replace, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:reset", (PyCFunction)(void (*)(void))py_targets_choice_law_reset, METH_FASTCALL, NULL},
+  {"pointpred.targets.choice_law:update", (PyCFunction)(void (*)(void))py_targets_choice_law_update, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:begins", (PyCFunction)(void (*)(void))py_targets_cursor_begins, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:follow", (PyCFunction)(void (*)(void))py_targets_cursor_follow, METH_FASTCALL, NULL},
   {"pointpred.targets.cursor:until", (PyCFunction)(void (*)(void))py_targets_cursor_until, METH_FASTCALL, NULL},
@@ -11805,10 +12319,24 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.endpoint:geometric_median", (PyCFunction)(void (*)(void))py_targets_endpoint_geometric_median, METH_FASTCALL, NULL},
   {"pointpred.targets.endpoint:mixture", (PyCFunction)(void (*)(void))py_targets_endpoint_mixture, METH_FASTCALL, NULL},
   {"pointpred.targets.endpoint:write_target", (PyCFunction)(void (*)(void))py_targets_endpoint_write_target, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:arrived", (PyCFunction)(void (*)(void))py_targets_heading_arrived, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:begin", (PyCFunction)(void (*)(void))py_targets_heading_begin, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:ended", (PyCFunction)(void (*)(void))py_targets_heading_ended, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:follow", (PyCFunction)(void (*)(void))py_targets_heading_follow, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:learn_target", (PyCFunction)(void (*)(void))py_targets_heading_learn_target, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:taken", (PyCFunction)(void (*)(void))py_targets_heading_taken, METH_FASTCALL, NULL},
+  {"pointpred.targets.heading:weigh", (PyCFunction)(void (*)(void))py_targets_heading_weigh, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:add", (PyCFunction)(void (*)(void))py_targets_ledger_add, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:begin", (PyCFunction)(void (*)(void))py_targets_ledger_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:close", (PyCFunction)(void (*)(void))py_targets_ledger_close, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:drop", (PyCFunction)(void (*)(void))py_targets_ledger_drop, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:enter", (PyCFunction)(void (*)(void))py_targets_ledger_enter, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:finish", (PyCFunction)(void (*)(void))py_targets_ledger_finish, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:note_end", (PyCFunction)(void (*)(void))py_targets_ledger_note_end, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:note_entry", (PyCFunction)(void (*)(void))py_targets_ledger_note_entry, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:note_proposal", (PyCFunction)(void (*)(void))py_targets_ledger_note_proposal, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:propose", (PyCFunction)(void (*)(void))py_targets_ledger_propose, METH_FASTCALL, NULL},
+  {"pointpred.targets.ledger:row_of", (PyCFunction)(void (*)(void))py_targets_ledger_row_of, METH_FASTCALL, NULL},
   {"pointpred.targets.ledger:withdraw", (PyCFunction)(void (*)(void))py_targets_ledger_withdraw, METH_FASTCALL, NULL},
   {"pointpred.targets.past:add_visit", (PyCFunction)(void (*)(void))py_targets_past_add_visit, METH_FASTCALL, NULL},
   {"pointpred.targets.past:elsewhere", (PyCFunction)(void (*)(void))py_targets_past_elsewhere, METH_FASTCALL, NULL},

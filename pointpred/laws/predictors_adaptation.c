@@ -15,11 +15,7 @@ static const double predictors_adaptation_correction_APART_S = 0.005;
 static const double predictors_adaptation_correction_BIAS_FADE = 0.2;
 static const double predictors_adaptation_correction_EARLY = 0.1;
 static const double predictors_adaptation_correction_FADE = 0.5;
-static const double predictors_adaptation_correction_LEAST_S = 0.08;
-static const double predictors_adaptation_correction_NEAR_PX = 8.0;
-static const double predictors_adaptation_correction_NEAR_SHARE = 0.03;
 static const double predictors_adaptation_correction_PLACES_FADE = 0.7;
-static const int64_t predictors_adaptation_correction_SAMPLES_LEAST = 6;
 static const int64_t predictors_adaptation_correction_TRACE_PLACES = 96;
 static const int64_t predictors_adaptation_correction_UNEQUAL = 21;
 static const double predictors_adaptation_destination_LEAST_SHARE = 0.0001;
@@ -41,7 +37,6 @@ static const double predictors_adaptation_distances_LOGISTIC = 1.7;
 static const double predictors_adaptation_distances_NEGLIGIBLE = 0.0001;
 static const int64_t predictors_adaptation_distances_NO_SHARES = 3;
 static const double predictors_adaptation_distances_OFF_ONE = 1e-06;
-static const double predictors_adaptation_distances_SHORTEST_PX = 1e-06;
 static const int64_t predictors_adaptation_distances_TOO_SHORT = 1;
 static const int64_t predictors_adaptation_distances_TOO_SURE = 2;
 static const double predictors_adaptation_distances_UNKNOWN_LOGS = 3.0;
@@ -79,6 +74,11 @@ static const double predictors_adaptation_mixed_region_LEAST = 0.02;
 static const double predictors_adaptation_mixed_region_LEAST_SPREAD = 0.5;
 static const int64_t predictors_adaptation_mixed_region_MOST_PLACES = 4;
 static const int64_t predictors_adaptation_mixed_region_POINTS = 32;
+static const double predictors_adaptation_moments_LEAST_S = 0.08;
+static const double predictors_adaptation_moments_NEAR_PX = 8.0;
+static const double predictors_adaptation_moments_NEAR_SHARE = 0.03;
+static const int64_t predictors_adaptation_moments_SAMPLES_LEAST = 6;
+static const double predictors_adaptation_moments_SHORTEST_PX = 1e-06;
 static const int64_t predictors_adaptation_places_CAPACITY = 64;
 static const int64_t predictors_adaptation_places_FINE = 0;
 static const double predictors_adaptation_places_KEEP = 0.97;
@@ -191,7 +191,7 @@ Tqd predictors_adaptation_distances_fault(predictors_adaptation_distances_Distan
     return (Tqd){predictors_adaptation_distances_FINE, 0.0};
   }
   for (int64_t i = 0; i < count; i++) {
-    if (!(learned->last[i] >= predictors_adaptation_distances_SHORTEST_PX)) {
+    if (!(learned->last[i] >= predictors_adaptation_moments_SHORTEST_PX)) {
       return (Tqd){predictors_adaptation_distances_TOO_SHORT, learned->last[i]};
     }
   }
@@ -1010,10 +1010,10 @@ void predictors_adaptation_correction_conclude(predictors_adaptation_correction_
   double distance, end, shortest;
   bool whole;
   distance = hypot(movement->x - movement->x0, movement->y - movement->y0);
-  end = predictors_adaptation_correction_arrival(movement, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance));
-  whole = movement->started == 1.0 && movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST;
-  shortest = max_float(settings->shortest_px, predictors_adaptation_distances_SHORTEST_PX);
-  if (whole && end - movement->t0 >= predictors_adaptation_correction_LEAST_S && distance >= shortest) {
+  end = predictors_adaptation_correction_arrival(movement, max_float(predictors_adaptation_moments_NEAR_PX, predictors_adaptation_moments_NEAR_SHARE * distance));
+  whole = movement->started == 1.0 && movement->samples >= predictors_adaptation_moments_SAMPLES_LEAST;
+  shortest = max_float(settings->shortest_px, predictors_adaptation_moments_SHORTEST_PX);
+  if (whole && end - movement->t0 >= predictors_adaptation_moments_LEAST_S && distance >= shortest) {
     if (settings->places == 1.0) {
       predictors_adaptation_correction_learn_place(settings, person, movement);
     }
@@ -1988,6 +1988,21 @@ bool predictors_adaptation_predictor_write_mixture(predictors_adaptation_predict
   }
   predictors_adaptation_correction_write_mixture(&settings->adaptation, &memory->person, &memory->movement, &now->asked);
   return true;
+}
+
+/* Write the parts of the mixture into ``out``; returns how many, 0 for no mixture, and its offsets. */
+Tq2d predictors_adaptation_predictor_list_parts(predictors_adaptation_predictor_Memory * memory, Table out) {
+  predictors_adaptation_mixed_region_Mixture * asked;
+  if (!predictors_adaptation_predictor_write_mixture(memory)) {
+    return (Tq2d){0, 0.0, 0.0};
+  }
+  asked = &memory->movement.now.asked;
+  for (int64_t k = 0, end_1 = (int64_t)asked->count; k < end_1; k++) {
+    for (int64_t i = 0; i < 7; i++) {
+      out.p[k * out.m + i] = (Vector){(double *)&asked->rows[k], 7}.p[i];
+    }
+  }
+  return (Tq2d){(int64_t)asked->count, asked->offsets[0], asked->offsets[1]};
 }
 
 void loop__predictors_adaptation_predictor_conclude__records_row_at__predictors_adaptation_predictor_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out, Vector shared_0) {

@@ -36,7 +36,7 @@ static const int64_t scoring_trials_STOP = 3;
 static const int64_t scoring_trials_UNUSABLE = 3;
 static const int64_t scoring_trials_VERDICT = 0;
 static const double targets_choice_law_KEEP = 0.4;
-static const int64_t targets_ledger_FIELDS = 3;
+static const int64_t targets_ledger_FIELDS = 4;
 
 /* The shares of all targets after each event, in a row of ``shares``. */
 void scoring_target_choice_weigh(Table events, Table answers, Table table, targets_posterior_Coefficients * coefficients, double elsewhere, Table shares) {
@@ -96,7 +96,7 @@ void scoring_target_choice_account(Table events, Table answers, Table table, Tab
   T4d bounds;
   double buffer_1[15];
   double buffer_2[8];
-  double buffer_3[6];
+  double buffer_3[8];
   memset(buffer_1, 0, sizeof buffer_1);
   memory = (targets_cursor_State *)((Vector){buffer_1, 15}.p);
   memset(buffer_2, 0, sizeof buffer_2);

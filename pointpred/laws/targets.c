@@ -1,17 +1,15 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const double predictors_adaptation_correction_LEAST_S = 0.08;
-static const double predictors_adaptation_correction_NEAR_PX = 8.0;
-static const double predictors_adaptation_correction_NEAR_SHARE = 0.03;
-static const int64_t predictors_adaptation_correction_SAMPLES_LEAST = 6;
-static const double predictors_adaptation_distances_SHORTEST_PX = 1e-06;
+static const double predictors_adaptation_moments_LEAST_S = 0.08;
+static const double predictors_adaptation_moments_NEAR_PX = 8.0;
+static const double predictors_adaptation_moments_NEAR_SHARE = 0.03;
+static const int64_t predictors_adaptation_moments_SAMPLES_LEAST = 6;
 static const int64_t predictors_adaptation_region_widening_JUDGED = 9;
 static const double predictors_adaptation_region_widening_MOVEMENTS_MOST = 1000000.0;
 static const double predictors_adaptation_time_left_LONGEST = 4.0;
 static const double targets_aim_JUDGED_LEAST = 0.02;
 static const int64_t targets_aim_JUDGED_POINTS = 128;
-static const int64_t targets_aim_MOST = 32;
 static const int64_t targets_aim_POINTS_LEAST = 8;
 static const double targets_aim_SIZE_PX = 20.0;
 static const double targets_arrival_DIFFICULTY_OF = 4.0;
@@ -21,6 +19,7 @@ static const double targets_arrival_prior_PRIOR[] = {0.103, 0.34, 0.22, 0.053, 0
 static const double targets_choice_law_ENTERED = 2.0;
 static const double targets_choice_law_INSIDE = 1.0;
 static const double targets_choice_law_KEEP = 0.4;
+static const double targets_choice_law_LEAST_PX = 16.0;
 static const double targets_choice_law_OUTSIDE = 0.0;
 static const double targets_choice_law_RELEASED = 3.0;
 static const double targets_cursor_PAUSE_S = 0.3;
@@ -31,6 +30,9 @@ static const double targets_endpoint_RADII2 = 0.5;
 static const int64_t targets_endpoint_STEPS = 8;
 static const double targets_endpoint_TAIL = 3.0;
 static const double targets_endpoint_WIDER = 2.0;
+static const int64_t targets_heading_MOST = 32;
+static const double targets_heading_SHORTEST_PX = 3.0;
+static const int64_t targets_ledger_KEY = 3;
 static const int64_t targets_past_AFTER = 3;
 static const int64_t targets_past_ALIKE = 4;
 static const int64_t targets_past_CAPACITY = 64;
@@ -326,65 +328,6 @@ bool targets_decision_early(targets_cursor_State * s, Vector row, double remaini
   return left >= least_s;
 }
 
-/* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
-int64_t targets_rectangles_holder(Table table, double x, double y) {
-  int64_t best;
-  double smallest, least, across, down, area, away;
-  Vector row;
-  best = targets_rectangles_NOBODY;
-  smallest = INFINITY;
-  least = INFINITY;
-  for (int64_t i = 0; i < table.n; i++) {
-    row = (Vector){table.p + i * table.m, table.m};
-    across = fabs(row.p[targets_rectangles_CENTRE_X] - x);
-    down = fabs(row.p[targets_rectangles_CENTRE_Y] - y);
-    if (across <= 0.5 * row.p[targets_rectangles_WIDTH] && down <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
-      area = row.p[targets_rectangles_WIDTH] * row.p[targets_rectangles_HEIGHT];
-      away = across + down;
-      if (area < smallest || (area == smallest && away < least)) {
-        best = i;
-        smallest = area;
-        least = away;
-      }
-    }
-  }
-  return best;
-}
-
-/* The target that a movement was for that ended here; -1: none of them. */
-int64_t targets_aim_taken(Table rows, double x, double y) {
-  int64_t best;
-  double least, off;
-  Vector row;
-  best = targets_rectangles_holder(rows, x, y);
-  if (best != targets_rectangles_NOBODY) {
-    return best;
-  }
-  least = 1.0;
-  for (int64_t i = 0; i < rows.n; i++) {
-    row = (Vector){rows.p + i * rows.m, rows.m};
-    off = max_float(fabs(row.p[targets_rectangles_CENTRE_X] - x) / row.p[targets_rectangles_WIDTH], fabs(row.p[targets_rectangles_CENTRE_Y] - y) / row.p[targets_rectangles_HEIGHT]);
-    if (off < least) {
-      best = i;
-      least = off;
-    }
-  }
-  return best;
-}
-
-/* When the cursor came near its end (x, y) for good, s. */
-double targets_aim_arrived(targets_aim_Movement * movement, double x, double y, double near, double end) {
-  targets_aim_Moment * m;
-  for (int64_t k = (int64_t)movement->series.count - 1; k > (-1); k--) {
-    m = &movement->moments[k];
-    if (hypot(m->cursor.x - x, m->cursor.y - y) > near) {
-      return end;
-    }
-    end = m->t;
-  }
-  return end;
-}
-
 /* Ten numbers as a row. */
 T10d targets_aim_row_of(Vector values) {
   return (T10d){values.p[0], values.p[1], values.p[2], values.p[3], values.p[4], values.p[5], values.p[6], values.p[7], values.p[8], values.p[9]};
@@ -473,12 +416,12 @@ int64_t targets_endpoint_mixture(Table table, Vector shares, targets_posterior_L
 }
 
 /* Judge the ellipses and level sets that were stated over ``span``, in s, by where the movement ended. */
-void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_aim_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   Table rows, parts;
   double x, y, step, share, within, nearer, near, far, tail, asked;
   Vector shares;
   int64_t k, count;
-  targets_aim_Moment * m;
+  targets_heading_Moment * m;
   T10d answer;
   targets_posterior_Law predicted;
   T6d ellipse;
@@ -514,6 +457,66 @@ void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, 
       predictors_adaptation_levels_learn(&s->mixed, share, which, within <= asked, step);
       predictors_adaptation_levels_learn(&s->single, share, which, nearer <= ((const double *)&predictors_mixture_LEVELS)[which], step);
     }
+  }
+}
+
+/* When the cursor came near its end (x, y) for good, s. */
+double targets_heading_arrived(targets_heading_Movement * movement, double x, double y, double near, double end) {
+  targets_heading_Moment * m;
+  for (int64_t k = (int64_t)movement->series.count - 1; k > (-1); k--) {
+    m = &movement->moments[k];
+    if (hypot(m->cursor.x - x, m->cursor.y - y) > near) {
+      return end;
+    }
+    end = m->t;
+  }
+  return end;
+}
+
+/* When the movement that is over came to its end, s; NaN where nothing is learned from it. */
+double targets_heading_ended(targets_heading_Memory * memory, Table rows) {
+  targets_cursor_State * s;
+  targets_heading_Movement * movement;
+  double distance, end;
+  bool whole;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  distance = hypot(s->x - s->x0, s->y - s->y0);
+  end = targets_heading_arrived(movement, s->x, s->y, max_float(predictors_adaptation_moments_NEAR_PX, predictors_adaptation_moments_NEAR_SHARE * distance), s->t);
+  whole = movement->samples >= predictors_adaptation_moments_SAMPLES_LEAST && distance >= targets_heading_SHORTEST_PX && end - s->t0 >= predictors_adaptation_moments_LEAST_S;
+  return memory->settings.learn == 1.0 && whole && rows.n > 0 ? end : NAN;
+}
+
+/* The mean duration in s; 0 where none is known. */
+double targets_arrival_mean(targets_arrival_Durations * s) {
+  return s->count > 0.0 ? s->total / s->count : 0.0;
+}
+
+/* Take in the duration of a finished movement, s. */
+void targets_arrival_remember(targets_arrival_Durations * s, double duration) {
+  double most;
+  most = s->count > 0.0 ? targets_arrival_LONGER * targets_arrival_mean(s) : duration;
+  s->total = targets_arrival_KEEP * s->total + min_float(duration, most);
+  s->count = targets_arrival_KEEP * s->count + 1.0;
+}
+
+/* The movement has ended where the cursor is: learn how good its regions and times were. */
+void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  targets_cursor_State * s;
+  targets_heading_Movement * movement;
+  targets_heading_Person * person;
+  double end, usual;
+  T2d span;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  person = &memory->person;
+  end = targets_heading_ended(memory, targets.f0);
+  if (end == end) {
+    span = (T2d){s->t0, end};
+    targets_aim_learn_regions(&person->regions, movement, (T2d){s->x, s->y}, span, targets, coefficients);
+    usual = targets_arrival_mean(&person->durations);
+    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, usual, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+    targets_arrival_remember(&person->durations, end - s->t0);
   }
 }
 
@@ -614,49 +617,116 @@ void targets_past_learn(targets_past_Past * s, Vector own, Table keys, int64_t t
   s->kinds[0] = taken >= 0 ? keys.p[taken * keys.m + targets_past_KIND] : targets_past_NO_TARGET;
 }
 
-/* The mean duration in s; 0 where none is known. */
-double targets_arrival_mean(targets_arrival_Durations * s) {
-  return s->count > 0.0 ? s->total / s->count : 0.0;
+/* The smallest target that holds a point, of equal ones the nearest; NOBODY where there is none. */
+int64_t targets_rectangles_holder(Table table, double x, double y) {
+  int64_t best;
+  double smallest, least, across, down, area, away;
+  Vector row;
+  best = targets_rectangles_NOBODY;
+  smallest = INFINITY;
+  least = INFINITY;
+  for (int64_t i = 0; i < table.n; i++) {
+    row = (Vector){table.p + i * table.m, table.m};
+    across = fabs(row.p[targets_rectangles_CENTRE_X] - x);
+    down = fabs(row.p[targets_rectangles_CENTRE_Y] - y);
+    if (across <= 0.5 * row.p[targets_rectangles_WIDTH] && down <= 0.5 * row.p[targets_rectangles_HEIGHT]) {
+      area = row.p[targets_rectangles_WIDTH] * row.p[targets_rectangles_HEIGHT];
+      away = across + down;
+      if (area < smallest || (area == smallest && away < least)) {
+        best = i;
+        smallest = area;
+        least = away;
+      }
+    }
+  }
+  return best;
 }
 
-/* Take in the duration of a finished movement, s. */
-void targets_arrival_remember(targets_arrival_Durations * s, double duration) {
-  double most;
-  most = s->count > 0.0 ? targets_arrival_LONGER * targets_arrival_mean(s) : duration;
-  s->total = targets_arrival_KEEP * s->total + min_float(duration, most);
-  s->count = targets_arrival_KEEP * s->count + 1.0;
+/* The target that a movement was for that ended here; -1: none of them. */
+int64_t targets_heading_taken(Table rows, double x, double y) {
+  int64_t best;
+  double least, off;
+  Vector row;
+  best = targets_rectangles_holder(rows, x, y);
+  if (best != targets_rectangles_NOBODY) {
+    return best;
+  }
+  least = 1.0;
+  for (int64_t i = 0; i < rows.n; i++) {
+    row = (Vector){rows.p + i * rows.m, rows.m};
+    off = max_float(fabs(row.p[targets_rectangles_CENTRE_X] - x) / row.p[targets_rectangles_WIDTH], fabs(row.p[targets_rectangles_CENTRE_Y] - y) / row.p[targets_rectangles_HEIGHT]);
+    if (off < least) {
+      best = i;
+      least = off;
+    }
+  }
+  return best;
 }
 
-/* The movement has ended where the cursor is: learn from it, and forget it. */
-void targets_aim_conclude(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+/* The movement has ended where the cursor is: learn which target was taken, and forget it. */
+void targets_heading_learn_target(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
-  targets_aim_Person * person;
   Table rows, keys;
   Vector own;
-  double x, y, distance, end, usual;
-  bool whole;
-  T2d span;
+  double end;
   s = &memory->cursor;
-  movement = &memory->movement;
-  person = &memory->person;
   rows = targets.f0;
   own = targets.f1;
   keys = targets.f2;
-  x = s->x;
-  y = s->y;
-  distance = hypot(x - s->x0, y - s->y0);
-  end = targets_aim_arrived(movement, x, y, max_float(predictors_adaptation_correction_NEAR_PX, predictors_adaptation_correction_NEAR_SHARE * distance), s->t);
-  whole = movement->samples >= predictors_adaptation_correction_SAMPLES_LEAST && distance >= predictors_adaptation_distances_SHORTEST_PX && end - s->t0 >= predictors_adaptation_correction_LEAST_S;
-  if (memory->settings.learn == 1.0 && whole && rows.n > 0) {
-    targets_past_learn(&person->past, own, keys, targets_aim_taken(rows, x, y));
-    span = (T2d){s->t0, end};
-    targets_aim_learn_regions(&person->regions, movement, (T2d){x, y}, span, targets, coefficients);
-    usual = targets_arrival_mean(&person->durations);
-    predictors_adaptation_time_left_learn(&person->time_left, &person->intervals, &movement->time_left, span, usual, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
-    targets_arrival_remember(&person->durations, end - s->t0);
+  end = targets_heading_ended(memory, rows);
+  if (end == end) {
+    targets_past_learn(&memory->person.past, own, keys, targets_heading_taken(rows, s->x, s->y));
   }
-  memset(movement, 0, sizeof(targets_aim_Movement));
+  memset(&memory->movement, 0, sizeof(targets_heading_Movement));
+}
+
+/* The movement has ended where the cursor is: learn from it, and forget it. */
+void targets_aim_conclude(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  targets_aim_learn_prediction(memory, targets, coefficients);
+  targets_heading_learn_target(memory, targets);
+}
+
+/* The expected size of what the movement ends in, px. */
+double targets_aim_size_of(Table rows, Vector shares) {
+  double size, total;
+  size = targets_aim_SIZE_PX * shares.p[rows.n];
+  total = shares.p[rows.n];
+  for (int64_t i = 0; i < rows.n; i++) {
+    size += shares.p[i] * 0.5 * (rows.p[i * rows.m + targets_rectangles_WIDTH] + rows.p[i * rows.m + targets_rectangles_HEIGHT]);
+    total += shares.p[i];
+  }
+  return max_float(size / total, 1.0);
+}
+
+/* Remember what is stated now, if the last moment is far enough back. */
+void targets_aim_record(targets_heading_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer) {
+  targets_heading_Moment * last, *m;
+  int64_t number;
+  bool full;
+  last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
+  Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, (T3d){s->t, s->x, s->y}, targets_heading_MOST);
+  number = values_1.f0;
+  full = values_1.f1;
+  if (number < 0) {
+    return;
+  }
+  if (full) {
+    for (int64_t k = 1; k < number; k++) {
+      stage_copy_values((Vector){(double *)&movement->moments[2 * k], 32}, (Vector){(double *)&movement->moments[k], 32});
+    }
+  }
+  m = &movement->moments[number];
+  m->t = s->t;
+  m->x = region.x;
+  m->y = region.y;
+  m->sxx = region.sxx;
+  m->sxy = region.sxy;
+  m->syy = region.syy;
+  m->tail = region.tail;
+  for (int64_t i = 0; i < 10; i++) {
+    m->answer[i] = ((const double *)&answer)[i];
+  }
+  stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
 }
 
 /* The share of movements to none of the targets; ``first``: what it is at least, and at first. */
@@ -689,7 +759,7 @@ void targets_past_weigh(targets_past_Past * s, Vector own, Table keys, Table tab
 }
 
 /* A movement begins: lay out how likely each target is before it. */
-void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
+void targets_heading_begin(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets) {
   Table rows, keys;
   Vector own, shares;
   double none, total;
@@ -711,47 +781,38 @@ void targets_aim_begin(targets_aim_Memory * memory, T_Table__Vector__Table__Vect
   }
 }
 
-/* The expected size of what the movement ends in, px. */
-double targets_aim_size_of(Table rows, Vector shares) {
-  double size, total;
-  size = targets_aim_SIZE_PX * shares.p[rows.n];
-  total = shares.p[rows.n];
-  for (int64_t i = 0; i < rows.n; i++) {
-    size += shares.p[i] * 0.5 * (rows.p[i * rows.m + targets_rectangles_WIDTH] + rows.p[i * rows.m + targets_rectangles_HEIGHT]);
-    total += shares.p[i];
+/* Take in an event. Where a movement begins with it, learn which target the last one took. */
+void targets_heading_follow(targets_heading_Memory * memory, T6d event, T_Table__Vector__Table__Vector_ targets) {
+  double t, x, y, buttons, pressed;
+  targets_cursor_State * s;
+  targets_heading_Movement * movement;
+  t = event.f0;
+  x = event.f1;
+  y = event.f2;
+  buttons = event.f5;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  pressed = (double)((int64_t)buttons & 1);
+  if (targets_cursor_begins(s, t, pressed)) {
+    targets_heading_learn_target(memory, targets);
+    targets_heading_begin(memory, targets);
   }
-  return max_float(size / total, 1.0);
+  movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
+  movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
 }
 
-/* Remember what is stated now, if the last moment is far enough back. */
-void targets_aim_record(targets_aim_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer) {
-  targets_aim_Moment * last, *m;
-  int64_t number;
-  bool full;
-  last = &movement->moments[max_whole((int64_t)movement->series.count - 1, 0)];
-  Tqb values_1 = predictors_adaptation_moments_next_moment(&movement->series, last->t, (T3d){s->t, s->x, s->y}, targets_aim_MOST);
-  number = values_1.f0;
-  full = values_1.f1;
-  if (number < 0) {
-    return;
-  }
-  if (full) {
-    for (int64_t k = 1; k < number; k++) {
-      stage_copy_values((Vector){(double *)&movement->moments[2 * k], 32}, (Vector){(double *)&movement->moments[k], 32});
-    }
-  }
-  m = &movement->moments[number];
-  m->t = s->t;
-  m->x = region.x;
-  m->y = region.y;
-  m->sxx = region.sxx;
-  m->sxy = region.sxy;
-  m->syy = region.syy;
-  m->tail = region.tail;
-  for (int64_t i = 0; i < 10; i++) {
-    m->answer[i] = ((const double *)&answer)[i];
-  }
-  stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
+/* Write how likely each target is after the last event, by the prediction made at it. */
+void targets_heading_weigh(targets_heading_Memory * memory, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  Table rows;
+  Vector shares;
+  targets_heading_Movement * movement;
+  rows = targets.f0;
+  shares = targets.f3;
+  movement = &memory->movement;
+  targets_posterior_scores(&memory->cursor, rows, answer, coefficients, movement->elsewhere, shares);
+  targets_posterior_normalise(shares);
+  movement->remaining_s = answer.f6;
+  movement->claimed = 0.0;
 }
 
 /* The point of the least expected distance (Weiszfeld), px, softened by the size of each part. */
@@ -826,13 +887,13 @@ T7d targets_arrival_terms(double predicted, double since, double usual, double l
 }
 
 /* Take in an event and the prediction made at it: the prediction given the targets. */
-T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
-  double t, x, y, buttons, pressed, least, since, left, spread, usual, way, total, share, factor, tail, phase;
+T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+  double t, x, y, buttons, least, since, left, spread, usual, way, total, share, factor, tail, phase;
   Table rows, parts;
   Vector shares;
   targets_cursor_State * s;
-  targets_aim_Movement * movement;
-  targets_aim_Person * person;
+  targets_heading_Movement * movement;
+  targets_heading_Person * person;
   targets_posterior_Law predicted;
   int64_t count;
   T2d end;
@@ -847,17 +908,11 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   s = &memory->cursor;
   movement = &memory->movement;
   person = &memory->person;
-  pressed = (double)((int64_t)buttons & 1);
-  if (targets_cursor_begins(s, t, pressed)) {
-    targets_aim_conclude(memory, targets, coefficients);
-    targets_aim_begin(memory, targets);
+  if (targets_cursor_begins(s, t, (double)((int64_t)buttons & 1))) {
+    targets_aim_learn_prediction(memory, targets, coefficients);
   }
-  movement->samples += t > s->t || movement->samples == 0.0 ? 1.0 : 0.0;
-  movement->released = targets_cursor_follow(s, t, x, y, pressed) ? 1.0 : 0.0;
-  targets_posterior_scores(s, rows, answer, coefficients, movement->elsewhere, shares);
-  targets_posterior_normalise(shares);
-  movement->remaining_s = answer.f6;
-  movement->claimed = 0.0;
+  targets_heading_follow(memory, event, targets);
+  targets_heading_weigh(memory, answer, targets, coefficients);
   if (answer.f1 != answer.f1 || rows.n == 0) {
     return answer;
   }
@@ -897,8 +952,32 @@ T10d targets_aim_step(targets_aim_Memory * memory, T6d event, T10d answer, T_Tab
   return (T10d){t, region.x, region.y, region.sxx, region.sxy, region.syy, left, phase, tail, spread};
 }
 
+/* Write the parts of the law of the endpoint as it was stated last, elsewhere first, a row each. */
+Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out) {
+  targets_cursor_State * s;
+  targets_heading_Movement * movement;
+  Vector law_of;
+  targets_posterior_Law predicted;
+  int64_t count;
+  double since, total, share;
+  predictors_adaptation_levels_Offsets * mixed;
+  s = &memory->cursor;
+  movement = &memory->movement;
+  if (movement->claimed == 0.0) {
+    return (Tq2d){0, 0.0, 0.0};
+  }
+  law_of = (Vector){movement->elsewhere_law, 6};
+  predicted = (targets_posterior_Law){law_of.p[0], law_of.p[1], law_of.p[2], law_of.p[3], law_of.p[4], law_of.p[5]};
+  count = targets_endpoint_mixture(targets.f0, targets.f3, predicted, targets_endpoint_NEGLIGIBLE, out);
+  since = s->t - s->t0;
+  total = since + movement->remaining_s;
+  share = total > 0.0 ? since / total : 0.0;
+  mixed = &memory->person.regions.mixed;
+  return (Tq2d){count, predictors_adaptation_levels_offset(mixed, share, 0), predictors_adaptation_levels_offset(mixed, share, 1)};
+}
+
 /* ``step`` over tables; the predictions take the place of ``answers``. */
-void targets_aim_walk(targets_aim_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
+void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
   T10d answer;
   for (int64_t i = 0; i < events.n; i++) {
     if (begins.p[i]) {
@@ -1002,6 +1081,165 @@ T4q targets_choice_law_changes(T2q before, T2q now) {
   return (T4q){ends, leaves, begins, enters};
 }
 
+/* The row of a target; NOBODY where it has none, unless ``new`` and there is room for another. */
+int64_t targets_ledger_row_of(targets_ledger_Account * s, Table rows, double key, bool new) {
+  int64_t count;
+  count = (int64_t)s->rows;
+  for (int64_t i = 0; i < count; i++) {
+    if (rows.p[i * rows.m + targets_ledger_KEY] == key) {
+      return i;
+    }
+  }
+  if (!new || count == rows.n) {
+    return targets_rectangles_NOBODY;
+  }
+  s->rows += 1.0;
+  rows.p[count * rows.m + targets_ledger_MADE] = 0.0;
+  rows.p[count * rows.m + targets_ledger_ENTRY] = NAN;
+  rows.p[count * rows.m + targets_ledger_ENTRY_SINCE] = NAN;
+  rows.p[count * rows.m + targets_ledger_KEY] = key;
+  return count;
+}
+
+/* The cursor goes into this target. */
+void targets_ledger_note_entry(targets_ledger_Account * s, Table rows, double t, double key) {
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, true);
+  targets_ledger_enter(value_1, value_2, t, value_4);
+}
+
+/* The proposal of this target that stands ends, as ``withdraw`` says. */
+void targets_ledger_note_end(targets_ledger_Account * s, Table rows, double t, double key, bool released) {
+  targets_ledger_State * value_1 = &s->movement;
+  int64_t value_3 = targets_ledger_row_of(s, rows, key, false);
+  targets_ledger_withdraw(value_1, t, value_3, released);
+}
+
+/* A proposal of the target of this number is made. */
+void targets_ledger_note_proposal(targets_ledger_Account * s, Table rows, double t, double key) {
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, true);
+  targets_ledger_propose(value_1, value_2, t, value_4);
+}
+
+/* Decide after the event that ``memory`` took in last; returns whether something changes. */
+bool targets_choice_law_update(targets_choice_law_State * s, targets_heading_Memory * memory, T_Table_2_Vector_ targets, Table keys, targets_decision_Settings settings, targets_ledger_Account * account, Table rows, Vector out) {
+  Vector inside;
+  targets_cursor_State * now;
+  bool released;
+  T2q before;
+  double left_s;
+  int64_t chosen, over, count;
+  inside = targets.f1;
+  now = &memory->cursor;
+  released = memory->movement.released == 1.0;
+  before = (T2q){(int64_t)s->predicted, (int64_t)s->entered};
+  left_s = memory->movement.remaining_s;
+  T3q values_1 = targets_choice_law_decide(now, released, left_s, targets, settings, before.f0);
+  chosen = values_1.f0;
+  over = values_1.f1;
+  count = values_1.f2;
+  if (before.f0 == chosen && before.f1 == over && count == 0) {
+    return false;
+  }
+  for (int64_t i = 0; i < inside.n; i++) {
+    if (inside.p[i] == targets_choice_law_ENTERED) {
+      targets_ledger_note_entry(account, rows, now->t, keys.p[i * keys.m + targets_past_ID]);
+    }
+  }
+  if (before.f0 != chosen && before.f0 != targets_rectangles_NOBODY) {
+    targets_ledger_note_end(account, rows, now->t, keys.p[before.f0 * keys.m + targets_past_ID], released);
+  }
+  if (before.f0 != chosen && chosen != targets_rectangles_NOBODY) {
+    targets_ledger_note_proposal(account, rows, now->t, keys.p[chosen * keys.m + targets_past_ID]);
+  }
+  if (before.f1 != over && over != targets_rectangles_NOBODY) {
+    account->movement.entered += 1.0;
+  }
+  s->predicted = chosen;
+  s->entered = over;
+  T4q values_2 = targets_choice_law_changes(before, (T2q){chosen, over});
+  out.p[0] = values_2.f0;
+  out.p[1] = values_2.f1;
+  out.p[2] = values_2.f2;
+  out.p[3] = values_2.f3;
+  return true;
+}
+
+/* Where the target of a number is, looked for from ``first`` on and around; NOBODY where it is not. */
+int64_t targets_choice_law_place_of(Table keys, double key, int64_t first) {
+  int64_t i;
+  for (int64_t k = 0; k < keys.n; k++) {
+    i = remainder_whole(first + k, keys.n);
+    if (keys.p[i * keys.m + targets_past_ID] == key) {
+      return i;
+    }
+  }
+  return targets_rectangles_NOBODY;
+}
+
+/* Go on with other targets: the numbers of those before and where the cursor was, and those from now on. */
+T2b targets_choice_law_replace(targets_choice_law_State * s, double t, T_Table__Vector_ before, T_Table__Vector_ now, targets_ledger_Account * account, Table rows) {
+  Table keys, new_keys;
+  Vector inside, new_inside;
+  int64_t near, place, predicted, entered;
+  keys = before.f0;
+  inside = before.f1;
+  new_keys = now.f0;
+  new_inside = now.f1;
+  near = 0;
+  for (int64_t i = 0; i < new_keys.n; i++) {
+    place = targets_choice_law_place_of(keys, new_keys.p[i * new_keys.m + targets_past_ID], near);
+    new_inside.p[i] = targets_choice_law_OUTSIDE;
+    if (place != targets_rectangles_NOBODY) {
+      new_inside.p[i] = inside.p[place] == targets_choice_law_ENTERED ? targets_choice_law_INSIDE : inside.p[place];
+      near = place + 1;
+    }
+  }
+  predicted = (int64_t)s->predicted;
+  entered = (int64_t)s->entered;
+  if (predicted != targets_rectangles_NOBODY) {
+    s->predicted = targets_choice_law_place_of(new_keys, keys.p[predicted * keys.m + targets_past_ID], predicted);
+    if (s->predicted == targets_rectangles_NOBODY) {
+      targets_ledger_note_end(account, rows, t, keys.p[predicted * keys.m + targets_past_ID], false);
+    }
+  }
+  if (entered != targets_rectangles_NOBODY) {
+    s->entered = targets_choice_law_place_of(new_keys, keys.p[entered * keys.m + targets_past_ID], entered);
+  }
+  return (T2b){predicted != targets_rectangles_NOBODY && s->predicted == targets_rectangles_NOBODY, entered != targets_rectangles_NOBODY && s->entered == targets_rectangles_NOBODY};
+}
+
+/* Nothing is proposed; a target that the cursor is in has to be left before it is entered again. */
+void targets_choice_law_reset(targets_choice_law_State * s, Vector inside) {
+  s->entered = targets_rectangles_NOBODY;
+  s->predicted = s->entered;
+  for (int64_t i = 0; i < inside.n; i++) {
+    if (inside.p[i] != targets_choice_law_OUTSIDE) {
+      inside.p[i] = targets_choice_law_RELEASED;
+    }
+  }
+}
+
+/* Places as targets. ``places``: x, y, p, number, spread, a row each; ``shares``: also of none of them. */
+void targets_choice_law_lay_places(Table places, Table table, Table keys, Vector shares) {
+  double known;
+  known = 0.0;
+  for (int64_t i = 0; i < places.n; i++) {
+    table.p[i * table.m + targets_rectangles_CENTRE_X] = places.p[i * places.m + 0];
+    table.p[i * table.m + targets_rectangles_CENTRE_Y] = places.p[i * places.m + 1];
+    table.p[i * table.m + targets_rectangles_LOG_WEIGHT] = 0.0;
+    shares.p[i] = places.p[i * places.m + 2];
+    keys.p[i * keys.m + targets_past_ID] = places.p[i * places.m + 3];
+    table.p[i * table.m + targets_rectangles_HEIGHT] = max_float(targets_posterior_EFFECTIVE * places.p[i * places.m + 4], targets_choice_law_LEAST_PX);
+    table.p[i * table.m + targets_rectangles_WIDTH] = table.p[i * table.m + targets_rectangles_HEIGHT];
+    known += places.p[i * places.m + 2];
+  }
+  shares.p[places.n] = max_float(1.0 - known, 0.0);
+}
+
 /* Whether an event's numbers are finite and within the bounds of events. */
 bool targets_cursor_usable(double t, double x, double y) {
   return fabs(t) < records_LATEST_S && fabs(x) <= records_LARGEST && fabs(y) <= records_LARGEST;
@@ -1025,6 +1263,50 @@ WIDE void targets_decision_rank(Vector shares, int64_t count, Vector order) {
       order.p[place] = i;
     }
   }
+}
+
+/* Add a movement: how many it proposed, whether it was hit, wasted, retracted, and entered. */
+void targets_ledger_add(targets_ledger_Totals * s, T5d movement) {
+  double proposed, hit, wasted, retracted, entered;
+  proposed = movement.f0;
+  hit = movement.f1;
+  wasted = movement.f2;
+  retracted = movement.f3;
+  entered = movement.f4;
+  s->movements += 1.0;
+  s->proposed += proposed;
+  s->right += proposed - wasted;
+  s->hits += hit;
+  s->wasted += wasted;
+  s->retracted += retracted;
+  s->entered += entered;
+}
+
+/* Forget the movement. */
+void targets_ledger_drop(targets_ledger_Account * s) {
+  memset(&s->movement, 0, sizeof(targets_ledger_State));
+  s->movement.ended = targets_rectangles_NOBODY;
+  s->movement.standing = s->movement.ended;
+  s->rows = 0.0;
+}
+
+/* Close the movement, for the target of this number or NOBODY, and add it to the totals. */
+T6d targets_ledger_finish(targets_ledger_Account * s, Table rows, double t, double key) {
+  double right, entry_s, click_s, proposed, retracted, entered, hit;
+  targets_ledger_State * value_1 = &s->movement;
+  Table value_2 = rows;
+  int64_t value_4 = targets_ledger_row_of(s, rows, key, false);
+  T3d values_5 = targets_ledger_close(value_1, value_2, t, value_4);
+  right = values_5.f0;
+  entry_s = values_5.f1;
+  click_s = values_5.f2;
+  proposed = s->movement.proposed;
+  retracted = s->movement.retracted;
+  entered = s->movement.entered;
+  hit = entry_s == entry_s ? 1.0 : 0.0;
+  targets_ledger_add(&s->totals, (T5d){proposed, hit, proposed - right, retracted, entered});
+  targets_ledger_drop(s);
+  return (T6d){proposed, proposed - right, retracted, entered, entry_s, click_s};
 }
 
 /* A row of features for each target and a predicted law. */

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from hashlib import blake2b
-from math import exp, hypot, inf, log2
-from typing import Annotated, Any, Self
+from math import hypot, log2
+from typing import Any, Self
 
 import numpy as np
 from msgspec import structs
 
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.layout import Layout, clear, slots_of
+from pointpred.layout import clear, slots_of
 from pointpred.parameter import parameter
 from pointpred.predictors.adaptation import levels, moments, region_widening, time_left
-from pointpred.predictors.adaptation.arrival_intervals import Intervals
-from pointpred.predictors.adaptation.correction import LEAST_S, NEAR_PX, NEAR_SHARE, SAMPLES_LEAST
-from pointpred.predictors.adaptation.distances import SHORTEST_PX
 from pointpred.predictors.mixture import (
     HEAVINESS_LEAST,
     LEVELS,
@@ -31,118 +27,36 @@ from pointpred.records import BoolArray, FloatArray, FloatTable, Row, SixFloats,
 from pointpred.stage import CompiledStage, copy_values
 from pointpred.targets import arrival, cursor, endpoint, past, posterior
 from pointpred.targets.arrival_prior import PRIOR
+from pointpred.targets.heading import (
+    ELSEWHERE,
+    MOST,
+    Memory,
+    Movement,
+    Person,
+    Settings,
+    Targets,
+    begin,
+    ended,
+    follow,
+    learn_target,
+    weigh,
+)
 from pointpred.targets.posterior import Coefficients
 from pointpred.targets.rectangles import (
-    CENTRE_X,
-    CENTRE_Y,
     HEIGHT,
     LOG_WEIGHT,
-    NOBODY,
     WIDTH,
     Target,
-    holder,
+    key_of,
     table,
 )
 
-MOST = 32
-"""Moments of a movement that are remembered."""
 JUDGED_LEAST = 0.02
 """A target that is less likely counts as elsewhere when it is judged whether the end lay in a region."""
 JUDGED_POINTS, POINTS_LEAST = 128, 8
 """About so many points of all parts, and at least so many of each, tell what is denser than the end."""
 SIZE_PX = 20.0
 """The size of what a movement ends in that goes to none of the targets."""
-
-
-class Settings(Layout):
-    """The share of movements to none of the targets at first; 1 where the person is learned."""
-
-    elsewhere: float
-    learn: float
-
-
-class Person(Layout):
-    """What is known of the person: the targets taken, the regions, the durations, the time left."""
-
-    past: past.Past
-    regions: region_widening.Radii
-    durations: arrival.Durations
-    time_left: time_left.Sums
-    intervals: Intervals
-
-
-class Moment(Layout):
-    """What was known at a moment, and the ellipse that was stated."""
-
-    t: float
-    x: float
-    y: float
-    sxx: float
-    sxy: float
-    syy: float
-    tail: float
-    answer: Annotated[FloatArray, 10]
-    cursor: cursor.State
-
-
-class Movement(Layout):
-    """The movement, if one has started: its samples, the share of none before it, what was stated."""
-
-    samples: float
-    elsewhere: float
-    released: float
-    """1 where the last event released a button."""
-    remaining_s: float
-    """The time left that was stated last, s."""
-    claimed: float
-    elsewhere_law: Annotated[FloatArray, 6]
-    """Whether an endpoint was stated last, and the law of a movement to none of the targets then."""
-    series: moments.Series
-    moments: Annotated[Sequence[Moment], MOST]
-    time_left: time_left.Movement
-
-
-class Memory(Layout):
-    """Settings, what is known of the person, the cursor, the movement."""
-
-    settings: Settings
-    person: Person
-    cursor: cursor.State
-    movement: Movement
-
-
-Targets = tuple[FloatTable, FloatArray, FloatTable, FloatArray]
-"""The table of the targets, the caller's weights as logarithms, the keys of ``past``; how likely each is, and
-none of them."""
-
-
-@law
-def taken(rows: FloatTable, x: float, y: float) -> int:
-    """The target that a movement was for that ended here; -1: none of them.
-
-    The one that holds the place, or one that people who aim at it may have missed by half its size.
-    """
-    best = holder(rows, x, y)
-    if best != NOBODY:
-        return best
-    least = 1.0
-    for i in range(len(rows)):
-        row = rows[i]
-        off = max(abs(row[CENTRE_X] - x) / row[WIDTH], abs(row[CENTRE_Y] - y) / row[HEIGHT])
-        if off < least:
-            best, least = i, off
-    return best
-
-
-@law
-def arrived(movement: Movement, x: float, y: float, near: float, end: float) -> float:
-    """When the cursor came near its end (x, y) for good, s."""
-    for k in range(int(movement.series.count) - 1, -1, -1):
-        m = movement.moments[k]
-        if hypot(m.cursor.x - x, m.cursor.y - y) > near:
-            return end
-        end = m.t
-    return end
 
 
 @law
@@ -194,37 +108,23 @@ def learn_regions(
 
 
 @law
-def conclude(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
-    """The movement has ended where the cursor is: learn from it, and forget it."""
+def learn_prediction(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
+    """The movement has ended where the cursor is: learn how good its regions and times were."""
     s, movement, person = memory.cursor, memory.movement, memory.person
-    rows, own, keys, _ = targets
-    x, y = s.x, s.y
-    distance = hypot(x - s.x0, y - s.y0)
-    end = arrived(movement, x, y, max(NEAR_PX, NEAR_SHARE * distance), s.t)
-    whole = movement.samples >= SAMPLES_LEAST and distance >= SHORTEST_PX and end - s.t0 >= LEAST_S
-    if memory.settings.learn == 1.0 and whole and len(rows) > 0:
-        past.learn(person.past, own, keys, taken(rows, x, y))
+    end = ended(memory, targets[0])
+    if end == end:
         span = s.t0, end
-        learn_regions(person.regions, movement, (x, y), span, targets, coefficients)
+        learn_regions(person.regions, movement, (s.x, s.y), span, targets, coefficients)
         usual = arrival.mean(person.durations)
         time_left.learn(person.time_left, person.intervals, movement.time_left, span, usual, PRIOR)
         arrival.remember(person.durations, end - s.t0)
-    clear(movement)
 
 
 @law
-def begin(memory: Memory, targets: Targets) -> None:
-    """A movement begins: lay out how likely each target is before it."""
-    rows, own, keys, shares = targets
-    none = past.elsewhere(memory.person.past, memory.settings.elsewhere)
-    past.weigh(memory.person.past, own, keys, rows)
-    memory.movement.elsewhere, total = none, none
-    shares[len(rows)] = none
-    for i in range(len(rows)):
-        shares[i] = (1.0 - none) * exp(rows[i, LOG_WEIGHT]) if rows[i, LOG_WEIGHT] > -inf else 0.0
-        total += shares[i]
-    for i in range(len(shares)):
-        shares[i] /= total
+def conclude(memory: Memory, targets: Targets, coefficients: Coefficients) -> None:
+    """The movement has ended where the cursor is: learn from it, and forget it."""
+    learn_prediction(memory, targets, coefficients)
+    learn_target(memory, targets)
 
 
 @law
@@ -267,15 +167,10 @@ def step(
     t, x, y, _, _, buttons = event
     rows, _, _, shares = targets
     s, movement, person = memory.cursor, memory.movement, memory.person
-    pressed = float(int(buttons) & 1)
-    if cursor.begins(s, t, pressed):
-        conclude(memory, targets, coefficients)
-        begin(memory, targets)
-    movement.samples += 1.0 if t > s.t or movement.samples == 0.0 else 0.0
-    movement.released = 1.0 if cursor.follow(s, t, x, y, pressed) else 0.0
-    posterior.scores(s, rows, answer, coefficients, movement.elsewhere, shares)
-    posterior.normalise(shares)
-    movement.remaining_s, movement.claimed = answer[6], 0.0
+    if cursor.begins(s, t, float(int(buttons) & 1)):
+        learn_prediction(memory, targets, coefficients)
+    follow(memory, event, targets)
+    weigh(memory, answer, targets, coefficients)
     if answer[1] != answer[1] or len(rows) == 0:
         return answer
     predicted = endpoint.elsewhere(s, answer)
@@ -317,6 +212,25 @@ def step(
 
 
 @law
+def lay_parts(memory: Memory, targets: Targets, out: FloatTable) -> tuple[int, float, float]:
+    """Write the parts of the law of the endpoint as it was stated last, elsewhere first, a row each.
+
+    Returns how many, 0 where no endpoint was stated, and the offsets of ``Mixture``.
+    """
+    s, movement = memory.cursor, memory.movement
+    if movement.claimed == 0.0:
+        return 0, 0.0, 0.0
+    law_of = movement.elsewhere_law
+    predicted = posterior.Law(law_of[0], law_of[1], law_of[2], law_of[3], law_of[4], law_of[5])
+    count = endpoint.mixture(targets[0], targets[3], predicted, endpoint.NEGLIGIBLE, out)
+    since = s.t - s.t0
+    total = since + movement.remaining_s
+    share = since / total if total > 0.0 else 0.0
+    mixed = memory.person.regions.mixed
+    return count, levels.offset(mixed, share, 0), levels.offset(mixed, share, 1)
+
+
+@law
 def walk(
     memory: Memory,
     begins: BoolArray,
@@ -333,16 +247,6 @@ def walk(
         answer = step(memory, event_at(events, i), row_at(answers, i), targets, coefficients)
         for j in range(len(answer)):
             answers[i, j] = answer[j]
-
-
-KEY_BYTES = 6
-"""Of a target's id or kind: a float holds so long a whole number exactly."""
-
-
-def key_of(text: str) -> float:
-    """A text as a whole number above 0."""
-    digest = blake2b(text.encode(errors="surrogatepass"), digest_size=KEY_BYTES).digest()
-    return float(int.from_bytes(digest)) or 1.0
 
 
 def keys_of(target: Target) -> tuple[float, float]:
@@ -365,7 +269,7 @@ class Aim(CompiledStage):
         1e-6,
         0.999999,
         "share of movements that go to none of the targets: at least, and at first",
-        default=0.02,
+        default=ELSEWHERE,
     )
     learn: int = parameter(
         "", 0, 1, "1: learn from finished movements what the person takes; 0: not", default=1, whole=True
@@ -391,6 +295,16 @@ class Aim(CompiledStage):
         self.ids: tuple[Hashable, ...] = tuple(target.id for target in targets)
         self._targets: Targets = rows, rows[:, LOG_WEIGHT].copy(), keys, np.zeros(len(rows) + 1)
         begin(self._memory, self._targets)
+
+    @property
+    def keys(self) -> FloatTable:
+        """The numbers of the targets, as ``past`` takes them. A view."""
+        return self._targets[2]
+
+    @property
+    def memory(self) -> FloatArray:
+        """What is known of the person, the cursor and the movement, as laws take it. A view."""
+        return self._memory
 
     @property
     def shares(self) -> FloatArray:
@@ -435,12 +349,10 @@ class Aim(CompiledStage):
 
         ``None`` where no endpoint was stated.
         """
-        now = Memory(self._memory)
-        if now.movement.claimed == 0.0:
-            return None
         parts = np.empty((len(self.ids) + 1, PartRow.length))
-        predicted = posterior.Law(*now.movement.elsewhere_law.tolist())
-        count = endpoint.mixture(self.table, self.shares, predicted, endpoint.NEGLIGIBLE, parts)
+        count, *offsets = lay_parts(self._memory, self._targets, parts)
+        if count == 0:
+            return None
         first, *aimed = (
             Part(share, x, y, (sxx, sxy, syy), tail or None)
             for share, x, y, sxx, sxy, syy, tail in parts[:count].tolist()
@@ -450,9 +362,7 @@ class Aim(CompiledStage):
             structs.replace(one, share=one.share * first.share / sum(p.share for p in others))
             for one in others
         ]
-        since, left = now.cursor.t - now.cursor.t0, now.movement.remaining_s
-        share = since / (since + left) if since + left > 0.0 else 0.0
-        near, far = (levels.offset(now.person.regions.mixed, share, which) for which in range(len(LEVELS)))
+        near, far = map(float, offsets)
         return Mixture((*scaled, *aimed), (near, far))
 
     def reset(self) -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from math import inf
 
 from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.records import FloatArray, FloatTable
-from pointpred.targets import cursor, decision
+from pointpred.targets import cursor, decision, heading, ledger, past
 from pointpred.targets.decision import Settings
+from pointpred.targets.posterior import EFFECTIVE
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, NOBODY, WIDTH
 
 KEEP = 0.4
@@ -18,8 +20,22 @@ OUTSIDE, INSIDE, ENTERED, RELEASED = 0.0, 1.0, 2.0, 3.0
 up while it was there, until it leaves."""
 
 
+LEAST_PX = 16.0
+"""Side of the smallest place: what people point at is hardly smaller, and the scatter near a place is 0."""
+
 Targets = tuple[FloatTable, FloatArray, FloatArray]
 """The table of the targets; where the cursor is for each; how likely each is, and none of them."""
+
+
+class State(Layout):
+    """The target that is predicted, and the one that is proposed because the cursor is in it, or NOBODY."""
+
+    predicted: float
+    entered: float
+
+
+STATES = State.length
+"""For JavaScript that makes a memory."""
 
 
 @law
@@ -103,3 +119,107 @@ def changes(before: tuple[int, int], now: tuple[int, int]) -> tuple[int, int, in
     if entered == chosen:
         leaves = begins = NOBODY
     return ends, leaves, begins, enters
+
+
+@law
+def update(
+    s: State,
+    memory: heading.Memory,
+    targets: Targets,
+    keys: FloatTable,
+    settings: Settings,
+    account: ledger.Account,
+    rows: FloatTable,
+    out: FloatArray,
+) -> bool:
+    """Decide after the event that ``memory`` took in last; returns whether something changes.
+
+    Writes where the cursor is, what is proposed, and into ``out`` what ``changes`` says; what became of
+    proposals goes into the account and its ``rows``. ``keys``: the numbers of the targets.
+    """
+    inside, now = targets[1], memory.cursor
+    released = memory.movement.released == 1.0
+    before = int(s.predicted), int(s.entered)
+    left_s = memory.movement.remaining_s
+    chosen, over, count = decide(now, released, left_s, targets, settings, before[0])
+    if before[0] == chosen and before[1] == over and count == 0:
+        return False
+    for i in range(len(inside)):
+        if inside[i] == ENTERED:
+            ledger.note_entry(account, rows, now.t, keys[i, past.ID])
+    if before[0] != chosen and before[0] != NOBODY:
+        ledger.note_end(account, rows, now.t, keys[before[0], past.ID], released)
+    if before[0] != chosen and chosen != NOBODY:
+        ledger.note_proposal(account, rows, now.t, keys[chosen, past.ID])
+    if before[1] != over and over != NOBODY:
+        account.movement.entered += 1.0
+    s.predicted, s.entered = chosen, over
+    out[0], out[1], out[2], out[3] = changes(before, (chosen, over))
+    return True
+
+
+@law
+def place_of(keys: FloatTable, key: float, first: int) -> int:
+    """Where the target of a number is, looked for from ``first`` on and around; NOBODY where it is not."""
+    for k in range(len(keys)):
+        i = (first + k) % len(keys)
+        if keys[i, past.ID] == key:
+            return i
+    return NOBODY
+
+
+@law
+def replace(
+    s: State,
+    t: float,
+    before: tuple[FloatTable, FloatArray],
+    now: tuple[FloatTable, FloatArray],
+    account: ledger.Account,
+    rows: FloatTable,
+) -> tuple[bool, bool]:
+    """Go on with other targets: the numbers of those before and where the cursor was, and those from now on.
+
+    Returns whether the predicted target is gone, and the one proposed because the cursor is in it. ``t``: of
+    the last event, s.
+    """
+    keys, inside = before
+    new_keys, new_inside = now
+    near = 0
+    for i in range(len(new_keys)):
+        place = place_of(keys, new_keys[i, past.ID], near)
+        new_inside[i] = OUTSIDE
+        if place != NOBODY:
+            new_inside[i] = INSIDE if inside[place] == ENTERED else inside[place]
+            near = place + 1
+    predicted, entered = int(s.predicted), int(s.entered)
+    if predicted != NOBODY:
+        s.predicted = place_of(new_keys, keys[predicted, past.ID], predicted)
+        if s.predicted == NOBODY:
+            ledger.note_end(account, rows, t, keys[predicted, past.ID], False)
+    if entered != NOBODY:
+        s.entered = place_of(new_keys, keys[entered, past.ID], entered)
+    return predicted != NOBODY and s.predicted == NOBODY, entered != NOBODY and s.entered == NOBODY
+
+
+@law
+def reset(s: State, inside: FloatArray) -> None:
+    """Nothing is proposed; a target that the cursor is in has to be left before it is entered again."""
+    s.predicted = s.entered = NOBODY
+    for i in range(len(inside)):
+        if inside[i] != OUTSIDE:
+            inside[i] = RELEASED
+
+
+@law
+def lay_places(places: FloatTable, table: FloatTable, keys: FloatTable, shares: FloatArray) -> None:
+    """Places as targets. ``places``: x, y, p, number, spread, a row each; ``shares``: also of none of them.
+
+    The rectangle of a place is the square that its visits scatter in: as wide as a target of that scatter.
+    """
+    known = 0.0
+    for i in range(len(places)):
+        table[i, CENTRE_X], table[i, CENTRE_Y], table[i, LOG_WEIGHT] = places[i, 0], places[i, 1], 0.0
+        shares[i], keys[i, past.ID] = places[i, 2], places[i, 3]
+        table[i, WIDTH] = table[i, HEIGHT] = max(EFFECTIVE * places[i, 4], LEAST_PX)
+        known += places[i, 2]
+    shares[len(places)] = max(1.0 - known, 0.0)

@@ -8,13 +8,14 @@ from typing import Literal, NamedTuple, Protocol
 import numpy as np
 
 from pointpred.parameter import Parameter, check
-from pointpred.records import FloatArray, Place
+from pointpred.records import FloatArray, FloatTable, Place
+from pointpred.targets import choice_law, past
 from pointpred.targets.aim import Aim
-from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, changes, decide
+from pointpred.targets.choice_law import LEAST_PX
 from pointpred.targets.decision import HIGHEST, LOWEST, USUAL, Settings
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.posterior import EFFECTIVE
-from pointpred.targets.rectangles import FIELDS, NOBODY, Target, around, holder, table
+from pointpred.targets.rectangles import FIELDS, NOBODY, Target, around, holder
 
 Action = Literal["propose", "retract"]
 Reason = Literal["predicted", "entered"]
@@ -25,8 +26,6 @@ CHANGES: tuple[tuple[Action, Reason | None], ...] = (
     ("propose", "entered"),
 )
 """What ``choice_law.changes`` returns, in its order."""
-LEAST_PX = 16.0
-"""Side of the smallest place: what people point at is hardly smaller, and the scatter near a place is 0."""
 
 
 class Choice(NamedTuple):
@@ -105,10 +104,11 @@ class Chooser:
         self.ledger = Ledger()
         self._aim = pipeline.aim  # from now on it follows the cursor
         self._settings = Settings(*map(float, settings))
-        self._standing = self._over = NOBODY
-        self._inside = np.zeros(0)
+        self._state = choice_law.State(np.full(choice_law.State.length, float(NOBODY)))
         self._ids: tuple[Hashable, ...] = ()
-        self._rows, self._shares = np.zeros((0, FIELDS)), np.ones(1)
+        self._targets = np.zeros((0, FIELDS)), np.zeros(0), np.ones(1)
+        self._keys: FloatTable = np.zeros((0, past.KEYS))
+        self._changes = np.empty(len(CHANGES))
         self.follow_targets()
 
     def configure(
@@ -127,17 +127,20 @@ class Chooser:
     @property
     def standing(self) -> Hashable | None:
         """The target that is predicted now."""
-        return None if self._standing == NOBODY else self._ids[self._standing]
+        return self._id_at(self._state.predicted)
 
     @property
     def entered(self) -> Hashable | None:
         """The target that is proposed because the cursor is in it, while it is not the predicted one."""
-        return None if self._over == NOBODY else self._ids[self._over]
+        return self._id_at(self._state.entered)
+
+    def _id_at(self, place: float) -> Hashable | None:
+        return None if place == NOBODY else self._ids[int(place)]
 
     def follow_targets(self) -> tuple[Choice, ...]:
         """End the proposals of targets that are no longer registered; ``update`` does so, too."""
         aim = self.pipeline.aim
-        return self._take(aim.ids, aim.table, aim.shares)
+        return self._take(aim.ids, aim.table, aim.keys, aim.shares)
 
     def update(self) -> tuple[Choice, ...]:
         """Decide after the pipeline's last event; what has changed, ends of proposals first.
@@ -159,52 +162,32 @@ class Chooser:
 
         A target that the cursor is in is not entered again before the cursor has left it, as after a release.
         """
-        self._standing = self._over = NOBODY
-        self._inside[self._inside != OUTSIDE] = RELEASED
+        choice_law.reset(self._state.memory, self._targets[1])
         self.ledger.drop()
 
-    def _take(self, ids: tuple[Hashable, ...], rows: FloatArray, shares: FloatArray) -> tuple[Choice, ...]:
+    def _take(
+        self, ids: tuple[Hashable, ...], rows: FloatArray, keys: FloatTable, shares: FloatArray
+    ) -> tuple[Choice, ...]:
         """Decide among these targets from now on; the proposals of those that are gone end."""
-        self._rows, self._shares = rows, shares
         if ids is self._ids:
+            self._targets = rows, self._targets[1], shares
             return ()
-        where = {self._ids[i]: INSIDE if value == ENTERED else value for i, value in enumerate(self._inside)}
-        before = (self.standing, self._standing), (self.entered, self._over)
-        self._ids = ids
-        self._inside = np.array([where.get(id, OUTSIDE) for id in ids])
-        now = [ids.index(id) if place != NOBODY and id in ids else NOBODY for id, place in before]
-        self._standing, self._over = now
-        if before[0][1] != NOBODY and self._standing == NOBODY:
-            self.ledger.retract(self.pipeline.aim.cursor.t, before[0][0])
-        return tuple(
-            Choice(id, 0.0, "retract")
-            for (id, was), place in zip(before, now, strict=True)
-            if was != NOBODY and place == NOBODY
-        )
+        inside, proposed, t = np.empty(len(ids)), (self.standing, self.entered), self.pipeline.aim.cursor.t
+        before, account = (self._keys, self._targets[1]), (self.ledger.account.memory, self.ledger.rows)
+        gone = choice_law.replace(self._state.memory, float(t), before, (keys, inside), *account)
+        self._ids, self._keys, self._targets = ids, keys, (rows, inside, shares)
+        return tuple(Choice(id, 0.0, "retract") for id, ends in zip(proposed, gone, strict=True) if ends)
 
     def _decide(self) -> tuple[Choice, ...]:
         """Decide by the shares, and note what has changed."""
-        aim = self.pipeline.aim
-        targets = self._rows, self._inside, self._shares
-        now = aim.cursor.memory, aim.released, aim.remaining_s
-        chosen, over, entered = decide(*now, targets, self._settings, self._standing)
-        before = self._standing, self._over
-        if before == (chosen, over) and not entered:
+        given = self.pipeline.aim.memory, self._targets, self._keys, self._settings
+        account = self.ledger.account.memory, self.ledger.with_room(len(self._ids))
+        if not choice_law.update(self._state.memory, *given, *account, self._changes):
             return ()
-        t = float(aim.cursor.t)
-        if entered:
-            for i in np.flatnonzero(self._inside == ENTERED).tolist():
-                self.ledger.enter(t, self._ids[i])
-        if before[0] not in (chosen, NOBODY):
-            (self.ledger.end if aim.released else self.ledger.retract)(t, self._ids[before[0]])
-        if chosen not in (before[0], NOBODY):
-            self.ledger.propose(t, self._ids[chosen])
-        if over not in (before[1], NOBODY):
-            self.ledger.propose_entered()
-        self._standing, self._over = chosen, over
+        shares = self._targets[2]
         return tuple(
-            Choice(self._ids[place], float(self._shares[place]), action, reason)
-            for place, (action, reason) in zip(changes(before, (chosen, over)), CHANGES, strict=True)
+            Choice(self._ids[place], float(shares[place]), action, reason)
+            for place, (action, reason) in zip(map(int, self._changes), CHANGES, strict=True)
             if place != NOBODY
         )
 
@@ -249,20 +232,20 @@ class PlaceChooser(Chooser):
     """
 
     _rectangles: Mapping[Hashable, Target] = {}
-    _own = np.zeros((0, FIELDS))
-    _own_ids: tuple[Hashable, ...] = ()
+    _squares: FloatTable = np.zeros((0, FIELDS))
+    _numbers: tuple[Hashable, ...] = ()
 
     def follow_targets(self) -> tuple[Choice, ...]:
         """End the proposals of places that are no longer known; ``update`` does so, too."""
         places = sorted(self.pipeline.places, key=lambda place: place.id)
-        before = self._rectangles
-        rectangles: dict[Hashable, Target] = {place.id: rectangle_of(place) for place in places}
-        if rectangles != before:
-            self._rectangles, self._own = rectangles, table(list(rectangles.values()))
-            self._own_ids = tuple(rectangles)
-        known = [place.p for place in places]
-        shares = np.array([*known, max(1.0 - sum(known), 0.0)])
-        gone = self._take(self._own_ids, self._own, shares)
+        count, before = len(places), self._rectangles
+        known = np.array([(one.x, one.y, one.p, one.id, one.spread) for one in places]).reshape(count, 5)
+        squares, keys, shares = np.empty((count, FIELDS)), np.zeros((count, past.KEYS)), np.empty(count + 1)
+        choice_law.lay_places(known, squares, keys, shares)
+        if not np.array_equal(squares, self._squares) or not np.array_equal(keys, self._keys):
+            self._squares, self._numbers = squares, tuple(place.id for place in places)
+            self._rectangles = {place.id: rectangle_of(place) for place in places}
+        gone = self._take(self._numbers, squares, keys, shares)
         return tuple(one._replace(place=before[one.id]) for one in gone)
 
     def update(self) -> tuple[Choice, ...]:
@@ -276,5 +259,7 @@ class PlaceChooser(Chooser):
         The proposal stands until the next movement starts.
         """
         now = self.pipeline.aim.cursor
-        place = holder(self._own, float(now.x), float(now.y))
-        return super().finish(None if place == NOBODY else self._own_ids[place])
+        place = holder(self._squares, float(now.x), float(now.y))
+        return self.ledger.close(
+            float(now.t), NOBODY if place == NOBODY else float(self._keys[place, past.ID])
+        )

@@ -13,15 +13,15 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.layout import Layout, clear
-from pointpred.records import FloatTable
-from pointpred.targets.rectangles import NOBODY
+from pointpred.records import FloatArray, FloatTable, SixFloats
+from pointpred.targets.rectangles import NOBODY, key_of
 
 LATEST = 1000
 """Movements of which the lead is remembered, and targets of one movement."""
 
-MADE, ENTRY, ENTRY_SINCE, FIELDS = range(4)
+MADE, ENTRY, ENTRY_SINCE, KEY, FIELDS = range(5)
 """Of a target in a movement, a row: how often it was proposed; when the cursor first went into it, and since
-when it had been proposed then, NaN where it did not and was not."""
+when it had been proposed then, NaN where it did not and was not; the target's number in an account."""
 
 
 class State(Layout):
@@ -40,9 +40,28 @@ class State(Layout):
     """Proposals, retractions, targets proposed because the cursor had gone into them."""
 
 
-PROPOSED, RETRACTED, ENTERED = (part.at for part in State.parts[5:])
-STATES = State.length
-"""For JavaScript that looks at the memory itself."""
+class Totals(Layout):
+    """Of all movements, as ``Ledger.summary`` has them."""
+
+    movements: float
+    proposed: float
+    right: float
+    hits: float
+    wasted: float
+    retracted: float
+    entered: float
+
+
+class Account(Layout):
+    """All movements, the one that goes on, and how many rows its targets have; they are found by number."""
+
+    totals: Totals
+    movement: State
+    rows: float
+
+
+STATES = Account.length
+"""For JavaScript that makes a memory."""
 
 
 @law
@@ -106,6 +125,75 @@ def close(s: State, rows: FloatTable, t: float, place: int) -> tuple[float, floa
     return rows[place, MADE], entry - since, t - since
 
 
+@law
+def row_of(s: Account, rows: FloatTable, key: float, new: bool) -> int:
+    """The row of a target; NOBODY where it has none, unless ``new`` and there is room for another."""
+    count = int(s.rows)
+    for i in range(count):
+        if rows[i, KEY] == key:
+            return i
+    if not new or count == len(rows):
+        return NOBODY
+    s.rows += 1.0
+    rows[count, MADE], rows[count, ENTRY], rows[count, ENTRY_SINCE] = 0.0, nan, nan
+    rows[count, KEY] = key
+    return count
+
+
+@law
+def note_proposal(s: Account, rows: FloatTable, t: float, key: float) -> None:
+    """A proposal of the target of this number is made."""
+    propose(s.movement, rows, t, row_of(s, rows, key, True))
+
+
+@law
+def note_end(s: Account, rows: FloatTable, t: float, key: float, released: bool) -> None:
+    """The proposal of this target that stands ends, as ``withdraw`` says."""
+    withdraw(s.movement, t, row_of(s, rows, key, False), released)
+
+
+@law
+def note_entry(s: Account, rows: FloatTable, t: float, key: float) -> None:
+    """The cursor goes into this target."""
+    enter(s.movement, rows, t, row_of(s, rows, key, True))
+
+
+@law
+def add(s: Totals, movement: tuple[float, float, float, float, float]) -> None:
+    """Add a movement: how many it proposed, whether it was hit, wasted, retracted, and entered."""
+    proposed, hit, wasted, retracted, entered = movement
+    s.movements += 1.0
+    s.proposed += proposed
+    s.right += proposed - wasted
+    s.hits += hit
+    s.wasted += wasted
+    s.retracted += retracted
+    s.entered += entered
+
+
+@law
+def drop(s: Account) -> None:
+    """Forget the movement."""
+    clear(s.movement)
+    s.movement.standing = s.movement.ended = NOBODY
+    s.rows = 0.0
+
+
+@law
+def finish(s: Account, rows: FloatTable, t: float, key: float) -> SixFloats:
+    """Close the movement, for the target of this number or NOBODY, and add it to the totals.
+
+    Returns how many were proposed, wasted, retracted and entered, and the leads before the entry and the
+    click, s, NaN where there is none.
+    """
+    right, entry_s, click_s = close(s.movement, rows, t, row_of(s, rows, key, False))
+    proposed, retracted, entered = s.movement.proposed, s.movement.retracted, s.movement.entered
+    hit = 1.0 if entry_s == entry_s else 0.0
+    add(s.totals, (proposed, hit, proposed - right, retracted, entered))
+    drop(s)
+    return proposed, proposed - right, retracted, entered, entry_s, click_s
+
+
 class Movement(msgspec.Struct, frozen=True):
     """The account of one movement; leads in s, ``None`` where there is none."""
 
@@ -120,6 +208,11 @@ class Movement(msgspec.Struct, frozen=True):
     lead_click_s: float | None
     entered: int = 0
     """Targets proposed because the cursor had gone into them: no predictions, and in none of the above."""
+
+
+def _total(name: str) -> property:
+    """A count of all movements."""
+    return property(lambda ledger: int(getattr(ledger.account.totals, name)))
 
 
 class Ledger:
@@ -139,73 +232,62 @@ class Ledger:
     (1.0, 1.0, 1.0)
     """
 
+    movements, proposed, right, hits = map(_total, ("movements", "proposed", "right", "hits"))
+    wasted, retracted, entered = map(_total, ("wasted", "retracted", "entered"))
+
     def __init__(self) -> None:
-        self.movements = self.proposed = self.right = self.hits = self.wasted = self.retracted = 0
-        self.entered = 0
+        self.account = Account(np.zeros(Account.length))
+        self.rows: FloatArray = np.empty((4, FIELDS))
         self._leads: deque[tuple[float, float]] = deque(maxlen=LATEST)
-        self._movement = State(np.empty(State.length))
         self.drop()
 
     def propose(self, t: float, id: Hashable) -> None:
         """Note a proposal; it takes the place of one that stands."""
-        place = self._row_of(id)
-        propose(self._movement.memory, self._rows, float(t), place)
+        note_proposal(self.account.memory, self.with_room(1), float(t), key_of(str(id)))
 
     def propose_entered(self) -> None:
         """Note that a target was proposed because the cursor had gone into it."""
-        self._movement.entered += 1.0
+        self.account.movement.entered += 1.0
 
     def retract(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
-        withdraw(self._movement.memory, float(t), self._places.get(id, NOBODY), False)
+        note_end(self.account.memory, self.rows, float(t), key_of(str(id)), False)
 
     def end(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands ended with its movement, when the button came up.
 
         That is no retraction, and if the movement is closed at this moment, the proposal stood until then.
         """
-        withdraw(self._movement.memory, float(t), self._places.get(id, NOBODY), True)
+        note_end(self.account.memory, self.rows, float(t), key_of(str(id)), True)
 
     def enter(self, t: float, id: Hashable) -> None:
         """Note that the cursor went into a target; only the first time in a movement counts."""
-        place = self._row_of(id)
-        enter(self._movement.memory, self._rows, float(t), place)
+        note_entry(self.account.memory, self.with_room(1), float(t), key_of(str(id)))
 
     def finish(self, t: float, id: Hashable | None) -> Movement:
         """Close the movement at its click, with the target it was for or ``None``."""
-        place = NOBODY if id is None else self._places.get(id, NOBODY)
-        right, *leads = map(float, close(self._movement.memory, self._rows, float(t), place))
-        movement = self._movement
-        proposed, retracted, entered = map(int, (movement.proposed, movement.retracted, movement.entered))
-        hit = leads[0] == leads[0]
-        if hit:
-            self._leads.append((leads[0], leads[1]))
-        entry_s, click_s = leads if hit else (None, None)
-        done = Movement(proposed, hit, proposed - int(right), retracted, entry_s, click_s, entered)
-        self.movements += 1
-        self.proposed += proposed
-        self.right += int(right)
-        self.hits += done.hit
-        self.wasted += done.wasted
-        self.retracted += retracted
-        self.entered += entered
-        self.drop()
-        return done
+        return self.close(float(t), NOBODY if id is None else key_of(str(id)))
+
+    def close(self, t: float, key: float) -> Movement:
+        """``finish`` for the number of a target, NOBODY for none."""
+        *counts, entry_s, click_s = map(float, finish(self.account.memory, self.rows, t, key))
+        proposed, wasted, retracted, entered = map(int, counts)
+        if entry_s != entry_s:
+            return Movement(proposed, False, wasted, retracted, None, None, entered)
+        self._leads.append((entry_s, click_s))
+        return Movement(proposed, True, wasted, retracted, entry_s, click_s, entered)
 
     def drop(self) -> None:
         """Forget the movement that goes on: it ended without a click."""
-        self._places: dict[Hashable, int] = {}
-        self._rows = np.empty((4, FIELDS))
-        begin(self._movement.memory, self._rows)
+        drop(self.account.memory)
 
-    def _row_of(self, id: Hashable) -> int:
-        """The row of a target, a new one where it has none; NOBODY beyond LATEST: ids are the caller's."""
-        place = self._places.get(id, NOBODY)
-        if place == NOBODY and len(self._places) < LATEST:
-            place = self._places[id] = len(self._places)
-            if place == len(self._rows):
-                self._rows = np.concatenate((self._rows, np.tile((0.0, nan, nan), (place, 1))))
-        return place
+    def with_room(self, count: int) -> FloatArray:
+        """The rows, with room for so many more targets of this movement: LATEST in all."""
+        needed = min(int(self.account.rows) + count, LATEST)
+        if needed > len(self.rows):
+            more = np.empty((max(needed, 2 * len(self.rows)) - len(self.rows), FIELDS))
+            self.rows = np.concatenate((self.rows, more))[:LATEST]
+        return self.rows
 
     @property
     def precision(self) -> float | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from hashlib import blake2b
 from math import exp, inf, log
 
 import msgspec
@@ -41,6 +42,16 @@ class Target(msgspec.Struct, frozen=True):
     height: float
     weight: float = 1.0
     kind: str = ""
+
+
+KEY_BYTES = 6
+"""Of a target's id or kind: a float holds so long a whole number exactly."""
+
+
+def key_of(text: str) -> float:
+    """A text as a whole number above 0."""
+    digest = blake2b(text.encode(errors="surrogatepass"), digest_size=KEY_BYTES).digest()
+    return float(int.from_bytes(digest)) or 1.0
 
 
 def around(id: Hashable, x: float, y: float, width: float, height: float | None = None) -> Target:

@@ -11,7 +11,7 @@ from evidence.costs.page_size import WEB, reached, sizes
 SMALL, LEARNED = 15_000, 90_000
 """Bytes that `onIntent` may take with a small predictor, and with the learned one and its coefficients."""
 
-SHARED = {"prediction/row.js", "prediction/ledger.js"}
+SHARED = {"prediction/row.js", "prediction/leads.js"}
 """What the lean page shares with the whole pipeline."""
 
 

@@ -1,19 +1,33 @@
-// A chooser, of places where no targets are given: steps are calls by name, with what they take.
+// A pipeline and its chooser, of places or of targets: steps are calls by name, with what they take.
 
+import { build } from "../../server/pointpred_server/web/prediction/build.js";
 import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
-const { targets, settings, steps } = await given();
-const chooser = targets ? new Chooser(targets, settings) : new PlaceChooser(settings);
+const { name, targets, settings, steps } = await given();
+const pipeline = await build(name, { targets: targets ?? [] });
+const chooser = new (targets ? Chooser : PlaceChooser)(pipeline, settings);
 const calls = {
-  update: (...taken) => {
-    const [row, event] = taken.splice(-2);
-    return chooser.update(...taken, row && numbers(row), numbers(event));
+  update: (event) => {
+    const [t] = pipeline.advance(numbers(event));
+    return t === t ? chooser.update() : null;
   },
-  shares: () => [...chooser.shares],
+  register: (listed) => {
+    pipeline.register(listed);
+    return chooser.followTargets();
+  },
+  finish: (...id) => chooser.finish(...id),
+  configure: (more) => chooser.configure(more),
+  reset: () => {
+    pipeline.reset();
+    chooser.reset();
+  },
+  shares: () => Array.from(pipeline.shares),
+  likeliest: (most) => pipeline.aim.likeliest(most),
+  mixture: () => pipeline.mixture && { parts: pipeline.mixture.parts, offsets: pipeline.mixture.offsets },
   proposed: () => [chooser.standing, chooser.entered],
   summary: () => chooser.ledger.summary,
 };
 const answers = [];
-for (const [name, ...args] of steps) answers.push(await attempt(() => (calls[name] ?? ((...taken) => chooser[name](...taken)))(...args) ?? null));
+for (const [call, ...args] of steps) answers.push(await attempt(() => calls[call](...args) ?? null));
 answer(answers);

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import msgspec
 import pytest
 
-from pointpred import Place
+from pointpred import build
 from pointpred.errors import PointpredError
-from pointpred.records import event_of, prediction_of
-from pointpred.targets import Choice, Chooser, PlaceChoice, PlaceChooser, Target
+from pointpred.targets import Choice, Chooser, PlaceChooser, Target
 from tests.page import node
 
 Steps = list[list[Any]]
@@ -18,62 +18,60 @@ Listed = list[dict[str, Any]] | None
 """Targets; ``None`` for a chooser of places."""
 
 
-def compare(steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
-    """Compare both on these steps, with targets or with places; Python's answers."""
-    found = in_page(steps, settings, targets)
-    expected = in_python(steps, settings, targets)
+def compare(name: str, steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
+    """Compare both on these steps of a predictor, with targets or with places; Python's answers."""
+    given = {"name": name, "targets": targets, "settings": settings, "steps": steps}
+    found = node.run("choose.mjs", given)
+    expected = in_python(name, steps, settings, targets)
     assert_alike(found, expected)
     return expected
 
 
-def in_page(steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
-    """What the chooser of the page answers."""
-    answers: list[Any] = node.run("choose.mjs", {"targets": targets, "settings": settings, "steps": steps})
-    return answers
-
-
-def in_python(steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
+def in_python(name: str, steps: Steps, settings: dict[str, float], targets: Listed = None) -> list[Any]:
     """What ``choose.mjs`` does, in Python."""
-    chooser: Any
-    if targets is None:
-        chooser = PlaceChooser(**settings)
-    else:
-        chooser = Chooser([Target(**one) for one in targets], **settings)
+    pipeline = build(name, targets=[Target(**one) for one in targets or []])
+    chooser: Any = (PlaceChooser if targets is None else Chooser)(pipeline, **settings)
 
-    def update(*given: Any) -> list[dict[str, Any]]:
-        *places, row, event = given
-        known = [[Place(**one) for one in listed] for listed in places]
-        prediction = None if row is None else prediction_of(row)
-        return [shown(one) for one in chooser.update(*known, prediction, event_of(event))]
+    def update(event: list[float]) -> list[dict[str, Any]] | None:
+        answer = pipeline.advance(tuple(event))
+        return [shown(one) for one in chooser.update()] if answer[0] == answer[0] else None
+
+    def register(listed: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        pipeline.register([Target(**one) for one in listed])
+        return [shown(one) for one in chooser.follow_targets()]
+
+    def reset() -> None:
+        pipeline.reset()
+        chooser.reset()
 
     calls: dict[str, Any] = {
         "update": update,
-        "replace": lambda given: [shown(one) for one in chooser.replace([Target(**one) for one in given])],
-        "expect": lambda places: chooser.expect([Place(**one) for one in places]),
-        "configure": lambda more: chooser.configure(**more),
+        "register": register,
         "finish": lambda *id: msgspec.to_builtins(chooser.finish(*id)),
-        "reset": chooser.reset,
-        "shares": lambda: chooser.shares.tolist(),
-        "likeliest": lambda most: [{"id": id, "p": p} for id, p in chooser.likeliest(most)],
-        "headingTo": lambda one, elsewhere: chooser.heading_to(Target(**one), elsewhere=elsewhere),
+        "configure": lambda more: chooser.configure(**more),
+        "reset": reset,
+        "shares": lambda: [list(one) for one in pipeline.shares.items()],
+        "likeliest": lambda most: [{"id": id, "p": p} for id, p in pipeline.aim.likeliest(most)],
+        "mixture": lambda: json.loads(msgspec.json.encode(pipeline.mixture)),
         "proposed": lambda: [chooser.standing, chooser.entered],
         "summary": lambda: chooser.ledger.summary(),
     }
     answers = []
-    for name, *given in steps:
+    for call, *given in steps:
         try:
-            answers.append(calls[name](*given))
+            answers.append(calls[call](*given))
         except PointpredError as error:
             answers.append({"error": error.code, "field": error.field})
     return answers
 
 
-def shown(choice: Choice | PlaceChoice) -> dict[str, Any]:
+def shown(choice: Choice) -> dict[str, Any]:
     """A choice as the page has it."""
     fields: dict[str, Any] = choice._asdict()
-    if isinstance(choice, PlaceChoice):
-        size = choice.place.width
-        fields["place"] = {"x": choice.place.x + size / 2.0, "y": choice.place.y + size / 2.0, "size": size}
+    square = fields.pop("place")
+    if square is not None:
+        size = square.width
+        fields["place"] = {"x": square.x + size / 2.0, "y": square.y + size / 2.0, "size": size}
     return fields
 
 

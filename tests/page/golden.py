@@ -10,10 +10,8 @@ import numpy as np
 from pointpred import REGISTRY, build
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
-from pointpred.records import row_at
 from pointpred.registry import GAINS
-from pointpred.targets import around, choice_law, decision, posterior, prefetch
-from pointpred.targets.rectangles import table
+from pointpred.targets import Target, around, choice_law, decision, ledger, prefetch
 from tests.page.movements import movements
 
 RATES_HZ = (60.0, 125.0, 1000.0, 8000.0)
@@ -64,8 +62,15 @@ def stream(
         "settings": settings,
         "rows": rows,
         "known": known,
+        "targets": _registered(pipeline),
         "answers": answers,
     }
+
+
+def _registered(pipeline: Pipeline) -> dict[str, Any] | None:
+    """The targets of a fresh pipeline as laws take them."""
+    aim = pipeline.fresh().aim
+    return {"table": aim.table.tolist(), "keys": aim.keys.tolist()} if aim.ids else None
 
 
 def _name_of(pipeline: Pipeline) -> str:
@@ -98,6 +103,26 @@ def streams() -> Iterator[dict[str, Any]]:
         yield stream("kinematic-adaptive", rows_of(125.0, 9 + seed), again, _settings("kinematic-adaptive"))
 
 
+def among_targets() -> Iterator[dict[str, Any]]:
+    """Predictors with what can be pointed at: where movements end, beside these, and of many sizes."""
+    for seed, name in enumerate(("hold", "minimum-jerk", "ktm", "kinematic", "kinematic-adaptive")):
+        rows = rows_of(125.0, 40 + seed)
+        ends = [row for row in rows if row and row[5] == 1.0]
+        random = np.random.default_rng(seed)
+        listed = [
+            Target(
+                f"{i}",
+                *random.uniform(0.0, 900.0, 2),
+                *random.uniform(8.0, 120.0, 2),
+                1.0 + i % 3,
+                "a" * (i % 2),
+            )
+            for i in range(30)
+        ]
+        listed += [around(f"end {k}", row[1], row[2] + 9.0 * (k % 2), 40.0) for k, row in enumerate(ends)]
+        yield stream(name, rows, build(name, targets=listed), _settings(name))
+
+
 def _counts(row: list[float]) -> tuple[float, float]:
     """Counts that a device may have reported beside a place; both missing where that row has one only."""
     if row[3] == row[3]:
@@ -108,35 +133,41 @@ def _counts(row: list[float]) -> tuple[float, float]:
 def targets() -> dict[str, Any]:
     """Shares of thirty targets, and what is decided, over the events of a learned predictor."""
     events = movements(5, rate_hz=125.0, count=10)
-    pipeline = build("kinematic-adaptive")
-    answers = np.array([pipeline.advance(tuple(row)) for row in events.tolist()])
     places = np.random.default_rng(4).uniform(0.0, 1000.0, (30, 2))
     places[:6] = events[events[:, 5] == 1.0][:6, 1:3]  # where movements end, and the next ones start
-    rectangles = table([around(str(k), x, y, 40.0 + k) for k, (x, y) in enumerate(places.tolist())])
-    settings = posterior.Settings(0.4, 0.02, 0.0, 3.0)
-    inside, shares = np.zeros(30), np.zeros(31)
-    memory, standing = np.zeros(prefetch.State.length), decision.NOBODY
+    pipeline, alone = build("kinematic-adaptive"), build("kinematic-adaptive")
+    pipeline.register([around(str(k), x, y, 40.0 + k) for k, (x, y) in enumerate(places.tolist())])
+    aim, settings = pipeline.aim, decision.Settings(0.4, 0.0, 3.0)
+    keys, rectangles = aim.keys.tolist(), aim.table.tolist()
+    inside, shares = np.zeros(30), aim.shares
+    account, rows = ledger.Account(np.zeros(ledger.Account.length)), np.empty((60, ledger.FIELDS))
+    state, changes = choice_law.State(np.full(choice_law.State.length, -1.0)), np.zeros(4)
+    ledger.drop(account.memory)
+    memory = prefetch.State(np.zeros(prefetch.State.length))
     thresholds = np.where(np.arange(30) % 2, 0.4, 0.9999)
-    prefetched = rectangles, thresholds, np.zeros(30), np.zeros(30)
-    decisions, all_shares, fired = [], [], []
-    for i, row in enumerate(events):
-        event = float(row[0]), float(row[1]), float(row[2]), float(int(row[5]) & 1)
-        known = (rectangles, inside, shares), posterior.FITTED, settings
-        made = choice_law.step(memory, event, row_at(answers, i), *known, standing)
-        standing = made[0]
-        decisions.append(list(made))
+    prefetched = aim.table, thresholds, np.zeros(30), np.zeros(30)
+    decisions, all_shares, fired, answers = [], [], [], []
+    for row in events.tolist():
+        pipeline.advance(tuple(row))
+        answers.append(list(alone.advance(tuple(row))))
+        given = (aim.table, inside, shares), aim.keys, settings, account.memory, rows
+        changed = choice_law.update(state.memory, aim.memory, *given, changes)
+        decisions.append([*state.memory.tolist(), *(changes.tolist() if changed else [])])
         all_shares.append(shares.tolist())
-        prefetch.step(memory, prefetched, shares, np.array(prefetch.FITTED))
+        memory.cursor.memory[:] = aim.cursor.memory
+        prefetch.step(memory.memory, prefetched, shares, np.array(prefetch.FITTED))
         fired.append(prefetched[-1].tolist())
-    states = {state for one in fired for state in one}
+    states = {one for each in fired for one in each}
     assert {prefetch.PREDICTED, prefetch.ENTERED, prefetch.RESTING} <= states
     return {
-        "table": rectangles.tolist(),
+        "table": rectangles,
+        "keys": keys,
         "settings": list(settings),
         "events": events.tolist(),
-        "answers": answers.tolist(),
+        "answers": answers,
         "shares": all_shares,
         "decisions": decisions,
+        "account": account.memory.tolist(),
         "thresholds": thresholds.tolist(),
         "fired": fired,
     }
@@ -144,4 +175,4 @@ def targets() -> dict[str, Any]:
 
 def cases() -> dict[str, Any]:
     """Everything that is compared."""
-    return {"streams": list(streams()), "targets": targets()}
+    return {"streams": [*streams(), *among_targets()], "targets": targets()}

@@ -1,8 +1,13 @@
 // Runs the laws in JavaScript over streams of events, and compares every answer with that of Python.
 
-/** @typedef {{name: string, differentiator: string, settings: object, rows: (number|null)[][], known: number[], answers: (number|null)[][]}} Stream */
+/**
+ * @typedef {{table: number[][], keys: number[][]}} Targets
+ * @typedef {{name: string, differentiator: string, settings: object, rows: (number|null)[][], known: number[], targets: Targets|null,
+ *   answers: (number|null)[][]}} Stream
+ */
 
 const PHASE = 7;
+const CURSOR = 15; // numbers of a cursor's way
 const KINDS = { place: [1, 2], scale: [3, 4, 5], left: [6], tail: [8, 9] }; // numbers of a prediction that share a unit
 
 /** A stage: its laws and its memory. */
@@ -26,6 +31,33 @@ class Stage {
   }
 }
 
+/** What can be pointed at: the laws that weigh it, and their memory. */
+class Aim {
+  constructor(law, heading, { table, keys }, coefficients) {
+    const rows = table.map((row) => Float64Array.from(row));
+    [this.law, this.heading, this.coefficients, this.memory] = [law, heading, coefficients, new Float64Array(heading.LENGTH)];
+    this.targets = [rows, Float64Array.from(rows, (row) => row[4]), keys, new Float64Array(rows.length + 1)];
+    this.memory.set(law.Aim.parameters.map((one) => one.default));
+    heading.begin(this.memory, this.targets);
+  }
+
+  step(event, answer) {
+    return this.law.step(this.memory, event, answer, this.targets, this.coefficients);
+  }
+
+  reset() {
+    this.law.conclude(this.memory, this.targets, this.coefficients);
+    this.memory.fill(0, this.law.Aim.settings + this.law.Aim.learned);
+    this.heading.begin(this.memory, this.targets);
+  }
+}
+
+/** What weighs targets. @param {string} laws @param {Targets|null} targets @returns {Promise<Aim|null>} */
+async function aimOf(laws, targets) {
+  const [law, heading, { FITTED }] = await Promise.all(["aim", "heading", "posterior"].map((name) => import(`${laws}/targets/${name}.js`)));
+  return targets && new Aim(law, heading, targets, FITTED);
+}
+
 const numbers = (row) => row.map((value) => (value === null ? NaN : value));
 const isMissing = Number.isNaN;
 
@@ -47,19 +79,22 @@ export async function compare(laws, stream, coefficients) {
   const differentiator = new Stage(await DIFFERENTIATORS[stream.differentiator].load(), stream.settings);
   const predictor = new Stage(await entry.load(), stream.settings, entry.coefficients ? coefficients : undefined);
   predictor.memory.set(stream.known, predictor.settings);
+  const aim = await aimOf(laws, stream.targets);
   const worst = { place: 0, scale: 0, left: 0, tail: 0 }, unequal = [];
   let start = null;
   stream.rows.forEach((row, i) => {
     if (row.length === 0) { // a reset
       differentiator.reset();
       predictor.reset();
+      aim?.reset();
       start = null;
       return;
     }
     const event = numbers(row), expected = stream.answers[i] && numbers(stream.answers[i]);
     const before = differentiator.memory.slice();
     const motion = differentiator.step(event);
-    const answer = motion[0] === motion[0] ? predictor.step(motion) : motion;
+    let answer = motion[0] === motion[0] ? predictor.step(motion) : motion;
+    if (aim && answer[0] === answer[0]) answer = aim.step(event, answer);
     if (answer[0] !== answer[0]) differentiator.memory.set(before);
     if ((answer[0] === answer[0]) !== Boolean(expected)) return unequal.push(i);
     if (!expected) return;
@@ -76,26 +111,28 @@ export async function compare(laws, stream, coefficients) {
 
 /**
  * The same for targets: the furthest that a share is from Python's, and the events at which a decision differs.
- * @param {string} laws @param {{table: number[][], settings: number[], events: (number|null)[][], answers: (number|null)[][],
- *   shares: number[][], decisions: number[][], thresholds: number[], fired: number[][]}} given
+ * @param {string} laws @param {Targets & {settings: number[], events: (number|null)[][], answers: (number|null)[][], shares: number[][],
+ *   decisions: number[][], account: number[], thresholds: number[], fired: number[][]}} given
  */
 export async function compareTargets(laws, given) {
-  const { step } = await import(`${laws}/targets/choice_law.js`);
-  const { FITTED } = await import(`${laws}/targets/posterior.js`);
-  const prefetch = await import(`${laws}/targets/prefetch.js`);
-  const table = given.table.map((row) => Float64Array.from(row)), count = table.length;
-  const targets = [table, new Float64Array(count), new Float64Array(count + 1)];
-  const memory = new Float64Array(prefetch.STATES), unequal = [];
+  const [choice, account, prefetch] = await Promise.all(["choice_law", "ledger", "prefetch"].map((name) => import(`${laws}/targets/${name}.js`)));
+  const aim = await aimOf(laws, given), [table, , keys, shares] = aim.targets, count = table.length, unequal = [];
+  const state = new Float64Array(2).fill(-1), changes = new Float64Array(4), counts = new Float64Array(account.STATES);
+  const rows = Array.from({ length: 60 }, () => new Float64Array(account.FIELDS));
+  const targets = [table, new Float64Array(count), shares], memory = new Float64Array(prefetch.STATES);
   const prefetched = [table, Float64Array.from(given.thresholds), new Float64Array(count), new Float64Array(count)];
-  let standing = -1, worst = 0;
+  let worst = 0;
+  account.drop(counts);
   given.events.forEach((event, i) => {
-    const decision = step(memory, [event[0], event[1], event[2], event[5] & 1], numbers(given.answers[i]), targets, FITTED, given.settings, standing);
-    standing = decision[0];
-    if (String(decision) !== String(given.decisions[i])) unequal.push(i);
-    prefetch.step(memory, prefetched, targets[2], prefetch.FITTED);
+    aim.step(numbers(event), numbers(given.answers[i]));
+    const changed = choice.update(state, aim.memory, targets, keys, given.settings, counts, rows, changes);
+    if (String([...state, ...(changed ? changes : [])]) !== String(given.decisions[i])) unequal.push(i);
+    memory.set(aim.memory.subarray(aim.heading.CURSOR, aim.heading.CURSOR + CURSOR));
+    prefetch.step(memory, prefetched, shares, prefetch.FITTED);
     if (String(prefetched[3]) !== String(given.fired[i])) unequal.push(i);
-    for (let k = 0; k <= count; k++) worst = Math.max(worst, Math.abs(targets[2][k] - given.shares[i][k]));
+    for (let k = 0; k <= count; k++) worst = Math.max(worst, Math.abs(shares[k] - given.shares[i][k]));
   });
+  counts.forEach((value, i) => { worst = Math.max(worst, Math.abs(value - given.account[i]) || 0); });
   return { worst, unequal };
 }
 

@@ -13,8 +13,13 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from pointpred import RECOMMENDED, build
 from pointpred.cli.app import app
+from pointpred.protocol.scores import score_of
+from pointpred.recording import Recording
 from pointpred.recordings import read
+from pointpred.scoring import prepare, replay
+from pointpred.targets import Target
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 
@@ -114,13 +119,35 @@ def test_every_movement_of_every_block_was_made(finished: Finished) -> None:
     assert finished.shift < 0.01
 
 
-def test_each_movement_was_scored_as_the_command_scores_the_saved_one(
+def given_the_circle(file: Path) -> list[float]:
+    """The time-averaged error of each movement of a recording where its targets are registered, px.
+
+    The client sends places in steps of 1/64 px.
+    """
+    recording = read(file)
+    places = dict.fromkeys((trial.target_x, trial.target_y) for trial in recording.trials)
+    circle = [
+        Target(str(i), *(round(64.0 * (float(at) - WIDTH / 2)) / 64.0 for at in place), WIDTH, WIDTH)
+        for i, place in enumerate(places)
+    ]
+    errors = []
+    for i, trial in enumerate(recording.trials):
+        prepared = prepare(Recording.of("trial", [recording.rows(i)], [trial]), threads=1)
+        own, floor = (
+            replay(prepared, each, threads=1) for each in (build(RECOMMENDED, targets=circle), build("hold"))
+        )
+        errors.append(score_of(prepared, 0, own, floor).time_averaged_px)
+    return errors
+
+
+def test_each_movement_was_scored_given_the_targets_of_the_circle(
     finished: Finished, scored: dict[str, Any]
 ) -> None:
     assert scored["trials"] == BLOCKS * TARGETS
     assert scored["skipped"] == []
-    [first] = [one for one in scored["predictors"] if one["name"] == "kinematic"]
-    assert np.mean(finished.trial_px) == pytest.approx(first["time_averaged"]["px"], rel=1e-12)
+    assert finished.trial_px == pytest.approx(given_the_circle(finished.file), rel=1e-9)
+    [alone] = [one for one in scored["predictors"] if one["name"] == "kinematic"]
+    assert np.mean(finished.trial_px) < 0.7 * alone["time_averaged"]["px"]
 
 
 def test_the_recording_says_who_moved_towards_what(finished: Finished) -> None:

@@ -147,7 +147,8 @@ def test_half_of_the_endpoints_lie_in_the_tinted_region_and_four_fifths_in_the_o
     reached = np.sqrt(np.einsum("...i,ij,...j", off, np.linalg.inv(matrix), off))
     to_cursor = np.array([end[0] - left - 1 - x, end[1] - top - 1 - y])
     beside = np.abs(off @ [to_cursor[1], -to_cursor[0]]) / np.hypot(*to_cursor)
-    clear = (np.hypot(off[..., 0], off[..., 1]) > 16.0) & (beside > 6.0)  # of the mark, and of the line to it
+    words = (np.abs(off[..., 0] - 44.0) < 34.0) & (np.abs(off[..., 1] + 21.0) < 14.0)  # the time left
+    clear = (np.hypot(off[..., 0], off[..., 1]) > 16.0) & (beside > 6.0) & ~words  # of mark and line, too
     near = (np.abs(off[..., 0]) < 260) & (np.abs(off[..., 1]) < 150) & clear
     apart = 3.0 / math.sqrt(np.linalg.eigvalsh(matrix)[0])  # no outline is that broad
     tinted = near & (reached < half - apart)

@@ -26,17 +26,20 @@ from pointpred.predictors.adaptation import (
 )
 from pointpred.predictors.adaptation.destination import Heading
 from pointpred.predictors.adaptation.distances import Ahead
+from pointpred.predictors.adaptation.moments import (
+    LEAST_S,
+    NEAR_PX,
+    NEAR_SHARE,
+    SAMPLES_LEAST,
+    SHORTEST_PX,
+)
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.records import FloatArray, SixFloats, TenFloats
 
 TRACE_PLACES, APART_S = 96, 0.005
 """Places of the last way that are remembered, and how far apart in time at least; none while it stands."""
-NEAR_PX, NEAR_SHARE = 8.0, 0.03
-"""The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
-SAMPLES_LEAST, LEAST_S = 6, 0.08
-"""A movement of fewer samples of different times, or shorter, teaches nothing."""
 BIAS_FADE, FADE, PLACES_FADE = 0.2, 0.5, 0.7
 """From these shares of the time on the bias, the last distances and the places fade out."""
 EARLY = 0.1
@@ -197,7 +200,7 @@ def conclude(settings: Settings, person: Person, movement: Movement) -> None:
     distance = hypot(movement.x - movement.x0, movement.y - movement.y0)
     end = arrival(movement, max(NEAR_PX, NEAR_SHARE * distance))
     whole = movement.started == 1.0 and movement.samples >= SAMPLES_LEAST
-    shortest = max(settings.shortest_px, distances.SHORTEST_PX)
+    shortest = max(settings.shortest_px, SHORTEST_PX)
     if whole and end - movement.t0 >= LEAST_S and distance >= shortest:
         if settings.places == 1.0:
             learn_place(settings, person, movement)

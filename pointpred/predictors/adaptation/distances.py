@@ -14,6 +14,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.layout import Known, Layout
+from pointpred.predictors.adaptation.moments import SHORTEST_PX
 from pointpred.records import LARGEST, FloatArray, FloatTable
 
 CAPACITY = 12
@@ -43,8 +44,6 @@ NEGLIGIBLE = 1e-4
 
 OFF_ONE = 1e-6
 """The sum of the belief is off 1 by less."""
-SHORTEST_PX = 1e-6
-"""A shorter distance is none, whatever is set: its logarithm is taken."""
 
 
 class Distances(Layout):

@@ -11,6 +11,12 @@ from pointpred.records import ROUNDING_S
 
 APART_S = 0.0071
 """Distance of the moments at first."""
+NEAR_PX, NEAR_SHARE = 8.0, 0.03
+"""The movement has arrived when the cursor stays so near its end: px, share of the distance."""
+SAMPLES_LEAST, LEAST_S = 6, 0.08
+"""A movement of fewer samples of different times, or shorter, teaches nothing."""
+SHORTEST_PX = 1e-6
+"""A shorter distance is none, whatever is set: its logarithm is taken."""
 
 
 class Series(Layout):

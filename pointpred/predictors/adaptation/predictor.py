@@ -10,13 +10,13 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.layout import Layout, clear, slots_of
 from pointpred.parameter import parameter
-from pointpred.predictors.adaptation import correction, destination, places
+from pointpred.predictors.adaptation import correction, destination, mixed_region, places
 from pointpred.predictors.adaptation.places import Places
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import features, network
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.mixture import Mixture, Part
+from pointpred.predictors.mixture import Mixture, Part, PartRow
 from pointpred.records import FloatArray, FloatTable, MotionRow, Place, TenFloats
 from pointpred.scene import SCREEN, Scene
 
@@ -147,6 +147,18 @@ def write_mixture(memory: Memory) -> bool:
     return True
 
 
+@law
+def list_parts(memory: Memory, out: FloatTable) -> tuple[int, float, float]:
+    """Write the parts of the mixture into ``out``; returns how many, 0 for no mixture, and its offsets."""
+    if not write_mixture(memory):
+        return 0, 0.0, 0.0
+    asked = memory.movement.now.asked
+    for k in range(int(asked.count)):
+        for i in range(PartRow.length):
+            out[k, i] = asked.rows[k].memory[i]
+    return int(asked.count), asked.offsets[0], asked.offsets[1]
+
+
 class AdaptiveKinematicPredictor(KinematicPredictor):
     """``kinematic`` that gets to know its person while they move.
 
@@ -252,6 +264,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     sizes = staticmethod(sizes)
     enter_scene = staticmethod(enter_scene)
     list_places = staticmethod(list_places)
+    list_parts = staticmethod(list_parts)
 
     def settings(self) -> FloatArray:
         """The numbers of the parameters, and the scene: no key, the origin at 0."""
@@ -286,13 +299,12 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     @property
     def mixture(self) -> Mixture | None:
         """The law of the endpoint as places and elsewhere have it; ``None`` where no law is claimed."""
-        memory = self._memory.copy()
-        if not write_mixture(memory):
+        rows = np.empty((mixed_region.MOST_PLACES + 1, PartRow.length))
+        count, near, far = list_parts(self._memory.copy(), rows)
+        if count == 0:
             return None
-        asked = Memory(memory).movement.now.asked
-        rows = [part.memory.tolist() for part in asked.rows[: int(asked.count)]]
         parts = tuple(
-            Part(share, x, y, (sxx, sxy, syy), tail or None) for share, x, y, sxx, sxy, syy, tail in rows
+            Part(share, x, y, (sxx, sxy, syy), tail or None)
+            for share, x, y, sxx, sxy, syy, tail in rows[:count].tolist()
         )
-        near, far = asked.offsets.tolist()
-        return Mixture(parts, (near, far))
+        return Mixture(parts, (float(near), float(far)))

@@ -35,7 +35,10 @@ export interface IntentOptions {
   priority?: number;
   /** Its name in the ledger; the element's id by default. */
   name?: string;
-  /** A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small. */
+  /**
+   * A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small.
+   * The default is loaded when the page is idle. Until then `"minimum-jerk"` predicts, to the end of a movement.
+   */
   predictor?: string;
   /** The address of a service that predicts instead of the page. */
   service?: string;
@@ -71,7 +74,10 @@ export type IntentCallback = (firing: Firing) => unknown;
 /** A registered element. */
 export interface Handle {
   readonly element: Element;
-  /** Resolves when the predictor is loaded, or its service has answered; rejects if the predictor cannot be loaded. Before, elements fire at entry only. */
+  /**
+   * Resolves when the predictor is loaded, or its service has answered; rejects if the predictor cannot be loaded. Before, elements
+   * fire at entry only; before the default predictor is loaded, `"minimum-jerk"` predicts.
+   */
   readonly ready: Promise<void>;
   /** The probability that the movement is for this element, 0 while it is not in view. */
   readonly share: number;
@@ -189,6 +195,23 @@ export interface PredictionInPage {
 /** x y px; p: how likely it is the destination now, before: before the movement showed anything; spread: standard deviation of visits, px. */
 export interface Place { x: number; y: number; p: number; before: number; visits: number; id: number; spread: number }
 
+/** What can be pointed at: its upper left corner and size, px. */
+export interface Target {
+  id: unknown; x: number; y: number; width: number; height: number;
+  /** How likely it is before the pointer moves, relative to the others; 1 by default, 0 never. */
+  weight?: number;
+  /** What it is to the user, such as `"button"`: what is taken of a kind is learned. */
+  kind?: string;
+}
+
+/** The law of the endpoint: one of the parts holds, each with its share; elsewhere first. */
+export interface Mixture {
+  /** x y px; scale: [sxx, sxy, syy] px² of a Student law with `tail` degrees of freedom, or of a normal one (null). */
+  readonly parts: { share: number; x: number; y: number; scale: number[]; tail: number | null }[];
+  /** The outlines of the smallest region that holds the endpoint with probability `level`: closed polygons, px. */
+  outlines(level: number): [number, number][][];
+}
+
 /** Consumes events one by one. */
 export interface Pipeline {
   readonly name: string;
@@ -196,6 +219,15 @@ export interface Pipeline {
   readonly person: string;
   /** Where movements of the person ended before, the likeliest destination first. */
   readonly places: Place[];
+  /** How likely the movement is for each registered target, by its id; null: for none of them. */
+  readonly shares: Map<unknown, number>;
+  /** What the last prediction knows beyond one law: the targets and places where it may end; null where it knows no more. */
+  readonly mixture: Mixture | null;
+  /**
+   * Takes these targets in place of those before, at most 1000; none: as if nobody had. Endpoint, region and time left are then
+   * those of a movement to one of them or elsewhere.
+   */
+  register(targets: readonly Target[]): void;
   update(event: PointerSample): PredictionInPage | null;
   /** The cursor is in this window from now on, with its origin at x and y, px. */
   enter(key: string, x?: number, y?: number): void;
@@ -205,8 +237,8 @@ export interface Pipeline {
   fresh(): Pipeline;
 }
 
-/** A pipeline by its name in the registry, with values for its parameters. */
-export function build(name: string, options?: Record<string, unknown>): Promise<Pipeline>;
+/** A pipeline by its name in the registry, with values for its parameters; `targets`: what can be pointed at. */
+export function build(name: string, options?: { targets?: readonly Target[]; person?: string; [parameter: string]: unknown }): Promise<Pipeline>;
 
 export interface Ellipse { x: number; y: number; major: number; minor: number; angle: number }
 
@@ -220,7 +252,9 @@ export interface Connection {
   send(events: readonly (readonly (number | null)[] | PointerSample)[]): void;
   observe(element: Element, id?: string): string;
   unobserve(element: Element): void;
-  targets(list: readonly { id: string; x: number; y: number; width: number; height: number; weight?: number }[]): void;
+  /** The law of the endpoint by targets, places and elsewhere, where the page predicts; null where the service does. */
+  readonly mixture: Mixture | null;
+  targets(list: readonly (Target & { id: string })[]): void;
   probability(target: Element | string): number;
   trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number } | null, conditions?: Record<string, string | number>): void;
   configure(changes: Record<string, unknown>): void;

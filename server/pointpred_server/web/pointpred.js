@@ -11,8 +11,8 @@
  *
  * @typedef {[number, number, number, number|null, number|null, number]} EventRow t s, x px, y px, counts, buttons
  * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} EventRecord
- * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number}} Target upper left corner,
- *   size, px; weight: its prior probability relative to the others
+ * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number, kind?: string}} Target upper left
+ *   corner, size, px; weight: its prior probability relative to the others; kind: what it is to the user, such as "button"
  * @typedef {{x: number, y: number, width: number}} Goal centre and width, px
  * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
  *   service has ended a session without events, the next event opens another; `refused`: waits for configure(); `closed`: for good
@@ -141,6 +141,15 @@ export class Connection {
   /** The id of the target that was proposed last and still is. @returns {string|null} */
   get proposed() {
     return this.#proposals.newest;
+  }
+
+  /**
+   * The law of the endpoint by targets, places and elsewhere, as the newest prediction has it, where the page predicts; null where
+   * the service does.
+   * @returns {import("./prediction/mixture.js").Mixture|null}
+   */
+  get mixture() {
+    return this.#socket instanceof PageSocket ? this.#socket.mixture : null;
   }
 
   /** Events dropped because there was no connection for too long, or a slow one. @returns {number} */

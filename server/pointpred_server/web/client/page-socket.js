@@ -17,6 +17,11 @@ export class PageSocket {
     return this.#session !== null;
   }
 
+  /** What the newest prediction knows beyond one law. @returns {import("../prediction/mixture.js").Mixture|null} */
+  get mixture() {
+    return this.#session?.mixture ?? null;
+  }
+
   /** Whether the session has begun. */
   get hasSession() {
     return this.isOpen && this.#retries.hasSession;

@@ -74,6 +74,20 @@ export function drawEndpoint(pen, which, from, endpoint) {
   shape(pen, endpoint, 2, own, true);
 }
 
+const TEXT_AT = [16, -16]; // from the mark that it belongs to
+
+/** Words beside a mark, on a rim of the panel's colour. */
+export function label(pen, text, [x, y]) {
+  pen.font = "600 13px system-ui, sans-serif";
+  pen.strokeStyle = colours().panel;
+  pen.fillStyle = colours().text;
+  pen.lineWidth = 4;
+  pen.textAlign = x + 60 > pen.canvas.clientWidth ? "right" : "left";
+  const side = pen.textAlign === "right" ? -1 : 1, at = [x + side * TEXT_AT[0], Math.max(y + TEXT_AT[1], 12)];
+  pen.strokeText(text, ...at);
+  pen.fillText(text, ...at);
+}
+
 /** The point nearest to another inside a picture: what lies outside is drawn at its edge. */
 export function clamp([x, y], width, height, margin = 9) {
   return [Math.min(width - margin, Math.max(margin, x)), Math.min(height - margin, Math.max(margin, y))];

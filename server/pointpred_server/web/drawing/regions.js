@@ -1,4 +1,5 @@
-// The regions of a prediction as the page draws them: the 50 % ellipse tinted, the 80 % ellipse as a thin outline.
+// The regions of a prediction as the page draws them: that of 50 % tinted, that of 80 % as a thin outline. A mixture of targets,
+// places and elsewhere has the outlines of its own densest places, any other law an ellipse.
 
 import { colours } from "./canvas.js";
 import { regionOf } from "../pointpred.js";
@@ -19,6 +20,21 @@ export function regionsOf(prediction) {
   if (prediction == null || prediction.x === null || !prediction.region) return null;
   const [inner, outer] = [0.5, 0.8].map((level) => regionOf(prediction, level));
   return inner !== null && outer !== null && inner.minor > 0 ? { inner, outer } : null;
+}
+
+const LIKELY = 0.03; // a part that is less likely is drawn as elsewhere
+const POINTS = 200; // a probability that is drawn may be off by 1 %
+
+const outlined = new WeakMap(); // by mixture: a prediction is drawn in several frames
+
+/**
+ * The outlines of both regions of a mixture, inner and outer.
+ * @param {import("../prediction/mixture.js").Mixture|null|undefined} mixture @returns {[number, number][][][]|null} null without one
+ */
+export function outlinesOf(mixture) {
+  if (!mixture) return null;
+  if (!outlined.has(mixture)) outlined.set(mixture, [0.5, 0.8].map((level) => mixture.likely(LIKELY).outlines(level, POINTS)));
+  return outlined.get(mixture);
 }
 
 /** The regions as they appear in a picture. @param {Regions|null} regions @param {number} scale @param {(point: number[]) => number[]} place */
@@ -74,19 +90,28 @@ function opacityOf({ major }, width, height, [full, none]) {
 /** Whether the 50 % region is visible in a picture of this size. @param {Regions|null} regions */
 export const isVisible = (regions, width, height) => regions !== null && opacityOf(regions.inner, width, height, OUTLINE_RANGE.inner) > 0;
 
+/** Adds a closed polygon to the path. */
+function trace(pen, polygon) {
+  polygon.forEach(([x, y], i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+  pen.closePath();
+}
+
 /**
  * Draws the regions of a predictor.
  * @param {Regions|null} regions @param {{colour: string, outline: number[]}} mark of the predictor @param {number} opacity 0 to 1
+ * @param {[number, number][][][]|null} outlines drawn instead of the ellipses, inner and outer
  */
-export function drawRegions(pen, regions, { colour, outline }, width, height, opacity = 1) {
+export function drawRegions(pen, regions, { colour, outline }, width, height, opacity = 1, outlines = null) {
   if (regions === null) return;
   const { inner, outer } = regions;
   pen.save();
   pen.strokeStyle = pen.fillStyle = colours()[colour];
   pen.setLineDash(outline);
-  for (const [region, outlineRange, fill, thickness] of [[outer, OUTLINE_RANGE.outer, 0, 1], [inner, OUTLINE_RANGE.inner, FILL, 1.5]]) {
+  const [within, around] = outlines ?? [];
+  for (const [region, polygons, outlineRange, fill, thickness] of [[outer, around, OUTLINE_RANGE.outer, 0, 1], [inner, within, OUTLINE_RANGE.inner, FILL, 1.5]]) {
     pen.beginPath();
-    pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);
+    if (polygons === undefined) pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);
+    else for (const polygon of polygons) trace(pen, polygon);
     pen.globalAlpha = fill * opacity * opacityOf(region, width, height, TINT_RANGE);
     pen.fill();
     pen.globalAlpha = opacity * opacityOf(region, width, height, outlineRange);

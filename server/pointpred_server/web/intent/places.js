@@ -3,7 +3,7 @@
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
-import { attempt } from "../prediction/ledger.js";
+import { attempt } from "./firing-ledger.js";
 import { REMAINING_S, claimed, isRefused } from "../prediction/row.js";
 
 const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: undefined };
@@ -82,8 +82,8 @@ class Places {
 
   async #load() {
     const [{ PlaceChooser }, { build }] = await Promise.all([import("../prediction/chooser.js"), import("../prediction/build.js")]);
-    this.#chooser = new PlaceChooser({ precision: this.#options.precision });
     this.#pipeline = await this.#known(build);
+    this.#chooser = new PlaceChooser(this.#pipeline, { precision: this.#options.precision });
     this.#enter();
   }
 
@@ -108,7 +108,7 @@ class Places {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {
       const row = [t, x, y, NaN, NaN, buttons], answer = this.#pipeline.advance(row);
-      if (!isRefused(answer)) for (const choice of this.#chooser.update(this.#pipeline.places, answer, row)) this.#turn(choice, answer, t);
+      if (!isRefused(answer)) for (const choice of this.#chooser.update()) this.#turn(choice, answer, t);
     }
   }
 

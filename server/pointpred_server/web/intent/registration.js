@@ -1,6 +1,6 @@
 // One registration of an element: whether it may fire now, and what it has begun by firing.
 
-import { attempt, FiringLedger } from "../prediction/ledger.js";
+import { attempt, FiringLedger } from "./firing-ledger.js";
 
 const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
 

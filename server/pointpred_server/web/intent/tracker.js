@@ -16,10 +16,13 @@ const MOST_PRESSES = 20; // of Tab
 const BUTTONS = 5; // the place in the row of an event
 const COVERED_MS = 250; // how long an answer of the hit test is used
 
+let entries = 0; // so far
+
 /** A registered element. */
 class Entry {
   /** Its place as a row of the targets' table: centre and size px with the slop, logarithm of its weight. */ row = new Float64Array(FIELDS);
   /** Whether nothing of it can be seen. */ isHidden = true;
+  /** The same in none of the others. */ number = (entries += 1);
   /** @type {Set<import("./registration.js").Registration>} */ registrations = new Set();
   #slop = [0, 0, 0, 0]; #coveredAt = -Infinity; #covered = false;
 
@@ -35,6 +38,12 @@ class Entry {
     this.weight = Math.max(0, ...options.map(({ priority }) => priority));
     [this.prefetchFrom, this.highlightFrom] = [lowest("prefetch"), lowest("highlight")];
     this.#slop = ["top", "right", "bottom", "left"].map((side) => Math.max(0, ...options.map(({ hitSlop }) => hitSlop[side])));
+  }
+
+  /** What it is to the user: its name in HTML and its size, to the nearest power of two. */
+  get kind() {
+    const { row } = this;
+    return [this.element.localName, Math.round(Math.log2(row[WIDTH])), Math.round(Math.log2(row[HEIGHT]))].join();
   }
 
   /** Measures it. @param {DOMRectReadOnly} [box] if its rectangle is known already @returns {boolean} whether it was hidden before and is not now, or the reverse */
@@ -129,7 +138,7 @@ export class Tracker {
   /** What a picture of it needs. */
   get view() {
     const { entries, cursor, answer } = this.#shares;
-    return { cursor, answer, elements: entries.map(({ element, row, isHidden, registrations }, i) => ({ element, row, isHidden, registrations, share: this.#shares.share(i) })) };
+    return { cursor, answer, predictor: this.#source.predictor, elements: entries.map(({ element, row, isHidden, registrations }, i) => ({ element, row, isHidden, registrations, share: this.#shares.share(i) })) };
   }
 
   #close() {
@@ -153,8 +162,8 @@ export class Tracker {
     const rows = this.#rows.splice(0);
     if (rows.length === 0) return;
     let answer = null;
-    for (const row of rows) answer = this.#source.add(row);
-    for (const entry of this.#shares.follow(rows)) this.#firePrefetch(entry, "entered", { isSeen: false });
+    const entered = this.#shares.follow(rows, (row, begins) => { answer = this.#source.add(row, begins); });
+    for (const entry of entered) this.#firePrefetch(entry, "entered", { isSeen: false });
     if (!this.#source.flush()) this.#choose(answer);
   }
 

@@ -1,16 +1,18 @@
 // The live picture: tiles, the trail, the predicted endpoints and their regions.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { MARKS, clamp, disc, drawEndpoint, line, tile } from "../drawing/marks.js";
+import { MARKS, clamp, disc, drawEndpoint, label, line, tile } from "../drawing/marks.js";
 import { drawRegions } from "../drawing/regions.js";
+import { number } from "../page/numbers.js";
 
 const VISIBLE_S = 1.2; // a piece of the trail fades in this time
 export const KEPT_S = 2;
 const PAUSE_S = 0.3; // no line is drawn across a longer pause
 
 /**
- * @typedef {{prediction: object, regions: import("../drawing/regions.js").Regions|null, opacity: number}} Mark a prediction as
- *   it is drawn now: its endpoint in px of the picture
+ * @typedef {{prediction: object, regions: import("../drawing/regions.js").Regions|null, opacity: number,
+ *   outlines: [number, number][][][]|null}} Mark a prediction as it is drawn now, in px of the picture: the endpoint, the ellipses of
+ *   its regions, and the outlines of a mixture's that are drawn instead
  * @typedef {{list: object[], opacities: Object<string, number>, proposed: string|null}} TileState
  */
 
@@ -42,13 +44,15 @@ export function drawLive(canvas, trail, marks, now, tiles, colour = "past") {
   const { endpoint, none, [colour]: trailColour } = colours();
   for (const one of tiles.list) tile(pen, one, endpoint, none, tiles.opacities[one.id] ?? 0, one.id === tiles.proposed);
   const shown = marks.flatMap((mark, which) => (mark === null ? [] : [{ ...mark, which }]));
-  for (const { which, regions, opacity } of shown) drawRegions(pen, regions, MARKS[which], width, height, opacity);
+  for (const { which, regions, opacity, outlines } of shown) drawRegions(pen, regions, MARKS[which], width, height, opacity, outlines);
   drawTrail(pen, trail, now, trailColour);
   const from = trail[trail.length - 1]?.slice(1);
   pen.save();
   for (const { which, prediction, opacity } of shown) {
     pen.globalAlpha = opacity;
-    drawEndpoint(pen, which, from, clamp([prediction.x, prediction.y], width, height, 11));
+    const end = clamp([prediction.x, prediction.y], width, height, 11);
+    drawEndpoint(pen, which, from, end);
+    if (prediction.remaining_s > 0) label(pen, number(prediction.remaining_s, 2, "s"), end);
   }
   pen.restore();
   return shown.length;

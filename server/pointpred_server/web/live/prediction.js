@@ -2,7 +2,7 @@
 
 import { write } from "../page/elements.js";
 import { number } from "../page/numbers.js";
-import { isVisible } from "../drawing/regions.js";
+import { isVisible, outlinesOf } from "../drawing/regions.js";
 
 const GONE_MS = 200; // a prediction is drawn for this long
 const FADE_MS = 80;
@@ -14,7 +14,7 @@ export const opacityAfter = (ms) => Math.max(0, Math.min(1, (GONE_MS - ms) / FAD
 export function markOf(prediction, smoothRegions, now, opacity, still = false) {
   const visible = prediction !== null && prediction.x !== null && prediction.phase !== "still" && opacity > 0;
   const regions = smoothRegions.update(visible ? prediction : null, now, still);
-  return visible ? { prediction, regions, opacity } : null;
+  return visible ? { prediction, regions, opacity, outlines: outlinesOf(prediction.mixture) } : null;
 }
 
 /** Length × breadth of a 50 % region, px; a region that is too large to draw is only compared with the picture. */

@@ -72,7 +72,7 @@ function answersTo(connection, rows, offset) {
     const removers = [
       connection.on("choice", (choice) => choices.push(choice)),
       connection.on("prediction", (prediction) => {
-        answers.push(prediction);
+        answers.push({ ...prediction, mixture: connection.mixture });
         delays.push(connection.delayMs);
         if (answers.length < rows.length) return send(rows[answers.length]);
         removers.forEach((remove) => remove());

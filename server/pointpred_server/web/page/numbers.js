@@ -1,6 +1,6 @@
 // Numbers: as they are written in the page, and their averages.
 
-export { median } from "../prediction/ledger.js";
+export { median } from "../prediction/leads.js";
 
 const NONE = "–";
 

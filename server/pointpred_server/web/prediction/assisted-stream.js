@@ -5,8 +5,7 @@ import { as_normal as asNormal } from "../laws/regions.js";
 import { END, guarded_step as step, SETTINGS, USUAL_GUARD } from "../laws/transfer/assistance.js";
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";
 import { lay_out as layOut, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
-import { checkRows, ProtocolError } from "./messages.js";
-import { isRefused } from "./row.js";
+import { ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
 
 /**
@@ -26,20 +25,16 @@ export class AssistedStream extends PredictionStream {
     return super.open(hello, send);
   }
 
-  feed(rows) {
-    checkRows(rows);
+  get isWatched() {
+    return true;
+  }
+
+  check(rows) {
+    super.check(rows);
     const missing = rows.findIndex((row) => Number.isNaN(row[3]));
-    if (missing >= 0) {
-      const sentence = "assistance needs counts: dx and dy must be numbers";
-      throw new ProtocolError("bad_field", sentence, `$.events[${missing}][3]`, { field: "dx", value: null });
-    }
-    const { used, dropped } = this.inOrder(rows);
-    if (used.length) {
-      const moved = [], answers = this.#move(used, moved);
-      if (answers === null) throw new ProtocolError("bad_field", "the events cannot be used", "$.events");
-      this.reply(moved, answers);
-    }
-    if (dropped !== null) this.send(dropped);
+    if (missing < 0) return;
+    const sentence = "assistance needs counts: dx and dy must be numbers";
+    throw new ProtocolError("bad_field", sentence, `$.events[${missing}][3]`, { field: "dx", value: null });
   }
 
   async configure(message) {
@@ -61,28 +56,9 @@ export class AssistedStream extends PredictionStream {
     this.send({ type: "cursor", t, x, y, added_px: added });
   }
 
-  /** The predictions for events, whose rows with the cursor's place go into `moved`; null, and nothing changed, where one is refused. */
-  #move(rows, moved) {
-    const before = [this.#memory.slice(), this.#cursor, this.pipeline.remembered], answers = [];
-    let complete = false;
-    try {
-      for (const [t, x, y, dx, dy, buttons] of rows) {
-        const place = this.#step(t, this.#cursor.place ?? [x, y], dx, dy);
-        const answer = place && this.pipeline.advance([t, ...place, dx, dy, buttons]);
-        if (!answer || isRefused(answer)) return null;
-        moved.push([t, ...place, dx, dy, buttons]);
-        answers.push(answer);
-        this.#guide(answer);
-        if (this.hello.places) this.see();
-      }
-      complete = true;
-    } finally {
-      if (!complete) {
-        [this.#memory, this.#cursor, this.pipeline.remembered] = before;
-        this.unsee();
-      }
-    }
-    return answers;
+  move([t, x, y, dx, dy, buttons]) {
+    const place = this.#step(t, this.#cursor.place ?? [x, y], dx, dy);
+    return place && [t, ...place, dx, dy, buttons];
   }
 
   /** Where one report brings the cursor, within the screen; null where it is refused. */
@@ -99,7 +75,7 @@ export class AssistedStream extends PredictionStream {
   }
 
   /** The newest prediction guides the next report. */
-  #guide([, x, y, sxx, sxy, syy, , , tail]) {
+  guide([, x, y, sxx, sxy, syy, , , tail]) {
     this.#cursor = { ...this.#cursor, guidance: x === x ? [x, y, ...asNormal(sxx, sxy, syy, tail)] : null };
   }
 }

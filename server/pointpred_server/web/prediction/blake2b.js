@@ -66,3 +66,11 @@ export function digest(bytes, size = 8) {
   }
   return Uint8Array.from({ length: size }, (_, k) => state[k >> 2] >>> (8 * (k & 3)));
 }
+
+const KEY_BYTES = 6; // a number holds so long a whole number exactly
+
+/** A text as a whole number above 0, as `key_of` of `pointpred/targets/rectangles.py`. @param {string} text */
+export const keyOf = (text) => numberOf(text) || 1;
+
+/** A text as a whole number. @param {string} text */
+export const numberOf = (text) => digest(new TextEncoder().encode(text), KEY_BYTES).reduce((number, byte) => 256 * number + byte, 0);

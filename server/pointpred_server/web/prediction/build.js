@@ -1,6 +1,8 @@
 // Pipelines by name, as `pointpred.build` makes them in Python.
 
+import { Aim as Targets } from "../laws/targets/aim.js";
 import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
+import { Aim } from "./aim.js";
 import { coefficientsOf } from "./coefficients.js";
 import { checkTogether } from "./combinations.js";
 import { ParameterError } from "./errors.js";
@@ -9,9 +11,10 @@ import { Pipeline } from "./pipeline.js";
 import { Stage } from "./stage.js";
 
 /**
- * @typedef {{cpi?: number|null, dpi?: number, person?: string, differentiator?: string}} BuildOptions and every parameter
+ * @typedef {{cpi?: number|null, dpi?: number, person?: string, targets?: import("./targets.js").Target[], differentiator?: string}} BuildOptions and every parameter
  *   of the predictor and the differentiator by its name. cpi: counts per inch of the device; with it motor motion comes from
- *   the counts of events, without it from the cursor and `dpi`, px per inch (96). person: what `person` of a pipeline of this name was
+ *   the counts of events, without it from the cursor and `dpi`, px per inch (96). person: what `person` of a pipeline of this name was;
+ *   targets: what `register` takes
  */
 
 /**
@@ -22,11 +25,11 @@ import { Stage } from "./stage.js";
  */
 export async function build(name, options = {}) {
   const entry = entryOf(PREDICTORS, "predictor", name);
-  const { cpi = null, dpi = 96, person = "", differentiator: chosen = entry.differentiator, ...given } = options;
+  const { cpi = null, dpi = 96, person = "", targets = [], differentiator: chosen = entry.differentiator, ...given } = options;
   const source = entryOf(DIFFERENTIATORS, "differentiator", chosen);
   const loading = entry.coefficients && coefficientsOf(entry.coefficients);
   const [predictorKind, differentiatorKind, coefficients] = await Promise.all([entry.load(), source.load(), loading]);
-  refuseUnknown(name, given, [...predictorKind.parameters, ...differentiatorKind.parameters]);
+  refuseUnknown(name, given, [...predictorKind.parameters, ...differentiatorKind.parameters, ...Targets.parameters]);
   const values = { ...GAINS, ...entry.preset, ...withoutUndefined(given), cpi, dpi };
   const ofPredictor = valuesOf(predictorKind.parameters, values);
   const ofDifferentiator = valuesOf(differentiatorKind.parameters, values);
@@ -35,7 +38,12 @@ export async function build(name, options = {}) {
   differentiator.settle();
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
   predictor.restore(person);
-  return new Pipeline(name, differentiator, predictor);
+  const pipeline = new Pipeline(name, differentiator, predictor);
+  if (targets.length || Targets.parameters.some((one) => given[one.name] !== undefined)) {
+    pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
+    pipeline.register(targets);
+  }
+  return pipeline;
 }
 
 const withoutUndefined = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));

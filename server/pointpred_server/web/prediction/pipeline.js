@@ -1,7 +1,8 @@
-// A differentiator and a predictor, joined: events in, predictions out.
+// A differentiator and a predictor, joined, and the targets: events in, predictions out.
 
 import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/fields.js";
 import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
+import { Aim } from "./aim.js";
 import { EventError } from "./errors.js";
 import { PHASES, claimed, isRefused } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";
@@ -56,7 +57,7 @@ const predictionOf = (row) => (row[1] === row[1] ? new Prediction(row) : null);
 
 /** Consumes events one by one. Where an event is refused, nothing has changed. */
 export class Pipeline {
-  #differentiator; #predictor;
+  #differentiator; #predictor; /** @type {Aim|null} */ #aim = null;
 
   /**
    * Use `build`.
@@ -95,7 +96,7 @@ export class Pipeline {
     } finally {
       if (answer === null || isRefused(answer)) this.#differentiator.recall();
     }
-    return answer;
+    return this.#aim === null || isRefused(answer) ? answer : this.#aim.given(row, answer);
   }
 
   /**
@@ -120,19 +121,56 @@ export class Pipeline {
     return answers.length < rows.length ? null : answers;
   }
 
-  /** Copies of both memories; setting them goes on from there. @type {[Float64Array, Float64Array]} */
+  /** Copies of all memories; setting them goes on from there. */
   get remembered() {
-    return [this.#differentiator.remembered, this.#predictor.remembered];
+    const stages = [this.#differentiator, this.#predictor, this.#aim].filter((one) => one !== null);
+    return stages.map(({ remembered }) => remembered);
   }
 
-  set remembered([ofDifferentiator, ofPredictor]) {
+  set remembered([ofDifferentiator, ofPredictor, ofTargets]) {
     this.#differentiator.remembered = ofDifferentiator;
     this.#predictor.remembered = ofPredictor;
+    if (this.#aim) this.#aim.remembered = ofTargets;
+  }
+
+  /**
+   * Takes these targets, in place of those before, as what can be pointed at; none: as if nobody had. From the next event on the
+   * endpoint, its region and the time left are those of a movement to one of them or elsewhere. `reset` keeps them. At most 1000;
+   * throws a ParameterError, nothing changed.
+   * @param {readonly import("./targets.js").Target[]} targets
+   */
+  register(targets) {
+    this.aim.register(targets);
+  }
+
+  /** The registered targets and what is known of them, for those that decide among them. @type {Aim} */
+  get aim() {
+    return (this.#aim ??= new Aim());
+  }
+
+  set aim(aim) {
+    this.#aim = aim;
+  }
+
+  /** How likely the movement is for each registered target, by its id; null: for none of them. @returns {Map<unknown, number>} */
+  get shares() {
+    const shares = this.#aim?.shares ?? [1];
+    return new Map([...(this.#aim?.ids ?? []), null].map((id, i) => [id, shares[i]]));
+  }
+
+  /**
+   * What the last prediction knows beyond one law: the targets and places where it may end, and elsewhere. Null where nothing is
+   * justified now, and where neither targets are registered nor the predictor learns places.
+   * @returns {import("./mixture.js").Mixture|null}
+   */
+  get mixture() {
+    const own = this.#predictor.mixture;
+    return this.#aim === null || this.#aim.ids.length === 0 ? own : this.#aim.mixture(own);
   }
 
   /** Whether finished movements change what is said of the next: then only a new person starts fresh. */
   get learns() {
-    return this.#predictor.learns;
+    return this.#predictor.learns || (this.#aim?.learns ?? false);
   }
 
   /** Whether what finished movements taught can be saved. */
@@ -172,18 +210,21 @@ export class Pipeline {
   forget() {
     [this.#differentiator, this.#predictor] = [this.#differentiator.fresh(), this.#predictor.fresh()];
     this.#predictor.enter(SCREEN);
+    this.#aim = this.#aim?.fresh() ?? null;
   }
 
   /** Forgets every event: the next one starts a movement. What is known of the person stays. */
   reset() {
     this.#differentiator.reset();
     this.#predictor.reset();
+    this.#aim?.reset();
   }
 
-  /** A pipeline with the same parameters and no memory, which knows nobody. @returns {Pipeline} */
+  /** A pipeline with the same parameters and targets and no memory, which knows nobody. @returns {Pipeline} */
   fresh() {
     const pipeline = new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh());
     pipeline.#predictor.enter(SCREEN);
+    pipeline.#aim = this.#aim?.fresh() ?? null;
     return pipeline;
   }
 

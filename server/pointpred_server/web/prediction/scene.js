@@ -1,11 +1,9 @@
 // The window or page that the cursor moves in, as laws know it; as `pointpred/scene.py`.
 
 import { LARGEST } from "../laws/records.js";
-import { digest } from "./blake2b.js";
+import { numberOf } from "./blake2b.js";
 import { ParameterError } from "./errors.js";
 import { general, quoted } from "./words.js";
-
-const DIGEST_BYTES = 6; // of a name: a number holds so long a whole number exactly
 
 /** Where nobody named a window. */
 export const SCREEN = Object.freeze([0, 0, 0]);
@@ -24,6 +22,5 @@ export function sceneOf(key, x, y) {
       const message = `${field} of the origin must be a number in [${general(-LARGEST)}, ${general(LARGEST)}] px, received ${quoted(value)}`;
       throw new ParameterError(message, { field, value });
     }
-  const bytes = key === "" ? [] : digest(new TextEncoder().encode(key), DIGEST_BYTES);
-  return [bytes.reduce((number, byte) => 256 * number + byte, 0), x, y];
+  return [key === "" ? 0 : numberOf(key), x, y];
 }

@@ -20,6 +20,11 @@ export class PageSession {
     this.#send = send;
   }
 
+  /** What the newest prediction knows beyond one law; null before the first. @returns {import("./mixture.js").Mixture|null} */
+  get mixture() {
+    return this.#stream?.mixture ?? null;
+  }
+
   /** Takes in events: t, x, y, dx, dy (null: no counts), buttons. @param {import("../pointpred.js").EventRow[]} rows */
   receiveRows(rows) {
     if (this.ended !== null) return;

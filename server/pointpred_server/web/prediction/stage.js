@@ -1,14 +1,16 @@
 // A stage: a law, its flat memory, and what is forgotten when.
 
-import { packed, unpacked } from "./person.js";
 import { ParameterError } from "./errors.js";
+import { Mixture, partRows } from "./mixture.js";
+import { packed, unpacked } from "./person.js";
 
 /**
  * @typedef {number[]} Row
  * @typedef {import("./parameters.js").Parameter} Parameter
  * @typedef {{parameters: Parameter[], step: (memory: Float64Array, row: Row, coefficients?: Float64Array) => Row,
  *   conclude?: (memory: Float64Array) => void, enter_scene?: (memory: Float64Array, scene: number[]) => void,
- *   list_places?: (memory: Float64Array, out: Float64Array[]) => number, fill: (values: Float64Array, memory: Float64Array) => void,
+ *   list_places?: (memory: Float64Array, out: Float64Array[]) => number,
+ *   list_parts?: (memory: Float64Array, out: Float64Array[]) => [number, number, number], fill: (values: Float64Array, memory: Float64Array) => void,
  *   settle?: (memory: Float64Array) => void,
  *   settings: number, learned: number, states: number, sizes?: (values: Float64Array) => [number, number, number],
  *   slots?: import("./person.js").Slot[], layout?: string}} Kind what a generated module exports of a class:
@@ -17,6 +19,7 @@ import { ParameterError } from "./errors.js";
 
 /** Places that are remembered, and the numbers of each. */
 const CAPACITY = 64, FIELDS = 7;
+const MOST_PARTS = 5; // of a mixture
 
 /** The memory of one law, and the law. */
 export class Stage {
@@ -86,6 +89,12 @@ export class Stage {
     if (this.#kind.list_places === undefined) return [];
     const rows = Array.from({ length: CAPACITY }, () => new Float64Array(FIELDS));
     return rows.slice(0, this.#kind.list_places(this.#memory, rows));
+  }
+
+  /** The law of the endpoint as places and elsewhere have it; null where none is claimed, and where no places are learned. @returns {Mixture|null} */
+  get mixture() {
+    const rows = partRows(MOST_PARTS), [count, ...offsets] = this.#kind.list_parts?.(this.#memory.slice(), rows) ?? [0];
+    return count === 0 ? null : new Mixture(rows.slice(0, count), offsets);
   }
 
   /** A stage with the same parameters, which remembers nothing. @returns {Stage} */

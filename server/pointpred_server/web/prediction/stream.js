@@ -3,7 +3,7 @@
 import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
 import { checkRows, ProtocolError } from "./messages.js";
-import { messageOf } from "./row.js";
+import { isRefused, messageOf } from "./row.js";
 import { PlaceTracker, TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
@@ -14,7 +14,6 @@ const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", per
 export class PredictionStream {
   /** The settings in force. */ hello;
   #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer(); #placeTracker = null; #window = null;
-  /** The places after each event that is being taken in, where the client asked for them. */ #seen = [];
 
   /**
    * Use `open`.
@@ -30,72 +29,64 @@ export class PredictionStream {
     return new this(hello, await pipelineOf(hello), send);
   }
 
-  get pipeline() {
-    return this.#pipeline;
-  }
-
   /**
    * Predicts; events before the last one are dropped, the rest is used. Sends the choices, then the predictions. Throws a
    * ProtocolError or an EventError, nothing changed, where a number cannot be used.
    * @param {number[][]} rows t, x, y, dx, dy (NaN: no counts), buttons
    */
   feed(rows) {
-    let used = rows, dropped = null, answers = this.take(rows);
-    if (answers === null) {
-      checkRows(rows);
-      ({ used, dropped } = this.inOrder(rows));
-      answers = this.take(used);
-      if (answers === null) throw new ProtocolError("bad_field", "the events cannot be used", "$.events");
+    if (!this.isWatched) {
+      const answers = this.#pipeline.advanceAll(rows);
+      if (answers !== null) return this.#reply(rows, answers);
     }
-    if (used.length) this.reply(used, answers);
+    this.check(rows);
+    const { used, dropped } = this.#inOrder(rows);
+    if (used.length) this.#follow(used);
     if (dropped !== null) this.#send(dropped);
   }
 
-  /** The predictions for events; null, and nothing changed, where one is refused. @param {number[][]} rows */
-  take(rows) {
-    const before = this.hello.places ? this.#pipeline.remembered : null, answers = this.#pipeline.advanceAll(rows);
-    if (before === null || answers === null) return answers;
-    this.#pipeline.remembered = before; // once more, one by one, for the places after each
+  /** Whether something is to be done after each event: a target or a place chosen. */
+  get isWatched() {
+    return this.#tracker !== null || this.hello.places;
+  }
+
+  /** Throws a ProtocolError for a number that cannot be used. @param {number[][]} rows */
+  check(rows) {
+    checkRows(rows);
+  }
+
+  /** An event as it is used. @param {number[]} row @returns {number[]|null} null: it cannot be */
+  move(row) {
+    return row;
+  }
+
+  /** What the newest prediction changes: nothing, unless the cursor is assisted. @param {number[]} answer */
+  guide(answer) {}
+
+  /** Predicts from events in order, one by one, and decides after each. */
+  #follow(rows) {
+    if (this.#tracker === null && this.hello.places) this.#placeTracker ??= new PlaceTracker(this.#send, this.#pipeline, this.#precision);
+    const moved = [], answers = [], likely = [], { aim } = this.#tracker?.chooser.pipeline ?? {};
     for (const row of rows) {
-      this.#pipeline.advance(row);
-      this.see();
+      const event = this.move(row), answer = event && this.#pipeline.advance(event);
+      if (!answer || isRefused(answer)) throw new ProtocolError("bad_field", "the events cannot be used", "$.events");
+      moved.push(event);
+      answers.push(answer);
+      this.guide(answer);
+      (this.#tracker ?? this.#placeTracker)?.follow();
+      if (aim) likely.push({ target: aim.target, targets: aim.likeliest() });
     }
-    return answers;
+    this.#reply(moved, answers, likely);
   }
 
-  /** Whether places are proposed: the client asked for that, and there are no targets. */
-  get offersPlaces() {
-    return this.hello.places && this.#tracker === null;
-  }
-
-  /** Notes the places after an event; a list that is begun anew where events are refused. */
-  see() {
-    this.#seen.push(this.#pipeline.places);
-  }
-
-  /** Forgets the places of events that are refused. */
-  unsee() {
-    this.#seen = [];
-  }
-
-  /** Records the events that were used, decides among the targets, and sends the predictions. */
-  reply(rows, answers) {
-    const each = this.hello.reply === "event", last = rows.length - 1, listed = this.#tracker !== null && this.hello.encoding === "json";
-    this.#lastTime = rows[last][0];
-    const likely = [], headed = [], seen = this.#seen;
-    this.#seen = [];
-    if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
-    for (let i = 0; i <= last; i++) {
-      this.#trial.add(rows[i]);
-      if (this.hello.places) this.#tracker?.expect(seen[i]);
-      this.#tracker?.follow(rows[i], answers[i]);
-      if (this.offersPlaces) this.#placeTracker.follow(rows[i], answers[i], seen[i]);
-      if (!each && i < last) continue;
-      headed.push(this.#tracker?.target);
-      if (listed) likely.push(this.#tracker.likeliest);
-    }
+  /** Records the events that were used, and sends the predictions; `likely`: what the targets make of each. */
+  #reply(rows, answers, likely = []) {
+    const since = this.hello.reply === "event" ? 0 : -1, isListed = this.hello.encoding === "json";
+    this.#lastTime = rows.at(-1)[0];
+    for (const row of rows) this.#trial.add(row);
     this.beforePredictions(this.#lastTime);
-    (each ? answers : answers.slice(-1)).forEach((answer, i) => this.#send(messageOf(answer, headed[i], likely[i])));
+    const aims = likely.slice(since);
+    answers.slice(since).forEach((answer, i) => this.#send(messageOf(answer, aims[i]?.target, isListed ? aims[i]?.targets : undefined)));
   }
 
   /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
@@ -103,6 +94,11 @@ export class PredictionStream {
 
   send(message) {
     this.#send(message);
+  }
+
+  /** What the newest prediction knows beyond one law. @returns {import("./mixture.js").Mixture|null} */
+  get mixture() {
+    return this.#pipeline.mixture;
   }
 
   /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {object} message checked */
@@ -115,14 +111,12 @@ export class PredictionStream {
     if (another || Object.keys(message.parameters ?? {}).length) {
       const pipeline = this.#inWindow(await pipelineOf(changed));
       if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
-      this.#pipeline = pipeline;
-      this.forget();
+      this.#goOnWith(pipeline);
     }
     this.hello = changed;
     if (!changed.places) {
       this.#placeTracker?.reset();
       this.#placeTracker = null;
-      this.#tracker?.expect([]);
     }
     this.#precision = message.precision ?? this.#precision;
     if (message.precision != null) for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
@@ -133,9 +127,9 @@ export class PredictionStream {
     if (assist != null) throw new ProtocolError("out_of_place", "expected assistance to be asked for in 'hello'; it may be changed afterwards", "$.assist");
   }
 
-  /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("./chooser.js").Target[]} targets */
+  /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("./targets.js").Target[]} targets */
   replaceTargets(targets) {
-    const tracker = this.#tracker ?? new TargetTracker(this.#send, this.#precision);
+    const tracker = this.#tracker ?? new TargetTracker(this.#send, this.#pipeline, this.#precision);
     tracker.replace(targets);
     this.#tracker = targets.length ? tracker : null;
     this.#placeTracker?.reset();
@@ -149,11 +143,16 @@ export class PredictionStream {
 
   /** What is known of the person; with a replacement the session begins anew, knowing that. @param {string} [replacement] @returns {Promise<string>} */
   async person(replacement) {
-    if (replacement != null) {
-      this.#pipeline = this.#inWindow(await pipelineOf({ ...this.hello, person: replacement }));
-      this.forget();
-    }
+    if (replacement != null) this.#goOnWith(this.#inWindow(await pipelineOf({ ...this.hello, person: replacement })));
     return this.#pipeline.person;
+  }
+
+  /** Another pipeline begins without memory, with the targets that are registered. */
+  #goOnWith(pipeline) {
+    pipeline.aim = this.#pipeline.aim;
+    this.#pipeline = pipeline;
+    for (const one of [this.#tracker, this.#placeTracker]) if (one) one.pipeline = pipeline;
+    this.forget();
   }
 
   /** The next movement is in this window. @param {[string, number, number]} window its name and origin */
@@ -199,7 +198,7 @@ export class PredictionStream {
   }
 
   /** The events that do not run backwards, and the error for those that do, null for none. @param {number[][]} rows */
-  inOrder(rows) {
+  #inOrder(rows) {
     let latest = this.#lastTime, first = null, late = 0;
     const used = rows.filter(([t], row) => {
       const backwards = t < latest;

@@ -43,7 +43,7 @@ export class PredictorConnection {
     this.predictor = predictor;
     this.#connection = connect(undefined, { predictor, pointer: false, token, page: inPage(), ...options });
     this.#connection.on("prediction", (prediction) => {
-      this.latest = prediction;
+      this.latest = { ...prediction, mixture: this.#connection.mixture };
       this.at = performance.now();
       this.received += 1;
       this.#delays.push([this.at, this.#connection.delayMs]);

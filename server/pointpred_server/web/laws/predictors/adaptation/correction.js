@@ -5,6 +5,7 @@ import * as $distances from "./distances.js";
 import * as $durations from "./durations.js";
 import * as $habits from "./habits.js";
 import * as $mixed_region from "./mixed_region.js";
+import * as $moments from "./moments.js";
 import * as $places from "./places.js";
 import * as $region_widening from "./region_widening.js";
 import * as $stages from "./stages.js";
@@ -12,10 +13,6 @@ import * as $adaptation_time_left from "./time_left.js";
 import * as $time_left_prior from "./time_left_prior.js";
 export const TRACE_PLACES = 96;
 export const APART_S = 0.005;
-export const NEAR_PX = 8;
-export const NEAR_SHARE = 0.03;
-export const SAMPLES_LEAST = 6;
-export const LEAST_S = 0.08;
 export const BIAS_FADE = 0.2;
 export const FADE = 0.5;
 export const PLACES_FADE = 0.7;
@@ -104,10 +101,10 @@ export function learn(person, movement, distance, end, person_at = 0, movement_a
 }
 export function conclude(settings, person, movement, settings_at = 0, person_at = 0, movement_at = 0) {
   const distance = hypot(movement[movement_at + 5] - movement[movement_at + 2], movement[movement_at + 6] - movement[movement_at + 3]);
-  const end = arrival(movement, larger(NEAR_PX, NEAR_SHARE * distance), movement_at);
-  const whole = movement[movement_at] === 1 && movement[movement_at + 8] >= SAMPLES_LEAST;
-  const shortest = larger(settings[settings_at + 1], $distances.SHORTEST_PX);
-  if (whole && end - movement[movement_at + 1] >= LEAST_S && distance >= shortest) {
+  const end = arrival(movement, larger($moments.NEAR_PX, $moments.NEAR_SHARE * distance), movement_at);
+  const whole = movement[movement_at] === 1 && movement[movement_at + 8] >= $moments.SAMPLES_LEAST;
+  const shortest = larger(settings[settings_at + 1], $moments.SHORTEST_PX);
+  if (whole && end - movement[movement_at + 1] >= $moments.LEAST_S && distance >= shortest) {
     if (settings[settings_at + 2] === 1) {
       learn_place(settings, person, movement, settings_at, person_at, movement_at);
     }

@@ -1,5 +1,6 @@
 // Written by `make laws` from distances.py: change that and run it again.
 import { larger, remainder, smaller, square } from "../../arithmetic.js";
+import * as $moments from "./moments.js";
 export const CAPACITY = 12;
 export const LEAST = 2;
 export const WIDTHS = [0.02, 0.08, 0.35];
@@ -14,7 +15,6 @@ export const LOGISTIC = 1.7;
 export const HALVINGS = 10;
 export const NEGLIGIBLE = 0.0001;
 export const OFF_ONE = 1e-06;
-export const SHORTEST_PX = 1e-06;
 export const LEAST_UNKNOWN = 0.049;
 export const FINE = 0;
 export const TOO_SHORT = 1;
@@ -26,7 +26,7 @@ export function fault(learned, learned_at = 0) {
     return [FINE, 0];
   }
   for (let i = 0; i < count; i++) {
-    if (!(learned[learned_at + i + 1] >= SHORTEST_PX)) {
+    if (!(learned[learned_at + i + 1] >= $moments.SHORTEST_PX)) {
       return [TOO_SHORT, learned[learned_at + i + 1]];
     }
   }

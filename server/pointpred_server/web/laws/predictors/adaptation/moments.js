@@ -1,6 +1,11 @@
 // Written by `make laws` from moments.py: change that and run it again.
 import * as $records from "../../records.js";
 export const APART_S = 0.0071;
+export const NEAR_PX = 8;
+export const NEAR_SHARE = 0.03;
+export const SAMPLES_LEAST = 6;
+export const LEAST_S = 0.08;
+export const SHORTEST_PX = 1e-06;
 export function next_moment(s, last_t, cursor, most, s_at = 0) {
   const t = cursor[0];
   const x = cursor[1];

@@ -110,6 +110,27 @@ export function list_places(memory, out, memory_at = 0) {
   }
   return count;
 }
+export function write_mixture(memory, memory_at = 0) {
+  const settings_at = memory_at;
+  const now_at = memory_at + 3903;
+  if (memory[settings_at] === 0 || memory[settings_at + 3] === 0 || memory[now_at] === 0) {
+    return false;
+  }
+  $correction.write_mixture(memory, memory, memory, memory, settings_at + 1, memory_at + 11, memory_at + 912, now_at + 8);
+  return true;
+}
+export function list_parts(memory, out, memory_at = 0) {
+  if (!write_mixture(memory, memory_at)) {
+    return [0, 0, 0];
+  }
+  const asked_at = memory_at + 3911;
+  for (let k = 0, end_1 = Math.trunc(memory[asked_at]); k < end_1; k++) {
+    for (let i = 0; i < 7; i++) {
+      out[k][i] = memory[asked_at + k * 7 + i + 1];
+    }
+  }
+  return [Math.trunc(memory[asked_at]), memory[asked_at + 36], memory[asked_at + 37]];
+}
 export const AdaptiveKinematicPredictor = {
   step: step,
   conclude: conclude,
@@ -118,6 +139,7 @@ export const AdaptiveKinematicPredictor = {
   fault: $correction.fault,
   enter_scene: enter_scene,
   list_places: list_places,
+  list_parts: list_parts,
   settings: 11, learned: 628, states: 3310,
   layout: "4302f8b2f3d9b851",
   slots: [
