@@ -4,13 +4,14 @@ First the evidence, by the cases of many movements, then the policy's settings: 
 movements that fire before the entry and twice the median lead of ForesightJS's rule, on every layout at
 once; the layout that is worst off counts. Fitted once without each group of sets, for the measurement, and
 once to all, which is what comes with pointpred: evidence is written to pointpred/targets/coefficients.py,
-settings are printed. Recordings come from the folder named by POINTPRED_RECORDINGS. About an hour.
+settings are printed. Recordings come from the folder named by POINTPRED_RECORDINGS.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import exp, log
+from math import exp, hypot, inf, log
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -20,12 +21,12 @@ from evidence.data import file_of, write
 from evidence.data import read as stored
 from evidence.held_out import held_out
 from evidence.intent import targets_fit
-from evidence.intent.firing import FRAME_S, Score, by_policy, by_rule, score, shares_of
+from evidence.intent.firing import FRAME_S, Score, by_rule, frame_end, score, shares_of
 from evidence.intent.movements import PAGES, Movement, movements
 from evidence.intent.targets_fit import Cases
 from pointpred.recordings import read
 from pointpred.records import FloatArray
-from pointpred.targets import cursor
+from pointpred.targets import cursor, prefetch
 from pointpred.targets.posterior import FEATURES, Law, features, unclaimed
 from pointpred.training.data import folder
 
@@ -153,12 +154,64 @@ def by_layout(chosen: Sequence[Movement], fired: Sequence[FloatArray]) -> dict[s
     }
 
 
+class Chances(NamedTuple):
+    """Every moment at which a target may fire in some movements: a row a frame and target, in turn."""
+
+    target: np.ndarray[tuple[int], np.dtype[np.int64]]
+    """Counted over the targets of all movements."""
+    now: FloatArray
+    log_odds: FloatArray
+    """Of a visit; infinite where the cursor is in the target, and it fires at the latest."""
+    terms: FloatArray
+    """What the settings weigh."""
+
+
+def chances(chosen: Sequence[Movement], shares: Sequence[FloatArray]) -> Chances:
+    """The moments of these movements, by the laws of the policy."""
+    rows: list[tuple[float, ...]] = []
+    first = 0
+    for one, own in zip(chosen, shares, strict=True):
+        s, visits = cursor.State(np.zeros(cursor.State.length)), np.zeros(len(one.table))
+        x0, y0 = one.events[0, 1:3].tolist()
+        resting = [prefetch.inside(x0, y0, row) for row in one.table]
+        for i, event in enumerate(one.events):
+            cursor.follow(s.memory, *event[:3].tolist(), 0.0)
+            if (now := frame_end(one.events, i, FRAME_S)) == inf:
+                continue
+            x, y = event[1:3].tolist()
+            prefetch.visit(x, y, one.table, own[i], visits)
+            expected = prefetch.expect(x, y, one.table, visits, own[i])
+            moves = hypot(x - x0, y - y0) >= prefetch.LEAST_WAY_PX
+            for k, row in enumerate(one.table):
+                within = prefetch.inside(x, y, row)
+                resting[k] = resting[k] and within
+                if resting[k] or not (moves or within):
+                    continue
+                odds = inf if within else prefetch.log_odds(visits[k])
+                rows.append(
+                    (first + k, now, odds, *prefetch.terms(s.memory, row, own[i, k], visits[k], expected))
+                )
+        first += len(one.table)
+    table = np.array(rows)
+    table = table[np.argsort(table[:, 0], kind="stable")]
+    return Chances(table[:, 0].astype(np.int64), table[:, 1], table[:, 2], table[:, 3:])
+
+
+def first_firings(moments: Chances, values: FloatArray, targets: int) -> FloatArray:
+    """When each target first fires, s; infinite where it never does. As ``firing.by_policy`` says."""
+    fires = np.flatnonzero(moments.log_odds + moments.terms @ values >= 0.0)
+    fired_at = np.full(targets, inf)
+    fired_at[moments.target[fires[::-1]]] = moments.now[fires[::-1]]  # the first one is written last
+    return fired_at
+
+
 def settings(chosen: Sequence[Movement], shares: Sequence[FloatArray]) -> list[float]:
     """The settings of largest margin."""
     rule = by_layout(chosen, [by_rule(one, FRAME_S) for one in chosen])
+    moments, ends = chances(chosen, shares), np.cumsum([len(one.table) for one in chosen])
 
     def worth(values: FloatArray) -> float:
-        fired = [by_policy(one, own, values, FRAME_S) for one, own in zip(chosen, shares, strict=True)]
+        fired = np.split(first_firings(moments, values, ends[-1]), ends[:-1])
         return margin(by_layout(chosen, fired), rule)
 
     best: list[float] = searched(worth, np.array(START), np.array(SPREAD)).tolist()

@@ -161,7 +161,7 @@ def outcomes(people: Sequence[Movements], layout: str, make: Callable[[], Choose
                 continue
             targets, right = place
             chooser.replace(targets)
-            changes, _ = chooser.follow(events, answers, last=0)
+            changes, *_ = chooser.follow(events, answers, last=0)
             results.append(account(targets[right], events, changes))
     return results
 

@@ -60,7 +60,7 @@ def unseen(recording: Recording, name: str, held: HeldOut) -> str | Pipeline | N
 
 
 def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSummary], list[Situations]]:
-    """Every set and layout, evidence and predictor fitted without it; the situations of each set.
+    """Every set and layout, evidence and predictor fitted without it; the situations of each set to fit to.
 
     Sets whose predictor cannot be had without them are left out.
     """
@@ -70,11 +70,12 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSumma
         if (claiming := unseen(one, targets_fit.CLAIMING, held)) is not None:
             silent = targets_fit.cases(one, (targets_fit.SILENT,))
             cases[one.name] = (targets_fit.cases(one, (claiming,)), silent)
-    if len(cases) < 2:
-        return [], list(cases.values())  # nothing to fit the evidence to
+    fitted_to = {name: case for name, case in cases.items() if name not in targets_fit.SCORED_ONLY}
+    if len(fitted_to) < 2:
+        return [], list(fitted_to.values())  # nothing to fit the evidence to
     summaries = []
     for recording in (one for one in sets if one.name in cases):
-        others = [case for name, case in cases.items() if name != recording.name]
+        others = [case for name, case in fitted_to.items() if name != recording.name]
         ours, near = targets_fit.coefficients(others), targets_fit.coefficients(others, [NEAR])
         judged = [unseen(recording, name, held) for name in SHOWN]
         for part in apart(recording):
@@ -82,7 +83,7 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSumma
             names = [one for one in judged if one is not None]
             scored = score_targets(part, names, coefficients=ours, nearest=near, least_lead_s=LEAST_LEAD_S)
             summaries += [summarise_targets(one) for one in scored]
-    return summaries, list(cases.values())
+    return summaries, list(fitted_to.values())
 
 
 def right(sets: list[TargetSummary]) -> Table:

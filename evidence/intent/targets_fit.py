@@ -34,6 +34,8 @@ SETS = (
     *("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo"),
     "fitts_xp",
 )
+SCORED_ONLY = ("fitts_xp",)
+"""Its licence is not stated: nothing is fitted to it."""
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))
 MOST_TRIALS = 200
 """Of each set."""

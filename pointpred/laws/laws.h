@@ -139,6 +139,7 @@ typedef struct { double precision; double least_lead_s; double least_way_px; } t
 typedef struct { int64_t f0; int64_t f1; int64_t f2; int64_t f3; } T4q;
 typedef struct { bool f0; bool f1; } T2b;
 typedef struct { Table f0; Vector f1; } T_Table__Vector_;
+typedef struct { double passed; double sure; } targets_prefetch_Expected;
 typedef struct { Table f0; Vector f1; Vector f2; Vector f3; } T_Table_3_Vector_;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; } T8d;
 typedef struct { double t; double dx; double dy; double off_x; double off_y; } transfer_assistance_OffsetReport;
@@ -1489,10 +1490,11 @@ targets_posterior_Situation targets_posterior_situation(targets_cursor_State * s
 T3d targets_posterior_unclaimed(targets_cursor_State * s, double x, double y);
 void targets_prefetch_begin(targets_prefetch_State * s, Table table, Vector fired);
 double targets_prefetch_contact(double x, double y, double dx, double dy, Vector row);
+targets_prefetch_Expected targets_prefetch_expect(double x, double y, Table table, Vector visits, Vector shares);
 bool targets_prefetch_inside(double x, double y, Vector row);
 double targets_prefetch_log_odds(double p);
 int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings);
-double targets_prefetch_urgency(targets_cursor_State * s, Vector row, targets_prefetch_Settings * settings);
+T6d targets_prefetch_terms(targets_cursor_State * s, Vector row, double share, double visited, targets_prefetch_Expected expected);
 void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vector out);
 void targets_rectangles_complete(Table rows);
 int64_t targets_rectangles_holder(Table table, double x, double y);

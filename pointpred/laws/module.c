@@ -373,6 +373,13 @@ static PyObject *give_targets_posterior_Situation(targets_posterior_Situation va
   PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.log_sweep));
   return tuple;
 }
+static PyObject *give_targets_prefetch_Expected(targets_prefetch_Expected value) {
+  PyObject *tuple = PyTuple_New(2);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.passed));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.sure));
+  return tuple;
+}
 static PyObject *give_T5d(T5d value) {
   PyObject *tuple = PyTuple_New(5);
   if (tuple == NULL) return NULL;
@@ -11193,6 +11200,32 @@ static PyObject *py_targets_prefetch_contact(PyObject *self, PyObject *const *ar
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
+static PyObject *py_targets_prefetch_expect(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:expect";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  Table a2;
+  Vector a3;
+  Vector a4;
+  targets_prefetch_Expected result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "table", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[3], law, "visits", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "shares", 'd', 1, false, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = targets_prefetch_expect(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return give_targets_prefetch_Expected(result);
+}
 static PyObject *py_targets_prefetch_inside(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.prefetch:inside";
   Held held;
@@ -11260,27 +11293,32 @@ static PyObject *py_targets_prefetch_step(PyObject *self, PyObject *const *args,
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_targets_prefetch_urgency(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.targets.prefetch:urgency";
+static PyObject *py_targets_prefetch_terms(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:terms";
   Held held;
   const Py_buffer *view;
   targets_cursor_State * a0;
   Vector a1;
-  targets_prefetch_Settings * a2;
-  double result;
+  double a2;
+  double a3;
+  targets_prefetch_Expected a4;
+  T6d result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
+  if (!(counted(law, count, 5)
         && take_memory(&held, args[0], law, "s", false, 15, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "settings", false, 6, &view)
-        && (a2 = view->buf, true)))
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "expected", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.passed)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.sure)))
     return let_go(&held);
-  result = targets_prefetch_urgency(a0, a1, a2);
+  result = targets_prefetch_terms(a0, a1, a2, a3, a4);
   let_go(&held);
-  return PyFloat_FromDouble(result);
+  return give_T6d(result);
 }
 static PyObject *py_targets_prefetch_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.prefetch:visit";
@@ -12373,10 +12411,11 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.posterior:unclaimed", (PyCFunction)(void (*)(void))py_targets_posterior_unclaimed, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:begin", (PyCFunction)(void (*)(void))py_targets_prefetch_begin, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:contact", (PyCFunction)(void (*)(void))py_targets_prefetch_contact, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:expect", (PyCFunction)(void (*)(void))py_targets_prefetch_expect, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:inside", (PyCFunction)(void (*)(void))py_targets_prefetch_inside, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:log_odds", (PyCFunction)(void (*)(void))py_targets_prefetch_log_odds, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:step", (PyCFunction)(void (*)(void))py_targets_prefetch_step, METH_FASTCALL, NULL},
-  {"pointpred.targets.prefetch:urgency", (PyCFunction)(void (*)(void))py_targets_prefetch_urgency, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:terms", (PyCFunction)(void (*)(void))py_targets_prefetch_terms, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:visit", (PyCFunction)(void (*)(void))py_targets_prefetch_visit, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangles:complete", (PyCFunction)(void (*)(void))py_targets_rectangles_complete, METH_FASTCALL, NULL},
   {"pointpred.targets.rectangles:holder", (PyCFunction)(void (*)(void))py_targets_rectangles_holder, METH_FASTCALL, NULL},

@@ -60,7 +60,7 @@ static const double targets_posterior_FITTED_TARGETS = 16.0;
 static const double targets_posterior_FLATTEST = 1e-12;
 static const int64_t targets_posterior_HEADING = 2;
 static const double targets_posterior_LEAST = 0.1;
-static const double targets_posterior_LEAST_MASS = 6e-06;
+static const double targets_posterior_LEAST_MASS = 0.001;
 static const int64_t targets_posterior_MASS = 0;
 static const int64_t targets_posterior_NEAR = 5;
 static const int64_t targets_posterior_PER_SPEED = 4;
@@ -1402,25 +1402,41 @@ void targets_prefetch_begin(targets_prefetch_State * s, Table table, Vector fire
   }
 }
 
-/* The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S. */
-double targets_prefetch_urgency(targets_cursor_State * s, Vector row, targets_prefetch_Settings * settings) {
-  double left_s, near;
-  left_s = targets_cursor_until(s, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
-  near = -log(min_float(max_float(left_s, targets_prefetch_SHORTEST_S), targets_prefetch_LONGEST_S) / targets_prefetch_REFERENCE_S);
-  return settings->near * near - settings->far * near * near;
-}
-
 /* Logarithm of p over 1 - p, finite also at 0 and 1. */
 double targets_prefetch_log_odds(double p) {
   p = min_float(max_float(p, targets_prefetch_SMALLEST), 1.0 - targets_prefetch_SMALLEST);
   return log(p / (1.0 - p));
 }
 
+/* What the settings weigh of one target, in their order. */
+T6d targets_prefetch_terms(targets_cursor_State * s, Vector row, double share, double visited, targets_prefetch_Expected expected) {
+  double left_s, near, end;
+  left_s = targets_cursor_until(s, row.p[targets_rectangles_CENTRE_X], row.p[targets_rectangles_CENTRE_Y], row.p[targets_rectangles_WIDTH], row.p[targets_rectangles_HEIGHT]);
+  near = -log(min_float(max_float(left_s, targets_prefetch_SHORTEST_S), targets_prefetch_LONGEST_S) / targets_prefetch_REFERENCE_S);
+  end = log(max_float(share, targets_prefetch_SMALLEST) / max_float(visited, targets_prefetch_SMALLEST));
+  return (T6d){1.0, end, near, -near * near, log(max_float(expected.passed, targets_prefetch_LEAST_VISITS)), -expected.sure};
+}
+
+/* What lies ahead of the cursor, without the targets that it is in. */
+targets_prefetch_Expected targets_prefetch_expect(double x, double y, Table table, Vector visits, Vector shares) {
+  double passed, sure;
+  passed = 0.0;
+  sure = 0.0;
+  for (int64_t i = 0; i < table.n; i++) {
+    if (!targets_prefetch_inside(x, y, (Vector){table.p + i * table.m, table.m})) {
+      passed = passed + visits.p[i];
+      sure = max_float(sure, shares.p[i]);
+    }
+  }
+  return (targets_prefetch_Expected){passed, sure};
+}
+
 /* Decide which targets fire now; returns how many. */
 int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings) {
   Table table;
   Vector thresholds, visits, fired;
-  double x, y, passed, sure, common, likely, score;
+  double x, y, t0, t1, t2, t3, t4, t5, score;
+  targets_prefetch_Expected expected;
   bool moves;
   int64_t count;
   table = targets.f0;
@@ -1431,15 +1447,7 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
   x = s->cursor.x;
   y = s->cursor.y;
   targets_prefetch_visit(x, y, table, shares, visits);
-  passed = 0.0;
-  sure = 0.0;
-  for (int64_t i = 0; i < table.n; i++) {
-    if (!targets_prefetch_inside(x, y, (Vector){table.p + i * table.m, table.m})) {
-      passed = passed + visits.p[i];
-      sure = max_float(sure, shares.p[i]);
-    }
-  }
-  common = settings->base + settings->passed * log(max_float(passed, targets_prefetch_LEAST_VISITS)) - settings->sure * sure;
+  expected = targets_prefetch_expect(x, y, table, visits, shares);
   moves = hypot(x - s->cursor.x0, y - s->cursor.y0) >= targets_prefetch_LEAST_WAY_PX;
   count = 0;
   for (int64_t i = 0; i < table.n; i++) {
@@ -1459,9 +1467,15 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     if (fired.p[i] != targets_prefetch_ARMED || !moves) {
       continue;
     }
-    likely = max_float(visits.p[i], targets_prefetch_SMALLEST);
-    score = common + targets_prefetch_log_odds(likely) + settings->end * log(max_float(shares.p[i], targets_prefetch_SMALLEST) / likely);
-    score = score + targets_prefetch_urgency(&s->cursor, (Vector){table.p + i * table.m, table.m}, settings);
+    T6d values_1 = targets_prefetch_terms(&s->cursor, (Vector){table.p + i * table.m, table.m}, shares.p[i], visits.p[i], expected);
+    t0 = values_1.f0;
+    t1 = values_1.f1;
+    t2 = values_1.f2;
+    t3 = values_1.f3;
+    t4 = values_1.f4;
+    t5 = values_1.f5;
+    score = targets_prefetch_log_odds(visits.p[i]) + settings->base * t0 + settings->end * t1 + settings->near * t2;
+    score += settings->far * t3 + settings->passed * t4 + settings->sure * t5;
     if (score >= targets_prefetch_log_odds(thresholds.p[i])) {
       fired.p[i] = targets_prefetch_PREDICTED;
       count = count + 1;

@@ -197,7 +197,7 @@ for _weights in (Coefficients(FITTED_NEAREST).claimed, Coefficients(FITTED_NEARE
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 """Values in the fit: the share of movements to none of the targets, and the number of targets."""
-LEAST_MASS = 6e-6
+LEAST_MASS = 1e-3
 """Less of a law than this in all targets is as good as none."""
 
 FLATTEST = 1e-12

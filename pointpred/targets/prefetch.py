@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from math import hypot, inf, log
+from typing import NamedTuple
 
 import numpy as np
 
 from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.parameter import Parameter, check
-from pointpred.records import FloatArray, FloatTable
+from pointpred.records import FloatArray, FloatTable, SixFloats
 from pointpred.targets import cursor, decision
 from pointpred.targets.chooser import Aimed
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, NOBODY, WIDTH
@@ -61,6 +62,14 @@ class Settings(Layout):
 
 FITTED = (1.645, 0.86, 0.181, 0.077, 0.718, 3.055)
 """Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
+
+
+class Expected(NamedTuple):
+    """How many targets the cursor is expected to go through; the share of the likeliest."""
+
+    passed: float
+    sure: float
+
 
 Targets = tuple[FloatTable, FloatArray, FloatArray, FloatArray]
 """The table of the targets; of each its threshold, how likely it is visited, and its state."""
@@ -124,18 +133,29 @@ def begin(s: State, table: FloatTable, fired: FloatArray) -> None:
 
 
 @law
-def urgency(s: cursor.State, row: FloatArray, settings: Settings) -> float:
-    """The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S."""
-    left_s = cursor.until(s, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
-    near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
-    return float(settings.near * near - settings.far * near * near)
-
-
-@law
 def log_odds(p: float) -> float:
     """Logarithm of p over 1 - p, finite also at 0 and 1."""
     p = min(max(p, SMALLEST), 1.0 - SMALLEST)
     return log(p / (1.0 - p))
+
+
+@law
+def terms(s: cursor.State, row: FloatArray, share: float, visited: float, expected: Expected) -> SixFloats:
+    """What the settings weigh of one target, in their order."""
+    left_s = cursor.until(s, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
+    near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
+    end = log(max(share, SMALLEST) / max(visited, SMALLEST))
+    return 1.0, end, near, -near * near, log(max(expected.passed, LEAST_VISITS)), -expected.sure
+
+
+@law
+def expect(x: float, y: float, table: FloatTable, visits: FloatArray, shares: FloatArray) -> Expected:
+    """What lies ahead of the cursor, without the targets that it is in."""
+    passed, sure = 0.0, 0.0
+    for i in range(len(table)):
+        if not inside(x, y, table[i]):
+            passed, sure = passed + visits[i], max(sure, shares[i])
+    return Expected(passed, sure)
 
 
 @law
@@ -163,11 +183,7 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
     begin(s, table, fired)
     x, y = s.cursor.x, s.cursor.y
     visit(x, y, table, shares, visits)
-    passed, sure = 0.0, 0.0
-    for i in range(len(table)):
-        if not inside(x, y, table[i]):
-            passed, sure = passed + visits[i], max(sure, shares[i])
-    common = settings.base + settings.passed * log(max(passed, LEAST_VISITS)) - settings.sure * sure
+    expected = expect(x, y, table, visits, shares)
     moves = hypot(x - s.cursor.x0, y - s.cursor.y0) >= LEAST_WAY_PX
     count = 0
     for i in range(len(table)):
@@ -181,9 +197,9 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
             fired[i] = ARMED
         if fired[i] != ARMED or not moves:
             continue
-        likely = max(visits[i], SMALLEST)
-        score = common + log_odds(likely) + settings.end * log(max(shares[i], SMALLEST) / likely)
-        score += urgency(s.cursor, table[i], settings)
+        t0, t1, t2, t3, t4, t5 = terms(s.cursor, table[i], shares[i], visits[i], expected)
+        score = log_odds(visits[i]) + settings.base * t0 + settings.end * t1 + settings.near * t2
+        score += settings.far * t3 + settings.passed * t4 + settings.sure * t5
         if score >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1
     return count

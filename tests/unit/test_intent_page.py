@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from evidence.data import Table
-from evidence.intent.firing import by_hover, by_policy, by_rule, fire_by_rule, frame_end, score
+from evidence.intent.firing import FRAME_S, by_hover, by_policy, by_rule, fire_by_rule, frame_end, score
+from evidence.intent.fit import chances, first_firings
 from evidence.intent.measure import HEADS, RULE, beside
 from evidence.intent.movements import Movement
 from pointpred.records import FloatArray
@@ -55,6 +56,22 @@ def test_by_the_policy_nothing_fires_where_the_movement_starts() -> None:
     fired_at = by_policy(movement, shares, np.array(prefetch.FITTED), 0.0)
     assert fired_at[0] == np.inf
     assert fired_at[1] < 5.1
+
+
+def test_the_fit_sees_the_firings_of_the_policy() -> None:
+    random = np.random.default_rng(3)
+    places = [around(i, *random.uniform(-50.0, 350.0, 2), *random.uniform(10.0, 120.0, 2)) for i in range(8)]
+    movements = []
+    for _ in range(6):
+        events = np.zeros((40, 6))
+        events[:, 0], events[:, 1:3] = np.arange(40) / 100, random.normal(6.0, 9.0, (40, 2)).cumsum(axis=0)
+        movements.append(Movement("eight", "set", "user", table(places), 1, events, {}))
+    shares = [random.dirichlet([*[0.02] * 8, 1.0], 40) for _ in movements]
+    settings, count = np.array(prefetch.FITTED), 8 * len(movements)
+    fired = first_firings(chances(movements, shares), settings, count)
+    pairs = zip(movements, shares, strict=True)
+    assert fired.tolist() == [t for pair in pairs for t in by_policy(*pair, settings, FRAME_S).tolist()]
+    assert 8 < np.isfinite(fired).sum() < count
 
 
 def test_a_hover_fires_after_its_time_or_at_the_press_and_not_where_the_pointer_only_passes() -> None:

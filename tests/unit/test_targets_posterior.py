@@ -62,8 +62,8 @@ def test_shares_are_prior_times_the_mass_of_small_targets() -> None:
         law = stats.multivariate_normal(
             [280.0, -100.0], np.array([[1600.0, -500.0], [-500.0, 900.0]]) + spread
         )
-        low = np.array([place.x, place.y])
-        masses.append(place.weight * law.cdf(low + (place.width, place.height), lower_limit=low))
+        low, high = (place.x, place.y), (place.x + place.width, place.y + place.height)
+        masses.append(place.weight * law.cdf(high, lower_limit=low))
     normal = Prediction(0.0, 280.0, -100.0, (1600.0, -500.0, 900.0), "ballistic", 0.2)
     shares = after(Chooser(places, coefficients=MASS_ALONE), reach(), normal)
     assert shares[0] / shares[1] == pytest.approx(masses[0] / masses[1], rel=0.02)

@@ -77,14 +77,26 @@ export function begin(s, table, fired, s_at = 0) {
     }
   }
 }
-export function urgency(s, row, settings, s_at = 0, settings_at = 0) {
-  const left_s = $cursor.until(s, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT], s_at);
-  const near = -Math.log(smaller(larger(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S);
-  return settings[settings_at + 2] * near - settings[settings_at + 3] * near * near;
-}
 export function log_odds(p) {
   p = smaller(larger(p, SMALLEST), 1 - SMALLEST);
   return Math.log(p / (1 - p));
+}
+export function terms(s, row, share, visited, expected, s_at = 0) {
+  const left_s = $cursor.until(s, row[$rectangles.CENTRE_X], row[$rectangles.CENTRE_Y], row[$rectangles.WIDTH], row[$rectangles.HEIGHT], s_at);
+  const near = -Math.log(smaller(larger(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S);
+  const end = Math.log(larger(share, SMALLEST) / larger(visited, SMALLEST));
+  return [1, end, near, -near * near, Math.log(larger(expected[0], LEAST_VISITS)), -expected[1]];
+}
+export function expect(x, y, table, visits, shares) {
+  let passed = 0;
+  let sure = 0;
+  for (let i = 0, end_1 = table.length; i < end_1; i++) {
+    if (!inside(x, y, table[i])) {
+      passed = passed + visits[i];
+      sure = larger(sure, shares[i]);
+    }
+  }
+  return [passed, sure];
 }
 export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
   const table = targets[0];
@@ -95,18 +107,10 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
   const x = s[s_at + 2];
   const y = s[s_at + 3];
   visit(x, y, table, shares, visits);
-  let passed = 0;
-  let sure = 0;
-  for (let i = 0, end_1 = table.length; i < end_1; i++) {
-    if (!inside(x, y, table[i])) {
-      passed = passed + visits[i];
-      sure = larger(sure, shares[i]);
-    }
-  }
-  const common = settings[settings_at] + settings[settings_at + 4] * Math.log(larger(passed, LEAST_VISITS)) - settings[settings_at + 5] * sure;
+  const expected = expect(x, y, table, visits, shares);
   const moves = hypot(x - s[s_at + 6], y - s[s_at + 7]) >= LEAST_WAY_PX;
   let count = 0;
-  for (let i = 0, end_2 = table.length; i < end_2; i++) {
+  for (let i = 0, end_1 = table.length; i < end_1; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
       continue;
     }
@@ -123,9 +127,15 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
     if (fired[i] !== ARMED || !moves) {
       continue;
     }
-    const likely = larger(visits[i], SMALLEST);
-    let score = common + log_odds(likely) + settings[settings_at + 1] * Math.log(larger(shares[i], SMALLEST) / likely);
-    score += urgency(s, table[i], settings, s_at, settings_at);
+    const values_2 = terms(s, table[i], shares[i], visits[i], expected, s_at);
+    const t0 = values_2[0];
+    const t1 = values_2[1];
+    const t2 = values_2[2];
+    const t3 = values_2[3];
+    const t4 = values_2[4];
+    const t5 = values_2[5];
+    let score = log_odds(visits[i]) + settings[settings_at] * t0 + settings[settings_at + 1] * t1 + settings[settings_at + 2] * t2;
+    score += settings[settings_at + 3] * t3 + settings[settings_at + 4] * t4 + settings[settings_at + 5] * t5;
     if (score >= log_odds(thresholds[i])) {
       fired[i] = PREDICTED;
       count = count + 1;
