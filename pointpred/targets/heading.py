@@ -7,7 +7,7 @@ from math import exp, hypot, inf, nan
 from typing import Annotated
 
 from pointpred.compiled import law
-from pointpred.layout import Layout, clear
+from pointpred.layout import Layout, clear, places
 from pointpred.predictors.adaptation import moments, region_widening, time_left
 from pointpred.predictors.adaptation.arrival_intervals import Intervals
 from pointpred.predictors.adaptation.moments import LEAST_S, NEAR_PX, NEAR_SHARE, SAMPLES_LEAST
@@ -89,8 +89,9 @@ class Memory(Layout):
 
 ELSEWHERE = 0.02
 """The share of movements to none of the targets, unless given."""
-LENGTH, CURSOR = Memory.length, next(part.at for part in Memory.parts if part.name == "cursor")
-"""For JavaScript that makes a memory, and looks at the cursor."""
+_AT = dict(places(Memory))
+LENGTH, CURSOR, NONE = Memory.length, _AT["cursor.known"], _AT["movement.elsewhere"]
+"""For JavaScript that makes a memory, looks at the cursor, and says how often no target is meant."""
 
 Targets = tuple[FloatTable, FloatArray, FloatTable, FloatArray]
 """The table of the targets, the caller's weights as logarithms, the keys of ``past``; how likely each is, and

@@ -31,6 +31,7 @@ export class Shares {
   /** Counts movements. */ movement = 0;
   #memory = new Float64Array(heading.LENGTH); #cursor = this.#memory.subarray(heading.CURSOR, heading.CURSOR + STATES); #targets; #inside = new Float64Array(0); #standing = NOBODY;
   #movements = new Float64Array(prefetch.STATES); #fired = new WeakMap();
+  #elsewhere = heading.ELSEWHERE; // how often none of the elements is meant; not learned, since the policies are fitted with it
   #lessSure = 1; // highlights use higher prior odds that the movement is for no registered element: by this factor
 
   constructor() {
@@ -61,9 +62,9 @@ export class Shares {
     const seen = entries.filter(({ isHidden }) => !isHidden), total = seen.reduce((sum, { weight }) => sum + weight, 0);
     const own = Float64Array.from(entries, ({ isHidden, weight }) => (isHidden ? -Infinity : Math.log(weight / total)));
     this.#targets = [entries.map(({ row }) => row), own, entries.map(({ number, kind }) => [number, numberOf(kind)]), new Float64Array(entries.length + 1)];
-    const elsewhere = Math.max(heading.ELSEWHERE, MOST_ELSEWHERE * (1 - seen.length / USUAL_ELEMENTS));
-    memory.set([elsewhere, LEARNS]);
-    this.#lessSure = odds(FITTED_NONE) / odds(elsewhere);
+    this.#elsewhere = Math.max(heading.ELSEWHERE, MOST_ELSEWHERE * (1 - seen.length / USUAL_ELEMENTS));
+    memory.set([this.#elsewhere, LEARNS]);
+    this.#lessSure = odds(FITTED_NONE) / odds(this.#elsewhere);
     heading.begin(memory, this.#targets);
     if (this.#cursor[KNOWN] === 1) this.weigh(this.answer);
   }
@@ -97,6 +98,7 @@ export class Shares {
   /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
   weigh(answer) {
     this.answer = answer ?? UNPREDICTED;
+    this.#memory[heading.NONE] = this.#elsewhere;
     heading.weigh(this.#memory, this.answer, this.#targets, FITTED_PAGES);
   }
 

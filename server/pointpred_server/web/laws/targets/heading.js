@@ -10,6 +10,7 @@ export const SHORTEST_PX = 3;
 export const ELSEWHERE = 0.02;
 export const LENGTH = 1586;
 export const CURSOR = 200;
+export const NONE = 216;
 export function taken(rows, x, y) {
   let best = $rectangles.holder(rows, x, y);
   if (best !== $rectangles.NOBODY) {
