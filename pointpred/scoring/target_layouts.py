@@ -13,7 +13,8 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred.scoring.trials import Candidates, Prepared, ScoredTrial
+from pointpred.scoring.results import ScoredTrial
+from pointpred.scoring.trials import Candidates, Prepared
 from pointpred.targets import around
 from pointpred.targets.rectangles import MOST_TARGETS, SMALLEST_PX, Target, table
 
@@ -99,7 +100,7 @@ def _name(place: FloatArray) -> str:
 
 
 def _followed(found: Sequence[FloatArray]) -> list[list[str]]:
-    """Names of the targets of each circle of a block: one that lies near where it lay before keeps its name."""
+    """Names of the targets of each circle of a block: one that hardly moved since keeps its name."""
     known, names = np.empty((0, 2)), list[str]()
     every = []
     for places in found:
