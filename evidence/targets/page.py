@@ -19,18 +19,33 @@ def context() -> dict[str, Any]:
     """The tables, and what is made from them."""
     kept = stored("targets")
     regions = [row for row in kept.tables["regions"].texts() if JUDGED[row[1]] == row[2]]
-    columns = kept.tables["regions"].columns
+    columns, left = kept.tables["regions"].columns, kept.tables["left"]
     return {
         "tables": kept.tables,
         "numbers": kept.numbers,
         "by_time": by_time(kept.tables["by time"]),
         "worst": worst(kept.tables["none"]),
+        "elsewhere": by_predictor(kept.tables["none"], 2),
+        "learned": by_predictor(kept.tables["learned"], 2),
+        "costs": max(float(after) - float(before) for *_, before, after in kept.tables["learned"].texts()),
+        "left": by_predictor(
+            Table.of(left.columns, [row for row in left.texts() if JUDGED[row[1]] == row[2]]), 3
+        ),
         "regions": {level: coverage(level, columns, regions) for level in LEVELS},
         "areas": Table.of(
             ("set", "predictor", *AREAS),
             [(*row[:2], *(row[columns.index(name)] for name in AREAS)) for row in regions],
         ),
     }
+
+
+def by_predictor(whole: Table, keys: int) -> Table:
+    """A row a set, the cells of a predictor as one; the first ``keys`` cells of a row name it."""
+    rows: dict[str, dict[str, str]] = {}
+    for row in whole.texts():
+        rows.setdefault(row[0], {})[f"`{row[1]}`"] = " / ".join(row[keys:])
+    heads = next(iter(rows.values()))
+    return Table.of(("set", *heads), [(set, *cells.values()) for set, cells in rows.items()])
 
 
 def by_time(whole: Table) -> Table:
