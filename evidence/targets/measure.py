@@ -232,7 +232,7 @@ def draw(by_time: Table) -> None:
     """Error by time with and without targets, a panel a part."""
     rows = {tuple(row[:3]): row[3:] for row in by_time.rows}
     shown = [name for name in DRAWN if (name, "oracle", "-") in rows]
-    with canvas(1, len(shown), width=11.0, height=3.2, share=True) as (figure, axes):
+    with canvas(1, len(shown), width=11.0, height=3.6, share=True) as (figure, axes):
         for ax, name in zip(axes, shown, strict=True):
             times = [100 * share for share in TIME_FRACTIONS]
             ax.plot(times, rows[name, "oracle", "-"], color=GREY, label="knows the distance")
@@ -243,7 +243,7 @@ def draw(by_time: Table) -> None:
                     ax.plot(times, values, style, color=PALETTE[place], label=label)
             ax.set_title(name.replace("random", "scattered"))
             ax.grid(True)
-        legend_outside(figure, axes[0], columns=4)
+        legend_outside(figure, axes[0], above=True, columns=4)
         figure.supxlabel("% of the time from onset to arrival")
         figure.supylabel("error / hold")
         alt = "Error over that of hold against time, without and with the targets, for four sets."
