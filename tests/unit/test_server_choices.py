@@ -234,14 +234,18 @@ def test_the_score_of_a_trial_tells_what_came_of_the_proposals() -> None:
     assert trial(6.0, {}, {})[1] == (None, None, None, None)
 
 
-def test_targets_do_not_change_the_score_of_the_predictor() -> None:
+def test_a_predictor_scores_better_given_the_targets() -> None:
     def scored(talk: Talk) -> dict[str, Any]:
-        talk.say({"type": "trial", "action": "start"})
+        talk.say({"type": "trial", "action": "start", "target": {"x": 400.0, "y": 0.0, "width": 40.0}})
         move(talk, reach())
         score: dict[str, Any] = talk.say({"type": "trial", "action": "end"})[0]
         return score
 
-    assert scored(talk_of()) == scored(Talk(greet=hello("minimum-jerk")))
+    given, plain = scored(talk_of()), scored(Talk(greet=hello("minimum-jerk")))
+    assert (given["events"], given["hold_px"]) == (plain["events"], plain["hold_px"])
+    assert given["skill"] > plain["skill"] + 0.1
+    for share in ("0.2", "0.5"):
+        assert given["by_time"][share] < plain["by_time"][share]
 
 
 def test_events_that_run_backwards_do_not_reach_the_decisions() -> None:
