@@ -56,7 +56,7 @@ def text_of(stage: type[CompiledStage]) -> str:
     parts.append(
         f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"
     )
-    if stage.slots and "step" in laws:
+    if stage.slots:
         parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
         parts.append(f"slots: [\n{_lines(_shortened([_slot(slot) for slot in stage.slots]))}\n  ]")
     parts.append(f"parameters: [\n{_lines(_parameter(one) for one in stage.parameters)}\n  ]")

@@ -1246,7 +1246,7 @@ double predictors_adaptation_stages_tempo(predictors_adaptation_stages_Stage * s
 double predictors_adaptation_stages_tempo_factor(predictors_adaptation_stages_Stage * s);
 double predictors_adaptation_stages_width_log(predictors_adaptation_stages_Stage * s, double squares);
 double predictors_adaptation_time_left_factor(predictors_adaptation_time_left_Sums * s, Vector prior, Vector out);
-Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior);
+static inline Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior);
 void predictors_adaptation_time_left_learn(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T2d span, double median, Vector prior);
 int64_t predictors_adaptation_time_left_moment_at(predictors_adaptation_time_left_Movement * movement, int64_t k, T2d span, double share);
 void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums * s, Vector prior, Vector weights);
@@ -1419,6 +1419,7 @@ void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
 static inline void stage_learn_nothing(Vector memory);
 void targets_aim_conclude(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
+Tqd targets_aim_fault(targets_heading_Person * learned);
 Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, Table out);
 void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
@@ -1530,6 +1531,10 @@ static const double predictors_adaptation_levels_STEP = 6.0;
 static const double predictors_adaptation_levels_STEP_LEAST = 0.2;
 static const double predictors_adaptation_levels_STEP_OF = 5.0;
 static const double predictors_adaptation_moments_APART_S = 0.0071;
+static const int64_t predictors_adaptation_time_left_FINE = 0;
+static const double predictors_adaptation_time_left_LEAST_PIVOT = 0.01;
+static const int64_t predictors_adaptation_time_left_NOT_POSITIVE = 31;
+static const int64_t predictors_adaptation_time_left_SUMS = 28;
 static const double predictors_mixture_HEAVINESS_LEAST = 1e-06;
 static const double predictors_mixture_HEAVINESS_MOST = 40.0;
 static const T2d predictors_mixture_LEVELS = {0.5, 0.8};
@@ -1740,6 +1745,14 @@ static inline T10d differentiators_kalman_step(differentiators_kalman_Memory * m
   acceleration = (T2d){plane->x[2], plane->y[2]};
   settled = differentiators_sampling_settled(samples, 4.0, differentiators_kalman_settle_s(settings, samples));
   return differentiators_sampling_motion(samples, event, (T2_T2d_){velocity, acceleration}, settled, start);
+}
+
+/* What is wrong with numbers that are each within their bounds, and the number that is wrong. */
+static inline Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior) {
+  double least;
+  double buffer_1[28];
+  least = predictors_adaptation_time_left_factor(learned, prior, (Vector){buffer_1, predictors_adaptation_time_left_SUMS});
+  return least >= predictors_adaptation_time_left_LEAST_PIVOT ? (Tqd){predictors_adaptation_time_left_FINE, 0.0} : (Tqd){predictors_adaptation_time_left_NOT_POSITIVE, least};
 }
 
 /* Whether a moment at ``t`` lies before a share of the time between the start and the end in s. */

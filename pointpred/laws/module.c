@@ -9449,6 +9449,22 @@ static PyObject *py_targets_aim_conclude(PyObject *self, PyObject *const *args, 
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_targets_aim_fault(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:fault";
+  Held held;
+  const Py_buffer *view;
+  targets_heading_Person * a0;
+  Tqd result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "learned", false, 198, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = targets_aim_fault(a0);
+  let_go(&held);
+  return give_Tqd(result);
+}
 static PyObject *py_targets_aim_lay_parts(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:lay_parts";
   Held held;
@@ -12324,6 +12340,7 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
   {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:conclude", (PyCFunction)(void (*)(void))py_targets_aim_conclude, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:fault", (PyCFunction)(void (*)(void))py_targets_aim_fault, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:lay_parts", (PyCFunction)(void (*)(void))py_targets_aim_lay_parts, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:learn_prediction", (PyCFunction)(void (*)(void))py_targets_aim_learn_prediction, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:learn_regions", (PyCFunction)(void (*)(void))py_targets_aim_learn_regions, METH_FASTCALL, NULL},

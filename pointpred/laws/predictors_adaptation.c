@@ -114,20 +114,16 @@ static const double predictors_adaptation_stages_TEMPO_MOST = 0.4;
 static const double predictors_adaptation_stages_TEMPO_OF = 10.0;
 static const double predictors_adaptation_stages_TEMPO_OFF = 0.3;
 static const double predictors_adaptation_stages_WIDTHS_OF = 2.0;
-static const int64_t predictors_adaptation_time_left_FINE = 0;
 static const double predictors_adaptation_time_left_FURTHEST = 20.0;
 static const int64_t predictors_adaptation_time_left_JUDGED = 12;
 static const double predictors_adaptation_time_left_KEEP = 0.98;
 static const double predictors_adaptation_time_left_LEAST = 0.05;
-static const double predictors_adaptation_time_left_LEAST_PIVOT = 0.01;
 static const double predictors_adaptation_time_left_LONGEST = 4.0;
 static const int64_t predictors_adaptation_time_left_MOST = 32;
 static const double predictors_adaptation_time_left_NEAR = 0.04;
-static const int64_t predictors_adaptation_time_left_NOT_POSITIVE = 31;
 static const double predictors_adaptation_time_left_SHORTEST_S = 1e-06;
 static const double predictors_adaptation_time_left_SMALL = 0.05;
 static const double predictors_adaptation_time_left_START = 0.1;
-static const int64_t predictors_adaptation_time_left_SUMS = 28;
 static const int64_t predictors_adaptation_time_left_TERMS = 7;
 static const double predictors_adaptation_time_left_prior_PRIOR[] = {0.463, 0.05, 0.135, 0.352, -0.144, -0.102, 0.026, 5.386, 4.699, 7.62, 7.876, 8.315, 18.215, 3.974, 3.859, 5.877, 4.439, 3.135, 4.623, 4.769, 3.006, 4.42, 0.488, 0.501, 1.748, 0.157, 0.026, 0.716, 0.764, 0.903, 3.059, 0.155, 0.112, 0.72, 1.826};
 
@@ -272,14 +268,6 @@ WIDE double predictors_adaptation_time_left_factor(predictors_adaptation_time_le
     least = min_float(least, out.p[row + i]);
   }
   return least;
-}
-
-/* What is wrong with numbers that are each within their bounds, and the number that is wrong. */
-Tqd predictors_adaptation_time_left_fault(predictors_adaptation_time_left_Sums * learned, Vector prior) {
-  double least;
-  double buffer_1[28];
-  least = predictors_adaptation_time_left_factor(learned, prior, (Vector){buffer_1, predictors_adaptation_time_left_SUMS});
-  return least >= predictors_adaptation_time_left_LEAST_PIVOT ? (Tqd){predictors_adaptation_time_left_FINE, 0.0} : (Tqd){predictors_adaptation_time_left_NOT_POSITIVE, least};
 }
 
 /* What is wrong with numbers that are each within their bounds, and the number that is wrong. */

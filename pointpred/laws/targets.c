@@ -991,6 +991,11 @@ void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table 
   }
 }
 
+/* What is wrong with what is known of a person, as ``time_left.fault`` says it; FINE for nothing. */
+Tqd targets_aim_fault(targets_heading_Person * learned) {
+  return predictors_adaptation_time_left_fault(&learned->time_left, (Vector){(double *)targets_arrival_prior_PRIOR, 35});
+}
+
 /* The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none. */
 int64_t targets_choice_law_innermost(Table table, Vector inside) {
   int64_t best;

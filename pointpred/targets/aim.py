@@ -255,6 +255,12 @@ def keys_of(target: Target) -> tuple[float, float]:
     return key_of(str(target.id)), key_of(f"{target.kind} {width} {height}")
 
 
+@law
+def fault(learned: Person) -> tuple[int, float]:
+    """What is wrong with what is known of a person, as ``time_left.fault`` says it; FINE for nothing."""
+    return time_left.fault(learned.time_left, PRIOR)
+
+
 class Aim(CompiledStage):
     """What can be pointed at, how likely each target is, and the prediction given these.
 
@@ -277,6 +283,7 @@ class Aim(CompiledStage):
     learned = Person.length
     states = Memory.length - Settings.length - Person.length
     slots = slots_of(Memory)
+    fault = staticmethod(fault)
     doubt = staticmethod(lambda known: time_left.doubt(Person(known).time_left, PRIOR))
 
     def __init__(self, *, coefficients: FloatArray = posterior.FITTED, **values: Any) -> None:

@@ -26,6 +26,7 @@ const calls = {
   likeliest: (most) => pipeline.aim.likeliest(most),
   mixture: () => pipeline.mixture && { parts: pipeline.mixture.parts, offsets: pipeline.mixture.offsets },
   proposed: () => [chooser.standing, chooser.entered],
+  person: () => pipeline.person,
   summary: () => chooser.ledger.summary,
 };
 const answers = [];

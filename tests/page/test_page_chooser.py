@@ -7,6 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pointpred import build
+from pointpred.errors import ParameterError
+from pointpred.targets import Target
 from tests.page import node
 from tests.page.choosing import compare
 from tests.page.movements import movements
@@ -105,3 +108,30 @@ def test_places_of_the_person_are_parts_of_what_is_elsewhere() -> None:
     steps = [*updates, ["reset"], *(one for step in again for one in (step, ["mixture"]))]
     expected = compare("kinematic-adaptive", steps, {}, listed)
     assert max(len(one["parts"]) for one in expected if isinstance(one, dict) and "parts" in one) > 4
+
+
+def test_a_person_who_took_targets_in_the_page_is_known_in_python() -> None:
+    listed, updates, _ = scene()
+    steps = [*updates, ["reset"], ["person"]]
+    given = {"name": "kinematic-adaptive", "targets": listed, "settings": {}, "steps": steps}
+    *_, found = node.run("choose.mjs", given)
+    taught = build("kinematic-adaptive", targets=[Target(**one) for one in listed])
+    for _, event in updates:
+        taught.advance(tuple(event))
+    taught.reset()
+    again = build("kinematic-adaptive", person=found)
+    assert np.count_nonzero(again.aim.known) > 20
+    assert np.allclose(again.aim.known, taught.aim.known, rtol=1e-9, atol=1e-9)
+    told = node.run("predict.mjs", {"name": again.name, "options": {"person": found}, "steps": ["person"]})
+    assert told == [again.person] == [found]
+
+
+@pytest.mark.parametrize("wrong", ["+1.x", "1.x+", "+", "a+b+c"])
+def test_a_person_with_wrong_targets_is_refused_as_in_python(wrong: str) -> None:
+    found = node.run("predict.mjs", {"name": "kinematic", "options": {"person": wrong}, "steps": ["person"]})
+    if wrong == "+":
+        assert found == [build("kinematic", person=wrong).person] == [""]
+        return
+    with pytest.raises(ParameterError) as refused:
+        build("kinematic", person=wrong)
+    assert (found["error"], found["field"]) == ("ParameterError", refused.value.field)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from pointpred import RECOMMENDED, EventColumns, build, run
+from pointpred import RECOMMENDED, EventColumns, build
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.recordings import read
@@ -140,6 +140,16 @@ def moved(page: Page, way: FloatArray, began: float) -> float:
     return float(began + t + 1.0)
 
 
+def decisions(targets: list[Target], events: EventColumns) -> Iterator[dict[str, Any]]:
+    """What a chooser decides over the events."""
+    pipeline = build(RECOMMENDED, targets=targets)
+    chooser = Chooser(pipeline)
+    for row in events.table.tolist():
+        pipeline.advance(tuple(row))
+        for one in chooser.update():
+            yield {"id": one.id, "action": one.action, "reason": one.reason, "t": row[0]}
+
+
 def until_left(decided: list[dict[str, Any]], over: list[tuple[float, str]]) -> list[dict[str, Any]]:
     """What the page hears of decisions: a target that the mouse is in is retracted when the mouse leaves it.
 
@@ -184,8 +194,7 @@ def test_a_movement_has_its_choice_at_entry_at_the_latest(
         rows = np.array(page.evaluate("rows"))
         events = EventColumns.of(rows[:, 0], rows[:, 1], rows[:, 2], buttons=rows[:, 3])
         on_grid = [Target(p.id, *(round(64 * v) / 64 for v in (p.x, p.y, p.width, p.height))) for p in places]
-        changes, *_ = Chooser(on_grid).follow(events.table, run(build(RECOMMENDED), events).table, last=0)
-        decided = [{"id": one.id, "action": one.action, "reason": one.reason, "t": t} for t, one in changes]
+        decided = list(decisions(on_grid, events))
         wanted = until_left(decided, page.evaluate("over"))
         soon(lambda: len(page.evaluate("heard.choice")) >= len(wanted), "every choice")
         heard = json.loads(page.evaluate("JSON.stringify(heard.choice)"))  # what is not said is left out

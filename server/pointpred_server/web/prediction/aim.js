@@ -8,6 +8,7 @@ import { FITTED } from "../laws/targets/posterior.js";
 import { LOG_WEIGHT } from "../laws/targets/rectangles.js";
 import { Mixture, partRows } from "./mixture.js";
 import { valuesOf } from "./parameters.js";
+import { packed, unpacked } from "./person.js";
 import { Keys, tableOf } from "./targets.js";
 
 /** @typedef {import("./targets.js").Target} Target */
@@ -82,6 +83,21 @@ export class Aim {
   /** Whether finished movements teach it something. */
   get learns() {
     return this.#values[law.Aim.parameters.findIndex(({ name }) => name === "learn")] === 1;
+  }
+
+  /** What finished movements taught of the person; "" where nothing was learned. @returns {string} */
+  get person() {
+    return packed(law.Aim, this.#known);
+  }
+
+  /** Loads a person into an aim without memory. Throws a ParameterError; it is then unchanged. @param {string} person */
+  restore(person) {
+    this.#known.set(unpacked(law.Aim, person));
+  }
+
+  get #known() {
+    const { settings, learned } = law.Aim;
+    return this.memory.subarray(settings, settings + learned);
   }
 
   /** A copy of the memory and of what is known of each target before the movement; setting it goes on from there. */

@@ -37,12 +37,10 @@ export async function build(name, options = {}) {
   await checkTogether(chosen, namedValues(differentiatorKind.parameters, ofDifferentiator), differentiator);
   differentiator.settle();
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
-  predictor.restore(person);
   const pipeline = new Pipeline(name, differentiator, predictor);
-  if (targets.length || Targets.parameters.some((one) => given[one.name] !== undefined)) {
-    pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
-    pipeline.register(targets);
-  }
+  if (Targets.parameters.some((one) => given[one.name] !== undefined)) pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
+  pipeline.restore(person);
+  if (targets.length) pipeline.register(targets);
   return pipeline;
 }
 

@@ -181,10 +181,12 @@ export class Pipeline {
   /**
    * What finished movements taught of the person, for `build(name, { person })`: the string that Python's pipelines give. ""
    * while nobody is known, and always where nothing is learned or can be saved (`ktm`). `reset` finishes the current movement.
+   * What is known of the targets that the person takes stands behind a `+`.
    * @returns {string}
    */
   get person() {
-    return this.#predictor.person;
+    const taken = this.#aim?.person ?? "";
+    return taken ? `${this.#predictor.person}+${taken}` : this.#predictor.person;
   }
 
   /**
@@ -230,7 +232,9 @@ export class Pipeline {
 
   /** Goes on with what is known of a person; for a pipeline without memory. Throws a ParameterError. @param {string} person */
   restore(person) {
-    this.#predictor.restore(person);
+    const at = typeof person === "string" ? person.indexOf("+") : -1;
+    this.#predictor.restore(at < 0 ? person : person.slice(0, at));
+    if (at >= 0 && at < person.length - 1) this.aim.restore(person.slice(at + 1));
   }
 }
 

@@ -111,6 +111,7 @@ export class PredictionStream {
     if (another || Object.keys(message.parameters ?? {}).length) {
       const pipeline = this.#inWindow(await pipelineOf(changed));
       if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
+      pipeline.aim = this.#pipeline.aim;
       this.#goOnWith(pipeline);
     }
     this.hello = changed;
@@ -143,13 +144,16 @@ export class PredictionStream {
 
   /** What is known of the person; with a replacement the session begins anew, knowing that. @param {string} [replacement] @returns {Promise<string>} */
   async person(replacement) {
-    if (replacement != null) this.#goOnWith(this.#inWindow(await pipelineOf({ ...this.hello, person: replacement })));
+    if (replacement != null) {
+      const pipeline = this.#inWindow(await pipelineOf({ ...this.hello, person: replacement }));
+      if (this.#tracker) pipeline.register(this.#tracker.targets);
+      this.#goOnWith(pipeline);
+    }
     return this.#pipeline.person;
   }
 
-  /** Another pipeline begins without memory, with the targets that are registered. */
+  /** Another pipeline begins without a movement. */
   #goOnWith(pipeline) {
-    pipeline.aim = this.#pipeline.aim;
     this.#pipeline = pipeline;
     for (const one of [this.#tracker, this.#placeTracker]) if (one) one.pipeline = pipeline;
     this.forget();

@@ -54,7 +54,7 @@ class Tracker {
 
 /** Decides among the targets of a session. */
 export class TargetTracker extends Tracker {
-  #targets = [];
+  /** Those that were registered last. @type {import("./targets.js").Target[]} */ targets = [];
 
   constructor(send, pipeline, precision) {
     super(send, new Chooser(pipeline), precision);
@@ -68,7 +68,7 @@ export class TargetTracker extends Tracker {
       if (!(error instanceof ParameterError)) throw error;
       throw new ProtocolError("bad_field", error.message, "$.targets", error);
     }
-    this.#targets = targets;
+    this.targets = targets;
     this.announce(this.chooser.followTargets());
   }
 
@@ -89,7 +89,7 @@ export class TargetTracker extends Tracker {
   /** The target that holds the goal's centre, the one with the nearest centre; null without any. */
   #targetAt({ x, y }) {
     let nearest = null, least = Infinity;
-    for (const one of this.#targets) {
+    for (const one of this.targets) {
       const across = Math.abs(one.x + one.width / 2 - x), down = Math.abs(one.y + one.height / 2 - y);
       if (across <= one.width / 2 && down <= one.height / 2 && across + down < least) [nearest, least] = [one.id, across + down];
     }

@@ -172,9 +172,30 @@ export function lay_parts(memory, targets, out, memory_at = 0) {
   const mixed_at = memory_at + 149;
   return [count, $levels.offset(memory, share, 0, mixed_at), $levels.offset(memory, share, 1, mixed_at)];
 }
+export function fault(learned, learned_at = 0) {
+  return $adaptation_time_left.fault(learned, $arrival_prior.PRIOR, learned_at + 159);
+}
 export const Aim = {
   fill: $stage.copy_values,
+  fault: fault,
   settings: 2, learned: 198, states: 1386,
+  layout: "f03997548086f9fc",
+  slots: [
+    { name: "movements held", count: 1, low: 0, high: 64, whole: true },
+    { name: "targets taken", count: 64, low: 0, high: 281474976710656, whole: true },
+    { name: "kinds of targets taken", count: 64, low: 0, high: 281474976710656, whole: true },
+    { name: "visits as each rule of targets has them", count: 5, low: 0, high: 33.36666666666663 },
+    { name: "visits to targets", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "visits to none of the targets", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "movements judged", count: 1, low: 0, high: 1000000, whole: true },
+    ...Array.from({ length: 2 }, () => [{ name: "radii of the levels", count: 10, low: -6, high: 6 }]).flat(),
+    { name: "sum of durations", count: 1, low: 0, high: 20019999999999.98 },
+    { name: "durations", count: 1, low: 0, high: 50.04999999999995 },
+    { name: "sums of products", count: 28, low: -16015.999999999984, high: 16015.999999999984 },
+    { name: "sums of residuals", count: 7, low: -1000000000, high: 1000000000 },
+    { name: "movements with intervals", count: 1, low: 0, high: 1000000, whole: true },
+    { name: "spreads", count: 3, low: -3, high: 3 },
+  ],
   parameters: [
     { name: "elsewhere", low: 1e-06, high: 0.999999, default: 0.02 },
     { name: "learn", low: 0, high: 1, default: 1, whole: true },
