@@ -62,8 +62,8 @@ def test_shares_are_prior_times_the_mass_of_small_targets() -> None:
         law = stats.multivariate_normal(
             [280.0, -100.0], np.array([[1600.0, -500.0], [-500.0, 900.0]]) + spread
         )
-        low = np.array([place.x, place.y])
-        masses.append(place.weight * law.cdf(low + (place.width, place.height), lower_limit=low))
+        low, size = np.array([place.x, place.y]), np.array([place.width, place.height])
+        masses.append(place.weight * law.cdf(low + size, lower_limit=low))
     normal = Prediction(0.0, 280.0, -100.0, (1600.0, -500.0, 900.0), "ballistic", 0.2)
     shares = after(Told(places, coefficients=MASS_ALONE), reach(), normal)
     assert shares[0] / shares[1] == pytest.approx(masses[0] / masses[1], rel=0.02)
