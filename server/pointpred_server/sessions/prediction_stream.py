@@ -248,6 +248,7 @@ class PredictionStream:
     def _go_on_with(self, pipeline: Pipeline) -> None:
         """Another pipeline begins without memory, with the targets that are registered."""
         pipeline.aim = self.pipeline.aim
+        pipeline.reset()
         self.pipeline = pipeline
         for tracker in (self.tracker, self.place_tracker):
             if tracker:
