@@ -13,7 +13,7 @@ from pointpred import EventColumns, Pipeline, PointerEvent, build, run
 from pointpred.errors import EventError, EventOrderError
 from pointpred.predictors import Predictor
 from pointpred.records import MOTION_FIELD, FloatArray, Row, TenFloats, refused
-from pointpred.targets import Target, around
+from pointpred.targets import Chooser, Target, around
 from tests.building import reach
 
 NAMES = ("hold", "minimum-jerk", "delphian", "kinematic-adaptive")
@@ -330,6 +330,31 @@ def test_given_the_targets_the_endpoint_is_nearer(name: str) -> None:
         rows = [table[begin + 32, 1:3] - CENTRES[end] for begin, end in zip(begins, ends, strict=True)]
         away.append(np.mean([np.hypot(*row) for row in rows]))
     assert away[0] < 0.8 * away[1]
+
+
+def test_choosers_go_on_where_the_pipeline_forgets_and_where_it_takes_the_aim_of_another() -> None:
+    first, later = aimed("minimum-jerk"), build("hold")
+    chooser = Chooser(first, precision=0.5)
+    first.forget()
+    for pipeline in (first, later):
+        pipeline.aim, chooser.pipeline = first.aim, pipeline
+        pipeline.reset()
+        chooser.reset()
+        choices = []
+        for event in movements("right").events():
+            pipeline.update(event)
+            choices += chooser.update()
+        assert chooser.standing == "right" == next(one.id for one in choices if one.reason == "predicted")
+
+
+def test_the_likeliest_are_the_largest_shares_best_first() -> None:
+    pipeline = aimed("minimum-jerk")
+    run(pipeline, movements("right", "left").rows(0, 110))
+    shares = pipeline.shares
+    shares.pop(None)
+    order = sorted(shares.items(), key=lambda one: -one[1])
+    assert pipeline.aim.likeliest(2) == order[:2]
+    assert pipeline.aim.likeliest() == order
 
 
 def test_rows_are_answered_as_tuples_of_floats() -> None:
