@@ -1,14 +1,15 @@
 """Measure predictions given the registered targets: ``python -m evidence targets [FOLDER]``.
 
 Each predictor without targets and with those of the recording, on the sets of POINTPRED_RECORDINGS that have
-targets, the trials of each person in order. The learned predictor and, where its group of sets was left out
-of a fit, the evidence for a target do not know the set. FOLDER: coefficients as
+targets, the trials of each person in order. Neither the learned predictor nor the evidence for a target, as
+``python -m evidence intent targets`` fitted it, knows the set. FOLDER: coefficients as
 ``python -m evidence.held_out FOLDER`` writes them; unless given, those of the cache, fitted where they are
 missing. A few minutes on two processors.
 """
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -23,7 +24,7 @@ from evidence import FIGURES
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out, stored, trained_predictors, training_sets
-from evidence.intent.fit import GROUPS, fits
+from evidence.intent.targets import WITHOUT
 from evidence.scored import named
 from evidence.targets.level_sets import Read, read
 from evidence.thinning import save
@@ -41,7 +42,7 @@ from pointpred.scoring.measures.trial_measures import measure_trials
 from pointpred.scoring.replay import given_targets
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.target_layouts import with_candidates
-from pointpred.targets import Target, posterior
+from pointpred.targets import Target
 from pointpred.targets.aim import Aim
 from pointpred.training import data
 
@@ -74,13 +75,9 @@ def parts(recording: Recording) -> Iterator[tuple[str, Recording]]:
         yield name, Recording.of(recording.name, rows, trials, provenance=recording.provenance)
 
 
-def evidence_of(name: str) -> tuple[FloatArray, bool]:
-    """Coefficients of the evidence for a set, and whether they are fitted without it."""
-    kept = fits()
-    same = np.allclose(kept.whole.evidence, posterior.FITTED, rtol=1e-3, atol=1e-3)
-    if same and name in GROUPS:
-        return np.array(kept.without[GROUPS[name]].evidence), True
-    return posterior.FITTED, False
+def evidence_of(name: str) -> FloatArray:
+    """Coefficients of the evidence that were fitted without a set."""
+    return np.array(json.loads(WITHOUT.read_text(encoding="utf-8"))[name])
 
 
 def pattern(name: str, recording: Recording, held: HeldOut) -> Pipeline | None:
@@ -94,7 +91,7 @@ def pattern(name: str, recording: Recording, held: HeldOut) -> Pipeline | None:
 def told(plain: Pipeline, set: str, **settings: Any) -> Pipeline:
     """The predictor given the targets of each trial."""
     twin = plain.fresh()
-    twin.aim = Aim(coefficients=evidence_of(set)[0], **settings)
+    twin.aim = Aim(coefficients=evidence_of(set), **settings)
     return given_targets(twin)
 
 
@@ -285,8 +282,7 @@ def main(held: HeldOut, recordings: Sequence[Recording]) -> None:
         for name, heads in HEADS.items()
     }
     draw(tables["by time"])
-    unseen = [one.name for one in recordings if evidence_of(one.name)[1]]
-    keep("targets", tables, numbers={"evidence without": unseen})
+    keep("targets", tables)
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ for i in range(180):
     t = 0.012 * i + 0.5 * movement
     event = PointerEvent(t, 290.0 * way * cos(2.1 + movement), 310.0 * way * sin(2.1 + movement))
     given = pipeline.update(event)
-    row = [given.x, given.y, *given.scale, given.tail] if given else []
+    row = [given.x, given.y, *given.scale, given.tail, given.remaining_s] if given else []
     shares = list(pipeline.shares.values())
     told.append([shares + row, [(c.id, c.action) for c in chooser.update()]])
 print(json.dumps(told))

@@ -164,6 +164,18 @@ def test_what_is_entered_without_a_prediction_is_proposed_and_retracted(end: dic
     assert choices(talk.say(end)) == []
 
 
+@pytest.mark.parametrize("change", [{"predictor": "hold"}, {"parameters": {"gain_xi": 1.5}}])
+def test_with_another_predictor_a_movement_begins_whatever_its_clock_says(change: dict[str, Any]) -> None:
+    """As in a session that had this predictor, and the targets, from the beginning."""
+    talk, new = talk_of(), Talk(greet=hello("minimum-jerk"))
+    move(talk, reach(begin=0.1, end=0.11, start_s=50.0))  # too little of a movement to be learned from
+    for one in (talk, new):
+        one.say({"type": "configure", **change})
+    new.say({"type": "configure", "precision": 0.6})
+    new.say(targets(*USUAL))
+    assert move(talk, reach()) == move(new, reach())
+
+
 def test_what_does_not_concern_the_proposal_keeps_it() -> None:
     talk = talk_of()
     assert choices(move(talk, reach(end=0.4)))[-1] == ("propose", "right")
