@@ -18,6 +18,7 @@ from evidence.reference import pages as reference
 from evidence.rendering import filled, rendered
 from evidence.reproduce import measure as reproduce
 from evidence.results import page as results
+from evidence.targets import page as targets
 
 Context = Callable[[], dict[str, Any]]
 
@@ -38,6 +39,7 @@ EVIDENCE_PAGES: dict[str, Context] = {
     "results": results.context,
     "person": partial(several, "person", "adaptation", "places", "regions"),
     "intent": intent.context,
+    "targets": targets.context,
     "reproduce": reproduce.context,
     "costs": partial(several, "costs", *COSTS),
     "inputs": partial(measured, "inputs"),

@@ -281,7 +281,6 @@ class Pipeline:
         True
         """
         own = self.predictor.mixture
-        own = self.predictor.mixture
         return own if self._aim is None or not self._aim.ids else self._aim.mixture(own)
 
     def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:

@@ -7,7 +7,9 @@ from the folder named by POINTPRED_RECORDINGS.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -33,6 +35,8 @@ from pointpred.targets.posterior import NEAR
 from pointpred.training.data import folder
 
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
+WITHOUT = Path(__file__).with_name("data") / "without.json"
+"""The evidence that was fitted without each set."""
 LEAST_LEAD_S = 0.05
 """A proposal later than this before the entry was none in these tables."""
 Situations = tuple[targets_fit.Cases, targets_fit.Cases]
@@ -59,8 +63,12 @@ def unseen(recording: Recording, name: str, held: HeldOut) -> str | Pipeline | N
     return held.of_set(name, recording)
 
 
-def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSummary], list[Situations]]:
-    """Every set and layout, evidence and predictor fitted without it; the situations of each set to fit to.
+def measured(
+    sets: Sequence[Recording], held: HeldOut
+) -> tuple[list[TargetSummary], list[Situations], dict[str, list[float]]]:
+    """Every set and layout, evidence and predictor fitted without it.
+
+    Returns the situations of each set to fit to as well, and the evidence that was fitted without each set.
 
     Sets whose predictor cannot be had without them are left out.
     """
@@ -72,18 +80,19 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSumma
             cases[one.name] = (targets_fit.cases(one, (claiming,)), silent)
     fitted_to = {name: case for name, case in cases.items() if name not in targets_fit.SCORED_ONLY}
     if len(fitted_to) < 2:
-        return [], list(fitted_to.values())  # nothing to fit the evidence to
-    summaries = []
+        return [], list(fitted_to.values()), {}  # nothing to fit the evidence to
+    summaries, without = [], {}
     for recording in (one for one in sets if one.name in cases):
         others = [case for name, case in fitted_to.items() if name != recording.name]
         ours, near = targets_fit.coefficients(others), targets_fit.coefficients(others, [NEAR])
+        without[recording.name] = ours.tolist()
         judged = [unseen(recording, name, held) for name in SHOWN]
         for part in apart(recording):
             print(f"choosing among targets: {part.name}", flush=True)
             names = [one for one in judged if one is not None]
             scored = score_targets(part, names, coefficients=ours, nearest=near, least_lead_s=LEAST_LEAD_S)
             summaries += [summarise_targets(one) for one in scored]
-    return summaries, list(fitted_to.values())
+    return summaries, list(fitted_to.values()), without
 
 
 def right(sets: list[TargetSummary]) -> Table:
@@ -140,8 +149,9 @@ def draw(sets: list[TargetSummary]) -> None:
 
 def main() -> None:
     """Write the coefficients, the figure and the generated parts of the page."""
-    sets, cases = measured(targets_fit.recordings(), held_out(folder()))
+    sets, cases, without = measured(targets_fit.recordings(), held_out(folder()))
     targets_fit.write(cases)
+    WITHOUT.write_text(json.dumps(without, indent=1) + "\n", encoding="utf-8")
     draw(sets)
     keep(
         "intent",

@@ -26,6 +26,7 @@ from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.run import OutputOptions
+    from pointpred.protocol.client_messages import Rectangle
     from pointpred.recordings import Reading
 
 REPLAY = "Without a device"
@@ -81,6 +82,13 @@ def live(
             metavar="FILE", help="Continue with the person of this file, and save it there at the end."
         ),
     ] = None,
+    targets: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="What can be pointed at: rectangles in JSON or CSV (id, x, y, width, height in px).",
+        ),
+    ] = None,
     coefficients: Coefficients = None,
     serve: Annotated[
         bool, typer.Option("--serve", help="Serve the live page with this device on it.")
@@ -132,6 +140,8 @@ def live(
 
       pointpred live --cpi 800 --serve
 
+      pointpred live --targets buttons.json
+
       pointpred live --replay sample --serve
     """
     if record is not None:
@@ -143,6 +153,11 @@ def live(
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve", field="serve")
     check_target(person)
+    aimed: tuple[Rectangle, ...] = ()
+    if targets is not None:
+        from pointpred.live.targets import read_targets
+
+        aimed = read_targets(targets)
     parameters = with_coefficients([predictor], coefficients).get(predictor, {})
     page = None
     if serve:
@@ -155,7 +170,16 @@ def live(
 
         dpi = DPI_USUAL if dpi is None else dpi
         return OutputOptions(
-            predictor, cpi, dpi, record, save_transfer, page, seconds, lsl=lsl_out, parameters=parameters
+            predictor,
+            cpi,
+            dpi,
+            record,
+            save_transfer,
+            page,
+            seconds,
+            lsl=lsl_out,
+            parameters=parameters,
+            targets=aimed,
         )
 
     if replay is None:

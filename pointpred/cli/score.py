@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -29,11 +29,11 @@ from pointpred.cli.shared_options import (
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
+from pointpred.recording import Recording
 from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
-    from pointpred.recording import Recording
-    from pointpred.recordings import Reading
+    from pointpred.recordings import Reading, StoredRecording
     from pointpred.scoring import Unread
 
 WORST = 6
@@ -61,7 +61,11 @@ def score(
         Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
     ] = None,
     targets: Annotated[
-        bool, typer.Option("--targets", help="Score the choice of a target instead of the endpoint.")
+        bool,
+        typer.Option(
+            "--targets",
+            help="Score each predictor given the recordings' targets, too, and which target it chooses.",
+        ),
     ] = False,
     threads: Threads = None,
     processes: Processes = None,
@@ -113,11 +117,6 @@ def score(
         chosen = {"differentiator": differentiator}
         parameters = {name: {**parameters.get(name, {}), **chosen} for name in names}
     reasons: Reasons = {}
-    if targets:
-        _check_alone({"--processes": processes, "--cluster": cluster, "--checkpoints": checkpoints})
-        settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": parameters}
-        _score_targets(files, reading, names, json, report, **settings)
-        return
     if report is not None:
         require("report", "a report")  # before minutes of scoring
     from pointpred.cli.progress import following
@@ -126,15 +125,15 @@ def score(
     from pointpred.scoring.executors import open_executor
     from pointpred.scoring.scorer import scoring_with
     from pointpred.scoring.summary.document import VERSION
+    from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
 
-    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed)
-    sets, drawn = [], []
+    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets)
+    sets, drawn, choices = [], [], []
     with (
         open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
         following(events=True) as progress,
     ):
-        sources = in_memory_or_stored(files, reading, reasons) if files else _sample()
-        for source in sources:
+        for source in _sources(files, reading, reasons, whole=targets):
             try:
                 scored = score_in_chunks(
                     source, scoring, executor, checkpoints=checkpoints, progress=progress
@@ -142,6 +141,11 @@ def score(
                 sets.append(scored.summary())
                 if report is not None:
                     drawn.append(scored.joined(WORST))
+                if targets and isinstance(source, Recording):
+                    made = score_targets(
+                        source, names, seed=seed, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
+                    )
+                    choices += [summarise_targets(kind) for kind in made]
             except Exception as error:  # whatever is wrong with one recording, the others are scored
                 if isinstance(error, ParameterError) and error.field in OUTSIDE:
                     raise  # nothing is wrong with the recording
@@ -152,56 +156,26 @@ def score(
         write_report(drawn, report)
     scores = Document(VERSION, tuple(sets), tuple(_unread(reasons)))
     if json is not None:
-        write_json(scores, json)
+        whole = TargetDocument(VERSION, scores.sets, scores.unread, targets=tuple(choices))
+        write_json(whole if targets else scores, json)
     if json is None or str(json) != "-":
-        from pointpred.cli.score_tables import print_sets
+        from pointpred.cli.score_tables import print_sets, print_targets
 
         print_sets(scores.sets, drawn=report is not None)
+        print_targets(choices)
     if report is not None and drawn:
         remark(f"report written: {report}")
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 
 
-def _check_alone(given: dict[str, object]) -> None:
-    """Raise ParameterError for what scoring the choice of a target does not do."""
-    for option, value in given.items():
-        if value is not None:
-            message = f"{option} does not go with --targets, which scores on threads: leave one out"
-            raise ParameterError(message, field=option, value=value)
-
-
-def _score_targets(
-    files: list[Path] | None,
-    reading: Reading,
-    names: list[str],
-    json: Path | None,
-    report: Path | None,
-    **settings: Any,
-) -> None:
-    """The output of ``--targets``: tables, and every number as JSON under ``targets``."""
-    if report is not None:
-        message = "--report draws errors, not choices: leave it out with --targets"
-        raise ParameterError(message, field="report", value=str(report))
-    from pointpred.cli.score_tables import print_targets
-    from pointpred.scoring.summary.document import VERSION
-    from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
-
-    reasons: Reasons = {}
-    sets = []
-    for recording in in_memory(files, reading, reasons) if files else _sample():
-        try:
-            scored = score_targets(recording, tuple(names), **settings)
-        except Exception as error:  # as in ``score``: the other recordings are scored all the same
-            leave_out(reasons, recording.name, error)
-            continue
-        sets += [summarise_targets(one) for one in scored]
-    if json is not None:
-        write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(reasons))), json)
-    if json is None or str(json) != "-":
-        print_targets(sets)
-    if not sets:
-        raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
+def _sources(
+    files: list[Path] | None, reading: Reading, reasons: Reasons, *, whole: bool
+) -> Iterator[Recording | StoredRecording]:
+    """The recordings, the sample where none is given; long files stay where they are unless ``whole``."""
+    if not files:
+        return _sample()
+    return in_memory(files, reading, reasons) if whole else in_memory_or_stored(files, reading, reasons)
 
 
 def _unread(reasons: Reasons) -> list[Unread]:

@@ -1,4 +1,4 @@
-"""What ``pointpred score`` prints: errors of predictors, or with ``--targets`` how a target is chosen."""
+"""What ``pointpred score`` prints: errors of predictors, and with ``--targets`` how a target is chosen."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rich.table import Table
 
 from pointpred.console import NARROW, counted, remark, results, table
 from pointpred.recording import Skip
-from pointpred.scoring import HEADINGS, footnotes, rows
+from pointpred.scoring import HEADINGS, about_targets, footnotes, rows
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary import SetSummary
 
@@ -51,6 +51,8 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
         if one.trials:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
+            if words := about_targets(one):
+                results().print(words, markup=False)
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
         for words in _remarks(one):
@@ -75,7 +77,9 @@ def title(one: SetSummary) -> str:
 
 
 def _table(one: SetSummary) -> Table:
-    names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else IN_NARROW
+    names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else {**IN_NARROW}
+    if one.candidates:  # names of predictors are longer
+        names["share of hold's error"] = IN_NARROW["share of hold's error"]
     shown = [i for i, heading in enumerate(HEADINGS) if heading in names]
     headings = [names[HEADINGS[i]] for i in shown]
     return table(headings, [[row[i] for i in shown] for row in rows(one)], whole=headings, right=headings[1:])

@@ -2001,7 +2001,7 @@ static inline bool targets_cursor_follow(targets_cursor_State * s, double t, dou
   bool released;
   dt = t - s->t;
   released = s->pressed == 1.0 && pressed == 0.0;
-  if (targets_cursor_begins(s, t, pressed)) {
+  if (targets_cursor_begins(s, t, pressed) || t == s->t0) {
     s->t0 = t;
     s->x0 = x;
     s->y0 = y;

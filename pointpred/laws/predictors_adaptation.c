@@ -1704,7 +1704,7 @@ void predictors_adaptation_time_left_solve(predictors_adaptation_time_left_Sums 
   }
 }
 
-/* ``stated`` from the terms; ``predicted``: the time left in s by the predictor alone. */
+/* The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both. */
 T2d predictors_adaptation_time_left_weighed(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, double predicted, T7d known, Vector prior) {
   double total, left, spread;
   predictors_adaptation_time_left_Moment * last, *m;
@@ -1741,7 +1741,7 @@ T2d predictors_adaptation_time_left_weighed(predictors_adaptation_time_left_Sums
   return (T2d){left, spread};
 }
 
-/* The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both. */
+/* ``weighed`` by everybody's weights, from what the terms are made of. */
 T2d predictors_adaptation_time_left_stated(predictors_adaptation_time_left_Sums * s, predictors_adaptation_arrival_intervals_Intervals * intervals, predictors_adaptation_time_left_Movement * movement, T3d cursor, double since, double median, predictors_adaptation_time_left_Estimates estimates, predictors_adaptation_time_left_Way way, predictors_adaptation_time_left_Pace pace) {
   T7d known;
   known = predictors_adaptation_time_left_terms(estimates, way, pace, since, median);

@@ -36,8 +36,9 @@ static const int64_t targets_ledger_KEY = 3;
 static const int64_t targets_past_AFTER = 3;
 static const int64_t targets_past_ALIKE = 4;
 static const int64_t targets_past_CAPACITY = 64;
+static const double targets_past_FADING_OF = 4.0;
 static const double targets_past_FIRST_OF = 1.0;
-static const T5d targets_past_FIRST_RULES = {8.0, 1.0, 1.0, 1.0, 1.0};
+static const T5d targets_past_FIRST_RULES = {12.0, 1.0, 1.0, 1.0, 1.0};
 static const int64_t targets_past_GIVEN = 0;
 static const double targets_past_GIVEN_OF = 1.0;
 static const int64_t targets_past_ID = 0;
@@ -574,14 +575,15 @@ void targets_past_shares(targets_past_Past * s, Vector own, Table keys, Table ou
   }
 }
 
-/* The weight of a rule among all. */
+/* The weight of a rule among all: the first belief fades as visits are shared. */
 double targets_past_rule_weight(targets_past_Past * s, int64_t rule) {
-  double total;
+  double fading, total;
+  fading = targets_past_FADING_OF / (targets_past_FADING_OF + s->to);
   total = 0.0;
   for (int64_t k = 0; k < targets_past_RULES; k++) {
-    total += s->rules[k] + ((const double *)&targets_past_FIRST_RULES)[k];
+    total += s->rules[k] + ((const double *)&targets_past_FIRST_RULES)[k] * fading;
   }
-  return (s->rules[rule] + ((const double *)&targets_past_FIRST_RULES)[rule]) / total;
+  return (s->rules[rule] + ((const double *)&targets_past_FIRST_RULES)[rule] * fading) / total;
 }
 
 /* Learn from a movement to the target of this place, below 0: to none of them. */

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from itertools import islice
 from typing import Literal, Self
 
@@ -233,6 +233,11 @@ class PlayedPipeline:
             self._pipeline.reset()
         one = self._pipeline.update(event.recorded)
         return one if one is None or event.t == event.recorded.t else msgspec.structs.replace(one, t=event.t)
+
+    @property
+    def shares(self) -> dict[Hashable, float]:
+        """As ``Pipeline.shares``."""
+        return self._pipeline.shares
 
     def reset(self) -> None:
         """Forget the movement."""

@@ -9,7 +9,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from importlib.metadata import entry_points
@@ -25,12 +25,14 @@ from pointpred.devices.screen_cursor import CursorSource
 from pointpred.errors import ParameterError, SourceError
 from pointpred.extras import missing_distribution
 from pointpred.live.outputs import CurveLearner, LiveRecording, curve_learner
-from pointpred.live.playback import PlayedSource
+from pointpred.live.playback import PlayedPipeline, PlayedSource
 from pointpred.live.session import LiveSession
+from pointpred.live.targets import likeliest
 from pointpred.live.terminal import DASH, TerminalLog, show, summary
 from pointpred.pipeline import Pipeline
-from pointpred.protocol.client_messages import VERSION, Device, Hello, Screen
+from pointpred.protocol.client_messages import VERSION, Device, Hello, Rectangle, Screen
 from pointpred.protocol.server_messages import Curve
+from pointpred.records import Pair
 from pointpred.registry import build
 from pointpred.transfer import GainCurve
 
@@ -85,7 +87,8 @@ class OutputOptions(msgspec.Struct, frozen=True):
     """The predictor with its parameters, the resolutions, and where the predictions go.
 
     ``page`` opens the page that shows the session; ``simulated``: the events of a recording of
-    simulated people; ``lsl``: send the predictions as a stream of Lab Streaming Layer.
+    simulated people; ``lsl``: send the predictions as a stream of Lab Streaming Layer; ``targets``: what can
+    be pointed at.
     """
 
     predictor: str
@@ -98,10 +101,18 @@ class OutputOptions(msgspec.Struct, frozen=True):
     simulated: bool = False
     lsl: bool = False
     parameters: dict[str, Any] = {}
+    targets: tuple[Rectangle, ...] = ()
 
     def pipeline(self, person: str = "") -> Pipeline:
         """The predictor with ``person`` loaded; raises ParameterError."""
-        return build(self.predictor, cpi=self.cpi, dpi=self.dpi, person=person, **self.parameters)
+        return build(
+            self.predictor,
+            cpi=self.cpi,
+            dpi=self.dpi,
+            person=person,
+            targets=self.targets,
+            **self.parameters,
+        )
 
 
 class LiveRun:
@@ -114,6 +125,10 @@ class LiveRun:
         self.page = (
             options.page(session, options.predictor, options.cpi, options.dpi) if options.page else None
         )
+        pipeline = session.pipeline
+        if options.targets and isinstance(pipeline, Pipeline | PlayedPipeline):
+            session.target = DASH
+            session.watchers.append(partial(name_target, session, pipeline))
         if options.lsl:
             session.watchers.append(LslOutlet(options.predictor, session.source).take)
         self.learner = curve_learner(session.path, options.cpi, options.dpi)
@@ -216,6 +231,7 @@ class LiveRun:
             ("clock", source.clock),
             ("positions", self.session.words),
             ("predictor", self.options.predictor),
+            *([("targets", str(len(self.options.targets)))] if self.options.targets else []),
             *([("sent", f"as the stream {OUTLET!r} of Lab Streaming Layer")] if self.options.lsl else []),
         ]
 
@@ -245,6 +261,12 @@ class LiveRun:
         source = self.session.source
         trial = [("trial", source.playing or DASH)] if isinstance(source, PlayedSource) else []
         return [*trial, *self._output_rows(), *log]
+
+
+def name_target(session: LiveSession, pipeline: Pipeline | PlayedPipeline, pairs: Sequence[Pair]) -> None:
+    """Say which target a movement is for, once something has moved."""
+    if pairs:
+        session.target = likeliest(pipeline.shares)
 
 
 class SessionThread:

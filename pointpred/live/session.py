@@ -36,7 +36,8 @@ class LiveState(msgspec.Struct, frozen=True):
     events, ``refused`` events that the pipeline did not take, the newest reason in ``why``. Delays are those
     from a report's stamp to its prediction over the last 10 to 20 s of reports, in s; ``None`` where nothing
     came yet or the stamps are of another clock than the session's. ``note``: what a person should know of the
-    device now, such as that nothing moves; ``None`` where there is nothing to say.
+    device now, such as that nothing moves; ``None`` where there is nothing to say. ``target``: the likeliest
+    one and its share, in words; ``None`` without targets.
     """
 
     plugged: bool
@@ -51,6 +52,7 @@ class LiveState(msgspec.Struct, frozen=True):
     delay_p50_s: float | None
     delay_p99_s: float | None
     note: str | None = None
+    target: str | None = None
 
 
 class LiveSession:
@@ -94,6 +96,8 @@ class LiveSession:
         """How long nothing has moved since the beginning: the sum of the waits without a report, s."""
         self.note: Callable[[], str | None] = lambda: None
         """What ``state`` says of the device in words; replace it to say something."""
+        self.target: str | None = None
+        """What ``state`` says of the targets."""
         self._why: str | None = None
         self._last_t, self._reported_at = float("-inf"), NEVER
         self._clock = clock
@@ -172,6 +176,7 @@ class LiveSession:
             recent.percentile(0.5),
             recent.percentile(0.99),
             self.note(),
+            self.target,
         )
 
 

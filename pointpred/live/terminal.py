@@ -57,7 +57,7 @@ def picture(session: LiveSession, heading: Rows, extra: Rows) -> Panel:
     state, newest = session.state(), session.newest
     rows = [
         *heading,
-        *prediction_rows(newest, state.idle_s),
+        *prediction_rows(newest, state.idle_s, state.target),
         *state_rows(state, timed=timed(session)),
         *extra,
         *([("note", state.note)] if state.note is not None else []),
@@ -71,13 +71,19 @@ def picture(session: LiveSession, heading: Rows, extra: Rows) -> Panel:
     return Panel(table, title=title, title_align="left", subtitle="Ctrl-C stops", subtitle_align="right")
 
 
-def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float) -> Rows:
-    """Cursor, endpoint, phase and time left; no prediction is shown for a device at rest."""
+def prediction_rows(
+    newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float, target: str | None = None
+) -> Rows:
+    """Cursor, endpoint, phase, time left, and the target where there are targets.
+
+    No prediction is shown for a device at rest.
+    """
     cursor = "nothing has moved yet" if newest is None else f"{newest[0].x:.0f}, {newest[0].y:.0f} px"
     event, one = newest or (None, None)
     if event is None or one is None or idle_s > REST_S:
         phase = "at rest" if event is not None and idle_s > REST_S else DASH
-        return [("cursor", cursor), ("endpoint", DASH), ("phase", phase), ("time left", DASH)]
+        aimed = [] if target is None else [("target", DASH)]
+        return [("cursor", cursor), ("endpoint", DASH), ("phase", phase), ("time left", DASH), *aimed]
     away = hypot(one.x - event.x, one.y - event.y)
     left = DASH if one.remaining_s is None else f"{one.remaining_s:.2f} s"
     return [
@@ -85,6 +91,7 @@ def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None, idle_
         ("endpoint", f"{one.x:.0f}, {one.y:.0f} px, {away:.0f} px away"),
         ("phase", one.phase),
         ("time left", left),
+        *([] if target is None else [("target", target)]),
     ]
 
 
@@ -140,11 +147,12 @@ def line(
     state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None, *, timed: bool = True
 ) -> str:
     """One line for a log."""
-    row = dict(prediction_rows(newest, state.idle_s))
+    row = dict(prediction_rows(newest, state.idle_s, state.target))
+    aimed = f"target {row['target']}; " if "target" in row else ""
     there = "" if state.plugged else "unplugged; "
     return (
         f"{there}{state.rate_hz:.0f} reports/s; cursor {row['cursor']}; endpoint {row['endpoint']}; "
-        f"{row['phase']}; {row['time left']} left; {losses(state)}"
+        f"{row['phase']}; {row['time left']} left; {aimed}{losses(state)}"
         + (f"; delay {delays(state)}" if timed else "")
     )
 

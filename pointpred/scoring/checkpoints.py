@@ -94,7 +94,7 @@ def decode(data: bytes) -> ScoredPart:
                 totals.seconds[place],
             )
         )
-    return ScoredPart(trials, totals.unread, totals.unscored, tuple(measured))
+    return ScoredPart(trials, totals.unread, totals.unscored, tuple(measured), totals.candidates)
 
 
 def _type(name: str) -> Any:

@@ -22,7 +22,7 @@ from pointpred.records import FloatArray
 from pointpred.scoring.checkpoints import FolderStore, MemoryStore, PartStore, encode, temporary_store
 from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
-from pointpred.scoring.replay import answers_to
+from pointpred.scoring.replay import answers_to, by_person
 from pointpred.scoring.results import SetScore, WorstTrial, WorstTrials
 from pointpred.scoring.scorer import (
     Progress,
@@ -34,7 +34,7 @@ from pointpred.scoring.scorer import (
     worst_of,
 )
 from pointpred.scoring.summary import SetSummary, summarise_parts
-from pointpred.scoring.trials import durations_s, prepare
+from pointpred.scoring.trials import durations_s
 
 CHUNK_EVENTS = 65_536
 """Events in a chunk, about: enough to forget what a chunk costs, few enough for bounded memory."""
@@ -51,14 +51,15 @@ Chunk = Recording | StoredPart
 def plan(source: Source, pipelines: Mapping[str, Pipeline]) -> list[Chunk]:
     """All trials of a recording in order, in chunks of about CHUNK_EVENTS events.
 
-    Where a predictor learns its person, a person's trials are in one chunk, however many they are.
+    Where a predictor learns its person or is given targets, a person's trials are in one chunk, however many
+    they are.
     """
-    by_person = any(pipeline.learns for pipeline in pipelines.values())
+    together = any(by_person(pipeline) for pipeline in pipelines.values())
     if isinstance(source, StoredRecording):
-        return list(source.parts(CHUNK_EVENTS, by_person=by_person))
+        return list(source.parts(CHUNK_EVENTS, by_person=together))
     people = [trial.user for trial in source.trials]
     units = range(len(people))
-    if by_person:
+    if together:
         begins = [k for k in units if k == 0 or people[k] != people[k - 1]]
         if len(begins) != len(set(people)):  # their trials alternate: together they are one chunk
             begins = begins[:1]
@@ -174,9 +175,7 @@ class ScoredSet(msgspec.Struct, frozen=True):
         worst = []
         for k in numbers:
             number = int(np.searchsorted(ends, k, side="right"))
-            prepared = prepare(
-                read(self.chunks[number]), cpi=self.scoring.cpi, dpi=self.scoring.dpi, threads=1
-            )
+            prepared = self.scoring.prepare(read(self.chunks[number]), threads=1)
             own = k - (int(ends[number - 1]) if number else 0)
             answers = answers_to(prepared, self.pipelines[errors.name], own)
             worst.append(
@@ -280,6 +279,6 @@ def _score(
 ) -> ScoredPart | bytes:
     """The pure function over chunks."""
     recording = read(chunk)
-    prepared = prepare(recording, cpi=scoring.cpi, dpi=scoring.dpi, threads=threads)
+    prepared = scoring.prepare(recording, threads)
     part = score_part(recording, prepared, scoring.pipelines(whole), clock, threads=threads)
     return encode(part) if packed else part

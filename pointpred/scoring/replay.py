@@ -22,6 +22,26 @@ from pointpred.scoring.results import PredictorErrors
 from pointpred.scoring.spans import each_in_threads, spans, users
 from pointpred.scoring.trials import Prepared
 
+WITH_TARGETS = " + targets"
+"""What is added to the name of a predictor that is given the recording's targets."""
+
+
+class GivenTargets(Pipeline):
+    """A pipeline that is told before each trial what it can be for: ``Prepared.candidates``."""
+
+
+def given_targets(pattern: Pipeline) -> GivenTargets:
+    """The same pipeline, fresh, with the targets of each trial."""
+    fresh = pattern.fresh()
+    given = GivenTargets(pattern.name + WITH_TARGETS, fresh.differentiator, fresh.predictor)
+    given.aim = fresh.aim
+    return given
+
+
+def by_person(pipeline: Pipeline) -> bool:
+    """Whether the trials of a person stay together: they teach, or tell what the targets of a block are."""
+    return pipeline.learns or isinstance(pipeline, GivenTargets)
+
 
 class _Span(msgspec.Struct, frozen=True):
     """Trials ``first`` up to ``stop``, measured."""
@@ -78,10 +98,11 @@ def replay(
 
     The pipeline given is a pattern: fresh ones do the work. One that learns goes through all trials of a
     user in the recording's order, and meets each user knowing nobody. The answers are those that ``update``
-    would give event by event, bit for bit. A trial in which a pipeline fails (it raises, or answers what is
-    not finite) is scored as if it had never answered there, and stands in ``failed``. ``threads``: one for
-    each processor unless given. ``progress``: called with the number of events just replayed, from the thread
-    that asked. The cost is the processor time of the threads within ``run``, not the wall's.
+    would give event by event, bit for bit. One of ``given_targets`` has the candidates of each trial. A trial
+    in which a pipeline fails (it raises, or answers what is not finite) is scored as if it had never answered
+    there, and stands in ``failed``. ``threads``: one for each processor unless given. ``progress``: called
+    with the number of events just replayed, from the thread that asked. The cost is the processor time of the
+    threads within ``run``, not the wall's.
     """
     clock = clock_s([trial.arrival_s for trial in prepared.trials])
     measured = measure(prepared, pipeline, clock, threads=threads, progress=progress)
@@ -127,13 +148,22 @@ def answers_to(prepared: Prepared, pipeline: Pipeline, trial: int) -> Prediction
         for k in range(trial):
             if prepared.trials[k].trial.user == user:
                 with contextlib.suppress(Exception):  # reported by ``replay``
+                    _register(prepared, pipeline, k)
                     run(pipeline, prepared.rows(k))
+    _register(prepared, pipeline, trial)
     return run(pipeline, prepared.rows(trial))
+
+
+def _register(prepared: Prepared, pipeline: Pipeline, trial: int) -> None:
+    """Tell a pipeline that is given targets those of a trial, once it has learned from the last one."""
+    if isinstance(pipeline, GivenTargets) and prepared.candidates is not None:
+        pipeline.reset()
+        pipeline.register(prepared.candidates.targets[trial])
 
 
 def _turns(prepared: Prepared, pipeline: Pipeline) -> list[list[tuple[int, int]]]:
     """Ranges of trials that one fresh pipeline replays in turn."""
-    if pipeline.learns:
+    if by_person(pipeline):
         return users([scored.trial.user for scored in prepared.trials], prepared.offsets)
     return [[span] for span in spans(prepared.offsets)]
 
@@ -147,6 +177,8 @@ def _replay_in_turn(
 ) -> list[_Span]:
     """Replay ranges of trials with one pipeline, one range after the other."""
     pipeline = pattern.fresh()
+    if isinstance(pipeline, GivenTargets):
+        return [_replay_span(prepared, pipeline, clock, k, k + 1) for span in ranges for k in range(*span)]
     return [_replay_span(prepared, pipeline, clock, first, stop, motions) for first, stop in ranges]
 
 
@@ -163,6 +195,7 @@ def _replay_span(
     events, shared_s = prepared.events.rows(*rows), 0.0
     before = time.thread_time()
     try:
+        _register(prepared, pipeline, first)
         if motions is None:
             answers = run(pipeline, events)
         else:

@@ -103,5 +103,7 @@ class SetScore(msgspec.Struct, frozen=True):
     """What the reader of the recording saw and mended."""
     unit: str = "px"
     """Of positions and errors: ``"counts"`` where the recording holds a device's counts and no cursor."""
+    candidates: dict[str, int] | None = None
+    """What the candidates were, in words, and of how many trials; ``None`` where none were asked for"""
     worst: WorstTrials | None = None
     """Of the best predictor; ``None`` where ``score`` was not asked for them."""

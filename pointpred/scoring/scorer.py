@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import reduce
 from operator import or_
@@ -17,9 +18,17 @@ from pointpred.recording import Recording, Skip
 from pointpred.registry import build
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import Claimed, TrialMeasures
-from pointpred.scoring.replay import Measured, SharedMotions, answers_to, measure
+from pointpred.scoring.replay import (
+    GivenTargets,
+    Measured,
+    SharedMotions,
+    answers_to,
+    given_targets,
+    measure,
+)
 from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore, WorstTrial, WorstTrials
 from pointpred.scoring.summary import FLOOR
+from pointpred.scoring.target_layouts import with_candidates
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
 IN_COUNTS = "positions are counts of the device and not pixels: what is called px is counts"
@@ -35,6 +44,8 @@ class ScoredPart(msgspec.Struct, frozen=True):
     unscored: tuple[Skip, ...]
     """Trials that cannot be scored."""
     measured: tuple[Measured, ...]
+    candidates: dict[str, int] | None = None
+    """As in ``SetScore``."""
 
 
 class PartOutcome(msgspec.Struct, frozen=True):
@@ -46,6 +57,7 @@ class PartOutcome(msgspec.Struct, frozen=True):
     failed: tuple[tuple[Skip, ...], ...]
     events: tuple[int, ...]
     seconds: tuple[float, ...]
+    candidates: dict[str, int] | None = None
 
 
 def score_part(
@@ -67,6 +79,7 @@ def score_part(
             measure(prepared, pipeline, clock, threads=threads, progress=progress, motions=motions)
             for pipeline in pipelines.values()
         ),
+        None if prepared.candidates is None else prepared.candidates.kinds,
     )
 
 
@@ -79,16 +92,25 @@ def outcome(part: ScoredPart) -> PartOutcome:
         tuple(one.failed for one in part.measured),
         tuple(one.events for one in part.measured),
         tuple(one.seconds for one in part.measured),
+        part.candidates,
     )
 
 
 def set_without_trials(
     about: Recording, pipelines: Mapping[str, Pipeline], outcomes: Sequence[PartOutcome], seed: int
 ) -> SetScore:
-    """Everything of a set but what has a row a trial: ``about`` needs no trials, outcomes have an order."""
+    """Everything of a set but what has a row a trial: ``about`` needs no trials, outcomes have an order.
+
+    Where no trial has candidates, predictors that are given targets are left out.
+    """
     counted = about.provenance.unit == "counts"
+    kinds: Counter[str] = Counter()
+    for one in outcomes:
+        kinds.update(one.candidates or {})
     predictors = []
     for place, pipeline in enumerate(pipelines.values()):
+        if isinstance(pipeline, GivenTargets) and not kinds:
+            continue
         events = sum(one.events[place] for one in outcomes)
         seconds = sum(one.seconds[place] for one in outcomes)
         errors = TrialMeasures.empty(0).predictor_errors(
@@ -111,6 +133,7 @@ def set_without_trials(
         seed=seed,
         notes=(*about.notes, IN_COUNTS) if counted else about.notes,
         unit="counts" if counted else "px",
+        candidates=dict(kinds) if any(isinstance(one, GivenTargets) for one in pipelines.values()) else None,
     )
 
 
@@ -118,8 +141,8 @@ def with_trials(about: SetScore, parts: Iterable[ScoredPart]) -> SetScore:
     """The set with the rows of the trials of some of its parts."""
     listed = list(parts)
     predictors = []
-    for place, errors in enumerate(about.predictors):
-        measures = [part.measured[place].measures for part in listed]
+    for errors in about.predictors:
+        measures = [one.measures for part in listed for one in part.measured if one.name == errors.name]
         names = TrialMeasures.__struct_fields__
         joined = TrialMeasures(*(np.concatenate([getattr(one, name) for one in measures]) for name in names))
         claimed = Claimed(
@@ -194,6 +217,13 @@ class Scoring(msgspec.Struct, frozen=True):
     cpi: float | None = None
     dpi: float | None = None
     seed: int = 0
+    targets: bool = False
+    """Each predictor a second time, given the targets of the trials."""
+
+    def prepare(self, recording: Recording, threads: int | None) -> Prepared:
+        """The trials of a recording or a part of it, with their candidates where these are asked for."""
+        prepared = prepare(recording, cpi=self.cpi, dpi=self.dpi, threads=threads)
+        return with_candidates(prepared) if self.targets else prepared
 
     def pipelines(self, recording: Recording) -> dict[str, Pipeline]:
         """Fresh pipelines for a recording."""
@@ -204,10 +234,14 @@ class Scoring(msgspec.Struct, frozen=True):
         self._built({"cpi": self.cpi, "dpi": 96.0 if self.dpi is None else self.dpi})
 
     def _built(self, settings: Mapping[str, Any]) -> dict[str, Pipeline]:
-        return {
-            name: build(p, **settings, **self.parameters.get(p, {})) if isinstance(p, str) else p
-            for name, p in self.patterns.items()
-        }
+        pipelines = {}
+        for name, p in self.patterns.items():
+            pipeline = build(p, **settings, **self.parameters.get(p, {})) if isinstance(p, str) else p
+            pipelines[name] = pipeline
+            if self.targets:
+                given = given_targets(pipeline)
+                pipelines[given.name] = given
+        return pipelines
 
 
 def scoring_with(
@@ -217,6 +251,7 @@ def scoring_with(
     cpi: float | None = None,
     dpi: float | None = None,
     seed: int = 0,
+    targets: bool = False,
 ) -> Scoring:
     """The settings of a run, checked; raises ParameterError as ``score`` does."""
     names = [p.name if isinstance(p, Pipeline) else p for p in predictors]
@@ -225,7 +260,7 @@ def scoring_with(
             message = f"each predictor at most once, received {name!r} {names.count(name)} times"
             raise ParameterError(message, field="predictors", value=name)
     patterns = {FLOOR: FLOOR} | dict(zip(names, predictors, strict=True))
-    scoring = Scoring(patterns, parameters or {}, cpi, dpi, seed)
+    scoring = Scoring(patterns, parameters or {}, cpi, dpi, seed, targets)
     scoring.check()
     return scoring
 
@@ -242,6 +277,7 @@ def score(
     failed: Callable[[Recording, Exception], None] | None = None,
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
     worst: int = 0,
+    targets: bool = False,
 ) -> list[SetScore]:
     """Score predictors on recordings, each by itself: distances differ, and errors are never pooled.
 
@@ -249,7 +285,8 @@ def score(
     first. ``parameters``: keyword arguments of ``build`` by name. ``cpi`` and ``dpi`` (counts and px per
     inch) replace those of a recording. ``threads``: one for each processor by default. ``seed``: of the
     resampling behind the intervals. ``worst``: how many of the trials with the largest errors of the best
-    predictor are kept to be drawn.
+    predictor are kept to be drawn. ``targets``: each predictor is scored a second time as ``NAME + targets``,
+    given all targets of a trial's block, and learning the person; ``SetScore.candidates`` says which.
 
     Recordings may come one by one from a generator. Where one cannot be scored, ``failed`` is called with it
     and the error, and the others are scored; without ``failed`` the error is raised. Raises ParameterError
@@ -262,7 +299,7 @@ def score(
     >>> one.predictors[0].time_averaged.tolist()  # 0.05 s at 100 px, 0.05 s at 41 px
     [70.5]
     """
-    scoring = scoring_with(predictors, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed)
+    scoring = scoring_with(predictors, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets)
     scores = []
     for recording in recordings:
         try:
@@ -279,7 +316,7 @@ def _score(
 ) -> SetScore:
     """Score one recording, as the only part of its set."""
     pipelines = scoring.pipelines(recording)
-    prepared = prepare(recording, cpi=scoring.cpi, dpi=scoring.dpi, threads=threads)
+    prepared = scoring.prepare(recording, threads)
     total, events_done = len(prepared.events) * len(pipelines), 0
 
     def advance(events: int) -> None:

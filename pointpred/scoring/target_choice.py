@@ -17,7 +17,7 @@ from pointpred.records import FloatArray, FloatTable, row_at
 from pointpred.registry import build
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.spans import in_threads
-from pointpred.scoring.summary.document import Number, Unread, number
+from pointpred.scoring.summary.document import Document, Number, number
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import cursor, decision, ledger, posterior
@@ -280,12 +280,10 @@ class TargetSummary(msgspec.Struct, frozen=True):
     predictors: tuple[ChoiceSummary, ...]
 
 
-class TargetDocument(msgspec.Struct, frozen=True):
+class TargetDocument(Document, frozen=True, kw_only=True):
     """What ``pointpred score --targets --json`` writes."""
 
-    version: int
     targets: tuple[TargetSummary, ...]
-    unread: tuple[Unread, ...]
 
 
 def summarise_targets(scored: TargetSet) -> TargetSummary:

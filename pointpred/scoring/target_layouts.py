@@ -1,19 +1,22 @@
 """Candidate targets for recorded movements: the circle they go around, the targets of a block, or a grid.
 
 Blocks are successive trials of a user with one width, one block and one condition of distance or transfer.
+A block that each trial has another of is a number of the trial, and tells nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
+from itertools import pairwise
 
 import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred.scoring.trials import Prepared
+from pointpred.scoring.results import ScoredTrial
+from pointpred.scoring.trials import Candidates, Prepared
 from pointpred.targets import around
-from pointpred.targets.rectangles import table
+from pointpred.targets.rectangles import MOST_TARGETS, SMALLEST_PX, Target, table
 
 LEAST_BLOCK, LEAST_SCATTERED = 3, 5
 """A circle is found from this many movements on; scattered targets are judged from this many on."""
@@ -27,54 +30,101 @@ PITCH, FILLED = 0.4, 0.5
 
 
 class Layout(msgspec.Struct, frozen=True):
-    """The candidates of one trial as a table of targets, and which of them it was for."""
+    """The candidates of one trial, and which of them it was for."""
 
     trial: int
-    table: FloatArray
+    targets: tuple[Target, ...]
     right: int
+
+    @property
+    def table(self) -> FloatArray:
+        """The candidates as laws take them."""
+        return table(self.targets)
 
 
 def layouts(prepared: Prepared, seed: int = 0) -> dict[str, list[Layout]]:
     """What the candidates are, in words, and those of each trial.
 
-    A trial whose block is a circle is judged on that circle; one whose block has at least 5 other targets on
-    those; over every other a grid is laid.
+    Those of ``own_layouts``; over every other trial a grid is laid.
     """
-    by_kind: dict[str, list[Layout]] = {}
-    free: list[int] = []
-    for block in _blocks(prepared):
-        ends = np.array([(t.trial.target_x, t.trial.target_y) for t in (prepared.trials[k] for k in block)])
-        starts = prepared.events.table[prepared.offsets[block], 1:3]
-        widths = [prepared.trials[k].trial.target_w for k in block]
-        has_targets = len(block) >= LEAST_BLOCK and bool(
-            np.isfinite(ends).all() and np.isfinite(widths).all()
-        )
-        places = circle(ends, starts) if has_targets else None
-        if places is not None:
-            same = [_layout(k, points, widths[0], 0) for k, points in zip(block, places, strict=True)]
-            by_kind.setdefault(f"circle of {len(places[0])}", []).extend(same)
-        elif has_targets and len(apart := _apart(ends, widths[0])) >= LEAST_SCATTERED:
-            right = [int(np.hypot(*(apart - end).T).argmin()) for end in ends]
-            same = [_layout(k, apart, widths[0], i) for k, i in zip(block, right, strict=True)]
-            by_kind.setdefault("scattered targets", []).extend(same)
-        else:
-            free += block
-    if free:
+    by_kind = own_layouts(prepared)
+    known = {layout.trial for own in by_kind.values() for layout in own}
+    if free := [k for k in range(len(prepared.trials)) if k not in known]:
         by_kind[f"grid of {COLUMNS * ROWS}"] = grids(prepared, free, seed)
     return by_kind
 
 
-def _layout(trial: int, places: FloatArray, width: float, right: int) -> Layout:
-    return Layout(trial, table([around(i, x, y, width) for i, (x, y) in enumerate(places.tolist())]), right)
+def own_layouts(prepared: Prepared) -> dict[str, list[Layout]]:
+    """What the candidates are, in words, and those of each trial that has a target of its own.
+
+    A trial whose block is a circle is judged on that circle; one whose block has at least 5 different targets
+    on all of those. A target is named by its place, so that it has one name in all trials of its block.
+    """
+    by_kind: dict[str, list[Layout]] = {}
+    for block in _blocks(prepared):
+        ends = np.array([(t.trial.target_x, t.trial.target_y) for t in (prepared.trials[k] for k in block)])
+        starts = prepared.events.table[prepared.offsets[block], 1:3]
+        widths = np.array([prepared.trials[k].trial.target_w for k in block])
+        if len(block) < LEAST_BLOCK or not (np.isfinite(ends).all() and (widths >= SMALLEST_PX).all()):
+            continue
+        width, places = float(widths[0]), circle(ends, starts)
+        if places is not None:
+            named = zip(block, _followed(places), places, strict=True)
+            same = [_layout(k, names, own, width, 0) for k, names, own in named]
+            by_kind.setdefault(f"circle of {len(places[0])}", []).extend(same)
+        elif LEAST_SCATTERED <= len(apart := _apart(ends, width)) <= MOST_TARGETS:
+            right = [int(np.hypot(*(apart - end).T).argmin()) for end in ends]
+            names = [_name(place) for place in apart]
+            same = [_layout(k, names, apart, width, i) for k, i in zip(block, right, strict=True)]
+            by_kind.setdefault("scattered targets", []).extend(same)
+    return by_kind
+
+
+def with_candidates(prepared: Prepared) -> Prepared:
+    """The trials with all targets of their blocks, in an order that does not tell the right one."""
+    by_kind = own_layouts(prepared)
+    targets: list[tuple[Target, ...]] = [()] * len(prepared.trials)
+    for layout in (one for own in by_kind.values() for one in own):
+        targets[layout.trial] = tuple(sorted(layout.targets, key=lambda one: str(one.id)))
+    kinds = {kind: len(own) for kind, own in by_kind.items()}
+    return msgspec.structs.replace(prepared, candidates=Candidates(tuple(targets), kinds))
+
+
+def _layout(trial: int, names: Sequence[Hashable], places: FloatArray, width: float, right: int) -> Layout:
+    targets = (around(name, x, y, width) for name, (x, y) in zip(names, places.tolist(), strict=True))
+    return Layout(trial, tuple(targets), right)
+
+
+def _name(place: FloatArray) -> str:
+    return " ".join(f"{value:.9g}" for value in place.tolist())
+
+
+def _followed(found: Sequence[FloatArray]) -> list[list[str]]:
+    """Names of the targets of each circle of a block: one that hardly moved since keeps its name."""
+    known, names = np.empty((0, 2)), list[str]()
+    every = []
+    for places in found:
+        near = 0.5 * float(np.hypot(*(places[1:] - places[0]).T).min())
+        own = []
+        for place in places:
+            far = np.hypot(*(known - place).T)
+            if not names or far.min() >= near:
+                name = _name(place)
+                names.append(name + "'" * sum(one.rstrip("'") == name for one in names))
+                known, far = np.vstack([known, place]), np.append(far, 0.0)
+            known[far.argmin()] = place
+            own.append(names[far.argmin()])
+        every.append(own)
+    return every
 
 
 def _apart(ends: FloatArray, width: float) -> FloatArray:
     """The targets of a block, each once."""
-    places: list[FloatArray] = []
+    places = np.empty((0, 2))
     for end in ends:
-        if all(np.hypot(*(end - other)) > 0.5 * width for other in places):
-            places.append(end)
-    return np.array(places)
+        if (np.hypot(*(places - end).T) > 0.5 * width).all():
+            places = np.vstack([places, end])
+    return places
 
 
 def circle(ends: FloatArray, starts: FloatArray) -> list[FloatArray] | None:
@@ -134,7 +184,7 @@ def grids(prepared: Prepared, trials: Sequence[int], seed: int = 0) -> list[Layo
         right = int(generator.integers(len(cells)))
         off = np.clip(generator.normal(0.0, width / 4.133, 2), -0.5 * width, 0.5 * width)
         end = prepared.events.table[prepared.offsets[k + 1] - 1, 1:3]
-        laid.append(_layout(k, cells + end - cells[right] - off, width, right))
+        laid.append(_layout(k, range(len(cells)), cells + end - cells[right] - off, width, right))
     return laid
 
 
@@ -146,13 +196,33 @@ def _unlike(values: FloatArray) -> float:
 def _blocks(prepared: Prepared) -> Sequence[list[int]]:
     """Successive trials that belong together."""
     blocks: list[list[int]] = []
+    numbered = _numbered(prepared.trials)
     last: object = None
     for k, scored in enumerate(prepared.trials):
         trial = scored.trial
-        parts = [v for name, v in sorted(trial.condition.items()) if name.startswith(("block", "distance"))]
+        parts = [
+            value
+            for name, value in sorted(trial.condition.items())
+            if name.startswith(("block", "distance")) and (trial.user, name) not in numbered
+        ]
         key = (trial.user, trial.target_w, trial.condition.get("transfer"), *parts)
         if key != last or not blocks:
             blocks.append([])
         blocks[-1].append(k)
         last = key
     return blocks
+
+
+def _numbered(trials: Sequence[ScoredTrial]) -> set[tuple[str, str]]:
+    """The users and conditions of blocks where no two successive trials are of one block."""
+    several, shared = set(), set()
+    for before, scored in pairwise(trials):
+        one, other = before.trial, scored.trial
+        if one.user != other.user:
+            continue
+        for name in other.condition:
+            if name.startswith("block"):
+                several.add((other.user, name))
+                if one.condition.get(name) == other.condition[name]:
+                    shared.add((other.user, name))
+    return several - shared

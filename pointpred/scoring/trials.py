@@ -26,6 +26,7 @@ from pointpred.records import (
 )
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.spans import in_threads
+from pointpred.targets.rectangles import Target
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""
@@ -227,6 +228,15 @@ REASONS = {
 }
 
 
+class Candidates(msgspec.Struct, frozen=True):
+    """What movements could have been for."""
+
+    targets: tuple[tuple[Target, ...], ...]
+    """Of each trial: all targets of its block; none where nobody says what they are."""
+    kinds: dict[str, int]
+    """What they are, in words, and in how many trials."""
+
+
 class Prepared(msgspec.Struct, frozen=True):
     """The trials of a recording that can be scored, ready to be replayed.
 
@@ -240,6 +250,8 @@ class Prepared(msgspec.Struct, frozen=True):
     arrivals: NDArray[np.int64]
     trials: tuple[ScoredTrial, ...]
     skipped: tuple[Skip, ...]
+    candidates: Candidates | None = None
+    """``None`` where nobody asked for them."""
 
     def rows(self, trial: int) -> EventColumns:
         """The events of one trial."""

@@ -155,7 +155,10 @@ class Chooser:
 
         The proposal stands until the next movement starts: at the release, without one at the next event.
         """
-        return self.ledger.finish(float(self.pipeline.aim.cursor.t), target)
+        now = self.pipeline.aim.cursor
+        if now.t0 < now.t:
+            now.pressed = 1.0  # what comes next is a release
+        return self.ledger.finish(float(now.t), target)
 
     def reset(self) -> None:
         """Forget the proposals, as the pipeline's ``reset`` forgets its events; the ledger's counts stay.

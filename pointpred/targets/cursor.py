@@ -66,7 +66,7 @@ def follow(s: State, t: float, x: float, y: float, pressed: float) -> bool:
     """Take an event in, a usable one that is not before the last; returns whether a button was released."""
     dt = t - s.t
     released = s.pressed == 1.0 and pressed == 0.0
-    if begins(s, t, pressed):
+    if begins(s, t, pressed) or t == s.t0:  # of events at one time, the later position replaces
         s.t0, s.x0, s.y0 = t, x, y
         s.trail_x, s.trail_y = x, y
         s.vx = s.vy = s.speed = s.slow = s.peak = 0.0
@@ -76,7 +76,7 @@ def follow(s: State, t: float, x: float, y: float, pressed: float) -> bool:
         share = 1.0 - exp(-way / (TRAIL_SHARE * far)) if far > 0.0 else 1.0
         s.trail_x += share * (x - s.trail_x)
         s.trail_y += share * (y - s.trail_y)
-        if dt > 0.0:  # of events at one time, the later position replaces
+        if dt > 0.0:
             share = 1.0 - exp(-dt / SPEED_S)
             s.vx += share * ((x - s.x) / dt - s.vx)
             s.vy += share * ((y - s.y) / dt - s.vy)

@@ -20,8 +20,10 @@ from pointpred.records import FloatArray, FloatTable
 from pointpred.targets.rectangles import LOG_WEIGHT
 
 GIVEN, OFTEN, LATELY, AFTER, ALIKE, RULES = range(6)
-FIRST_RULES = (8.0, 1.0, 1.0, 1.0, 1.0)
+FIRST_RULES = (12.0, 1.0, 1.0, 1.0, 1.0)
 """Visits that the first belief in each rule counts for."""
+FADING_OF = 4.0
+"""After so many visits it counts for half of them."""
 ID, KIND, KEYS = range(3)
 """Of a target: a number for its id, and one for its kind and size."""
 CAPACITY = 64
@@ -104,11 +106,11 @@ def shares(s: Past, own: FloatArray, keys: FloatTable, out: FloatTable) -> None:
 
 @law
 def rule_weight(s: Past, rule: int) -> float:
-    """The weight of a rule among all."""
-    total = 0.0
+    """The weight of a rule among all: the first belief fades as visits are shared."""
+    fading, total = FADING_OF / (FADING_OF + s.to), 0.0
     for k in range(RULES):
-        total += s.rules[k] + FIRST_RULES[k]
-    return float((s.rules[rule] + FIRST_RULES[rule]) / total)
+        total += s.rules[k] + FIRST_RULES[k] * fading
+    return float((s.rules[rule] + FIRST_RULES[rule] * fading) / total)
 
 
 @law

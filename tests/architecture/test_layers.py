@@ -26,7 +26,7 @@ GROUND = {
     "scene",
 }
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
-PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
+PIPELINE = MATHS | {"predictors", "targets", "pipeline", "registry"}
 MAY_IMPORT = {
     "errors": set(),
     "extras": {"errors"},
@@ -48,11 +48,11 @@ MAY_IMPORT = {
     "differentiators": GROUND | {"regression"},
     "transfer": GROUND | {"regression"},
     "predictors": MATHS,
-    "pipeline": MATHS | {"predictors"},
-    "registry": MATHS | {"predictors", "pipeline"},
+    "targets": GROUND | {"predictors"},
+    "pipeline": MATHS | {"predictors", "targets"},
+    "registry": MATHS | {"predictors", "targets", "pipeline"},
     "simulation": PIPELINE,
-    "targets": GROUND,
-    "scoring": PIPELINE | {"targets"},
+    "scoring": PIPELINE,
     "reproduction": PIPELINE | {"drawing", "simulation", "scoring", "recordings"},
     "devices.hid": {"errors"},
     "recordings": {"errors", "extras", "files", "records", "recording", "devices.hid"},
@@ -60,7 +60,7 @@ MAY_IMPORT = {
     "console": set(),
     "datasets": PIPELINE | {"simulation", "recordings"},
     "training": PIPELINE | {"scoring", "recordings", "pointpred"},
-    "protocol": PIPELINE | {"clock", "targets", "scoring"},
+    "protocol": PIPELINE | {"clock", "scoring"},
     "recorder": GROUND | {"protocol", "recordings"},
     "client": {"errors", "extras", "records", "registry", "protocol"},
     "live": PIPELINE
@@ -68,7 +68,6 @@ MAY_IMPORT = {
     "cli": PIPELINE
     | {
         "clock",
-        "targets",
         "simulation",
         "scoring",
         "reproduction",
@@ -90,7 +89,7 @@ MAY_IMPORT = {
     "camera": {"extras"},
     "pointpred_server": PIPELINE
     | {
-        *("console", "protocol", "targets", "simulation", "scoring", "recordings", "datasets", "recorder"),
+        *("console", "protocol", "simulation", "scoring", "recordings", "datasets", "recorder"),
         *("clock", "live", "cli", "pointpred"),
     },
     "pointpred_observers": MATHS | {"drawing"},

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred import REGISTRY, EventColumns, build, run
+from pointpred import EventColumns, run
+from tests.contract.test_stage_laws import EVERY, make
 
 
-@pytest.mark.parametrize("name", list(REGISTRY))
+@EVERY
 @pytest.mark.parametrize("rate", [100, 125, 1000])
 @pytest.mark.parametrize("shift", [1, 1000, 86400])
 def test_no_rule_hangs_on_how_a_clock_is_rounded(name: str, rate: int, shift: int) -> None:
@@ -19,7 +20,7 @@ def test_no_rule_hangs_on_how_a_clock_is_rounded(name: str, rate: int, shift: in
 
     def at(origin: int) -> np.ndarray:
         t = (ticks + origin * rate) / rate
-        return run(build(name), EventColumns.of(t, 400 * reach, 300 * reach)).table
+        return run(make(name), EventColumns.of(t, 400 * reach, 300 * reach)).table
 
     assert np.array_equal(np.isnan(at(shift)), np.isnan(at(0)))
     np.testing.assert_allclose(at(shift)[:, 1:3], at(0)[:, 1:3], rtol=0.0, atol=1e-2)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from math import isfinite
 from typing import Any
 
 import pytest
 
-from pointpred import PointerEvent, Prediction, build, run
+from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.clock import Instant
 from pointpred.datasets import sample
 from pointpred.targets import Chooser, Target, around
+from pointpred.targets.aim import Aim
 from pointpred_server.sessions.pointing import PointingSession
 from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
 from tests.server.running import PATIENCE_S, Running, running
@@ -31,14 +32,50 @@ def targets() -> tuple[Target, ...]:
     return tuple(around(str(i), *place, width) for i, (place, width) in enumerate(sorted(found.items())))
 
 
-def followed(pairs: Callable[[int], Iterable[tuple[PointerEvent, Prediction | None]]]) -> Iterator[Said]:
+class Batch:
+    """A pipeline told whole trials: their predictions first, then the targets of each event by these."""
+
+    def __init__(self, name: str) -> None:
+        cpi, dpi = resolution()
+        self.plain, self.aim, self.places = build(name, cpi=cpi, dpi=dpi), Aim(), ()
+        self.aim.register(targets())
+
+    def events(self, rows: EventColumns) -> Iterator[PointerEvent]:
+        """The events of a trial, each when the aim has taken it."""
+        for row, answer in zip(rows.table.tolist(), run(self.plain, rows).table.tolist(), strict=True):
+            self.aim.given(tuple(row), tuple(answer))
+            yield PointerEvent(*row[:3])
+
+    def reset(self) -> None:
+        self.plain.reset()
+        self.aim.reset()
+
+
+class Single:
+    """A pipeline that is updated with one event after another."""
+
+    def __init__(self, name: str) -> None:
+        cpi, dpi = resolution()
+        self.pipeline, self.places = build(name, cpi=cpi, dpi=dpi, targets=targets()), ()
+        self.aim, self.reset = self.pipeline.aim, self.pipeline.reset
+
+    def events(self, rows: EventColumns) -> Iterator[PointerEvent]:
+        """The events of a trial, each when the pipeline has taken it."""
+        for event in rows.events():
+            self.pipeline.update(event)
+            yield event
+
+
+def followed(pipeline: Batch | Single) -> Iterator[Said]:
     """What a chooser says of each trial; what stands at the end of one is retracted by the reset."""
-    chooser = Chooser(targets(), precision=PRECISION)
-    for trial, _ in enumerate(trials()):
-        choices, shares = [], []
-        for event, prediction in pairs(trial):
-            choices += [(event.t, *change) for change in chooser.update(prediction, event)]
-            shares.append([(str(id), p) for id, p in chooser.likeliest()])
+    chooser = Chooser(pipeline, precision=PRECISION)
+    for rows in trials():
+        pipeline.reset()
+        choices: list[tuple[Any, ...]] = []
+        shares: list[list[tuple[str, float]]] = []
+        for event in pipeline.events(rows):
+            choices += [(event.t, *change[:4]) for change in chooser.update()]
+            shares.append([(str(id), p) for id, p in pipeline.aim.likeliest()])
         proposed = [id for id in (chooser.standing, chooser.entered) if id is not None]
         choices += [(event.t, id, 0.0, "retract", None) for id in proposed]
         chooser.reset()
@@ -48,27 +85,11 @@ def followed(pairs: Callable[[int], Iterable[tuple[PointerEvent, Prediction | No
 @cache
 def in_a_batch(name: str) -> tuple[Said, ...]:
     """The reference: predictions of whole trials first, then the choices."""
-    cpi, dpi = resolution()
-
-    def pairs(trial: int) -> Iterable[tuple[PointerEvent, Prediction | None]]:
-        rows = trials()[trial]
-        pipeline.reset()
-        predictions = run(pipeline, rows)
-        return zip(rows.events(), predictions.predictions(), strict=True)
-
-    pipeline = build(name, cpi=cpi, dpi=dpi)
-    return tuple(followed(pairs))
+    return tuple(followed(Batch(name)))
 
 
 def one_by_one(name: str) -> tuple[Said, ...]:
-    cpi, dpi = resolution()
-    pipeline = build(name, cpi=cpi, dpi=dpi)
-
-    def pairs(trial: int) -> Iterable[tuple[PointerEvent, Prediction | None]]:
-        pipeline.reset()
-        return ((event, pipeline.update(event)) for event in trials()[trial].events())
-
-    return tuple(followed(pairs))
+    return tuple(followed(Single(name)))
 
 
 Exchange = Callable[[str | bytes], list[str | bytes]]

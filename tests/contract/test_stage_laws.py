@@ -1,4 +1,4 @@
-"""The laws that every pipeline of the registry obeys, without exemptions."""
+"""The laws that every pipeline of the registry obeys, without exemptions, and some of them given targets."""
 
 from __future__ import annotations
 
@@ -11,14 +11,27 @@ from hypothesis import strategies as st
 
 from pointpred import REGISTRY, EventColumns, Pipeline, PointerEvent, build, run
 from pointpred.errors import EventError, EventOrderError
+from pointpred.targets import Target, around
 
-EVERY = pytest.mark.parametrize("name", list(REGISTRY))
+GIVEN = " given targets"
+NAMES = [
+    *REGISTRY,
+    *(f"{name}{GIVEN}" for name in ("hold", "minimum-jerk", "delphian", "kinematic-adaptive")),
+]
+EVERY = pytest.mark.parametrize("name", NAMES)
 POSITIONS = ("x", "y")
 LARGEST_PIPELINE_BYTES = 64 * 1024
 
 
-def make(name: str) -> Pipeline:
-    return build(name, cpi=2000.0)
+def make(name: str, x: float = 0.0, y: float = 0.0) -> Pipeline:
+    """Where the signals' reach ends, near there, where it comes from, aside: moved by (x, y)."""
+    targets = [
+        around("there", x + 380.0, y + 307.0, 40.0),
+        Target("near", x + 300.0, y + 330.0, 60.0, 20.0, weight=2.0, kind="button"),
+        around("here", x, y, 30.0),
+        around("aside", x - 90.0, y + 200.0, 9.0, 200.0),
+    ]
+    return build(name.removesuffix(GIVEN), cpi=2000.0, targets=targets if name.endswith(GIVEN) else ())
 
 
 def answers(pipeline: Pipeline, events: EventColumns) -> np.ndarray:
@@ -64,7 +77,7 @@ def test_the_screen_has_no_origin(name: str, events: EventColumns) -> None:
     shifted = events.table.copy()
     shifted[:, 1] += 4096.0
     shifted[:, 2] -= 1024.0
-    moved = answers(make(name), EventColumns(shifted))
+    moved = answers(make(name, 4096.0, -1024.0), EventColumns(shifted))
     moved[:, 1] -= 4096.0
     moved[:, 2] += 1024.0
     np.testing.assert_allclose(moved, answers(make(name), events), rtol=1e-5, atol=1e-5)

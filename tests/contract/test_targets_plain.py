@@ -15,14 +15,18 @@ from pointpred import PointerEvent, build
 from pointpred.targets import Chooser, around
 from math import cos, sin
 
-chooser = Chooser([around(i, 300 * cos(i), 300 * sin(i), 20 + 9 * i) for i in range(7)], precision=0.4)
 pipeline, told = build("minimum-jerk"), []
-for i in range(60):
-    s = i / 59
+pipeline.register([around(i, 300 * cos(i), 300 * sin(i), 20 + 9 * i) for i in range(7)])
+chooser = Chooser(pipeline, precision=0.4)
+for i in range(180):
+    movement, s = i // 60, (i % 60) / 59
     way = 10 * s**3 - 15 * s**4 + 6 * s**5
-    event = PointerEvent(0.012 * i + (0.5 if i > 50 else 0.0), 290.0 * way * cos(2.1), 310.0 * way * sin(2.1))
-    choices = chooser.update(pipeline.update(event), event)
-    told.append([chooser.shares.tolist(), [(c.id, c.action) for c in choices]])
+    t = 0.012 * i + 0.5 * movement
+    event = PointerEvent(t, 290.0 * way * cos(2.1 + movement), 310.0 * way * sin(2.1 + movement))
+    given = pipeline.update(event)
+    row = [given.x, given.y, *given.scale, given.tail, given.remaining_s] if given else []
+    shares = list(pipeline.shares.values())
+    told.append([shares + row, [(c.id, c.action) for c in chooser.update()]])
 print(json.dumps(told))
 """
 

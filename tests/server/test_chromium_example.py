@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from pointpred import RECOMMENDED, EventColumns, build, run
+from pointpred import RECOMMENDED, EventColumns, build
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.browser import Chromium, move_at
@@ -33,11 +33,13 @@ def stamped(page: Page, events: EventColumns) -> None:
 
 
 def proposed(events: EventColumns, listener: Listener) -> set[str]:
-    """What a batch of the same events proposes among the targets that were told."""
-    chooser = Chooser([Target(**one) for one in listener.messages("targets")[-1]["targets"]])
-    predictions = run(build(RECOMMENDED), events).predictions()
-    pairs = zip(events.events(), predictions, strict=True)
-    changes = [change for event, prediction in pairs for change in chooser.update(prediction, event)]
+    """What the same events propose among the targets that were told."""
+    targets = [Target(**one) for one in listener.messages("targets")[-1]["targets"]]
+    pipeline, changes = build(RECOMMENDED, targets=targets), []
+    chooser = Chooser(pipeline)
+    for event in events.events():
+        pipeline.update(event)
+        changes += chooser.update()
     return {str(change.id) for change in changes if change.action == "propose"}
 
 

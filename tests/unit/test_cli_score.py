@@ -172,13 +172,6 @@ def test_checkpoints_that_cannot_be_kept_are_no_fault_of_the_recordings(
     assert not document.exists()
 
 
-@pytest.mark.parametrize("option", ["--processes=2", "--cluster=local", "--checkpoints=done"])
-def test_what_targets_do_not_do_is_refused(command, option: str) -> None:
-    left = command("score", "--targets", option)
-    assert left.code == 2
-    assert option.partition("=")[0] in left.err
-
-
 def test_without_files_the_sample_is_scored_and_named(command) -> None:
     left = command("score", "--predictors", "hold")
     assert left.code == 0

@@ -18,7 +18,7 @@ from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summar
 from pointpred.scoring.target_layouts import circle, grids, layouts
 from pointpred.scoring.trials import prepare
 from pointpred.simulation.circle import positions
-from pointpred.targets import Chooser, Target
+from pointpred.targets import Chooser, posterior
 from tests.building import recording as recorded
 from tests.building import way
 from tests.conftest import Left
@@ -90,15 +90,16 @@ def test_the_account_is_that_of_a_chooser_and_its_ledger() -> None:
     prepared = prepare(recording)
     (found,) = layouts(prepared).values()
     asked = ASKS.index(0.26)
-    chooser = Chooser(precision=0.26)
+    pipeline = build("minimum-jerk", learn=0)
+    chooser = Chooser(pipeline, precision=0.26)
     for place, layout in enumerate(found):
+        pipeline.reset()
         chooser.reset()
-        chooser.replace(
-            [Target(i, x - w / 2, y - h / 2, w, h) for i, (x, y, w, h, _) in enumerate(layout.table.tolist())]
-        )
-        pipeline = build("minimum-jerk")
+        pipeline.register(layout.targets)
+        chooser.follow_targets()
         for event in prepared.rows(layout.trial).events():
-            chooser.update(pipeline.update(event), event)
+            pipeline.update(event)
+            chooser.update()
         done, account = chooser.finish(layout.right), ours.accounts[place, asked]
         assert account[replaying.PROPOSED] == done.proposed
         assert account[replaying.PROPOSED_RIGHT] == done.proposed - done.wasted
@@ -133,8 +134,8 @@ def test_what_comes_later_does_not_change_a_choice() -> None:
     events = prepare(free(1)).events.table
     answers = np.full((len(events), 10), np.nan)
     whole, half = np.empty((len(events), 16)), np.empty((30, 16))
-    replaying.weigh(events, answers, layout.table, Chooser()._coefficients, 0.1, whole)
-    replaying.weigh(events[:30], answers[:30], layout.table, Chooser()._coefficients, 0.1, half)
+    replaying.weigh(events, answers, layout.table, posterior.FITTED, 0.1, whole)
+    replaying.weigh(events[:30], answers[:30], layout.table, posterior.FITTED, 0.1, half)
     assert (whole[:30] == half).all()
 
 
@@ -146,4 +147,3 @@ def test_the_command_prints_tables_and_json(command: Callable[..., Left], tmp_pa
     assert "nearest to the cursor" in told.out
     assert [one["layout"] for one in document["targets"]] == ["circle of 13"]
     assert [p["name"] for p in document["targets"][0]["predictors"]] == [NEAREST, "minimum-jerk"]
-    assert command("score", "--targets", "--report", "x.html").code == 2

@@ -164,6 +164,18 @@ def test_what_is_entered_without_a_prediction_is_proposed_and_retracted(end: dic
     assert choices(talk.say(end)) == []
 
 
+@pytest.mark.parametrize("change", [{"predictor": "hold"}, {"parameters": {"gain_xi": 1.5}}])
+def test_with_another_predictor_a_movement_begins_whatever_its_clock_says(change: dict[str, Any]) -> None:
+    """As in a session that had this predictor, and the targets, from the beginning."""
+    talk, new = talk_of(), Talk(greet=hello("minimum-jerk"))
+    move(talk, reach(begin=0.1, end=0.11, start_s=50.0))  # too little of a movement to be learned from
+    for one in (talk, new):
+        one.say({"type": "configure", **change})
+    new.say({"type": "configure", "precision": 0.6})
+    new.say(targets(*USUAL))
+    assert move(talk, reach()) == move(new, reach())
+
+
 def test_what_does_not_concern_the_proposal_keeps_it() -> None:
     talk = talk_of()
     assert choices(move(talk, reach(end=0.4)))[-1] == ("propose", "right")
@@ -234,14 +246,18 @@ def test_the_score_of_a_trial_tells_what_came_of_the_proposals() -> None:
     assert trial(6.0, {}, {})[1] == (None, None, None, None)
 
 
-def test_targets_do_not_change_the_score_of_the_predictor() -> None:
+def test_a_predictor_scores_better_given_the_targets() -> None:
     def scored(talk: Talk) -> dict[str, Any]:
-        talk.say({"type": "trial", "action": "start"})
+        talk.say({"type": "trial", "action": "start", "target": {"x": 400.0, "y": 0.0, "width": 40.0}})
         move(talk, reach())
         score: dict[str, Any] = talk.say({"type": "trial", "action": "end"})[0]
         return score
 
-    assert scored(talk_of()) == scored(Talk(greet=hello("minimum-jerk")))
+    given, plain = scored(talk_of()), scored(Talk(greet=hello("minimum-jerk")))
+    assert (given["events"], given["hold_px"]) == (plain["events"], plain["hold_px"])
+    assert given["skill"] > plain["skill"] + 0.1
+    for share in ("0.2", "0.5"):
+        assert given["by_time"][share] < plain["by_time"][share]
 
 
 def test_events_that_run_backwards_do_not_reach_the_decisions() -> None:

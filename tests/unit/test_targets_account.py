@@ -11,12 +11,13 @@ from pointpred.scoring import target_choice as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
 from pointpred.targets.posterior import FITTED
 from pointpred.targets.rectangles import table
+from tests.aimed import Told
 
 PLACES = [around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0), around("mid", 0.0, 0.0, 40.0)]
 IDS = [place.id for place in PLACES]
 WAYS = [("right", 0.0, 400.0), ("left", 400.0, -400.0), ("mid", -400.0, 0.0), ("right", 0.0, 400.0)]
 ASK = 0.6
-ELSEWHERE, LEAST = 0.02, (0.0, 3.0)  # as a chooser has them unless told otherwise
+ELSEWHERE, LEAST = 0.02, (0.0, 3.0)  # as an aim and a chooser have them unless told otherwise
 
 
 def way(begin_s: float, start: float, end: float, beside: float) -> list[PointerEvent]:
@@ -47,18 +48,15 @@ def offline(right: str, events: list[PointerEvent], claims: list[Prediction]) ->
     return out
 
 
-def live(how: str, beside: float, at_once: bool) -> tuple[list[Movement], Chooser]:
+def live(how: str, beside: float) -> tuple[list[Movement], Chooser]:
     """The account of each movement where it is closed at the press, at the release, or without a button."""
-    chooser, done = Chooser(PLACES, precision=ASK), []
+    told = Told(PLACES)
+    chooser, done = Chooser(told, precision=ASK), []
 
     def take(events: list[PointerEvent], claims: list[Prediction]) -> None:
-        answers = np.full((len(events), len(PredictionColumns.names)), np.nan)
-        for row, claim in zip(answers, claims, strict=True):
-            row[:] = prediction_row(claim)
-        if at_once:
-            chooser.follow(EventColumns.of_events(events).table, answers)
-        for event, claim in zip(events, claims, strict=True) if not at_once else ():
-            chooser.update(claim, event)
+        for event, claim in zip(events, claims, strict=True):
+            told.take(claim, event)
+            chooser.update()
 
     for right, events, claims in movements(beside):
         take(events, claims)
@@ -79,9 +77,8 @@ def live(how: str, beside: float, at_once: bool) -> tuple[list[Movement], Choose
 
 @pytest.mark.parametrize("how", ["press", "release", "no button"])
 @pytest.mark.parametrize("beside", [0.0, 30.0])
-@pytest.mark.parametrize("at_once", [False, True])
-def test_the_ledger_and_the_scorer_agree(how: str, beside: float, at_once: bool) -> None:
-    done, chooser = live(how, beside, at_once)
+def test_the_ledger_and_the_scorer_agree(how: str, beside: float) -> None:
+    done, chooser = live(how, beside)
     for account, (right, events, claims) in zip(done, movements(beside), strict=True):
         found = offline(right, events, claims)
         counted = (account.proposed, account.proposed - account.wasted, account.retracted, account.hit)
@@ -95,12 +92,15 @@ def test_the_ledger_and_the_scorer_agree(how: str, beside: float, at_once: bool)
 
 
 def test_what_is_withdrawn_while_it_stands_is_counted() -> None:
-    chooser = Chooser(PLACES, precision=ASK)
+    told = Told(PLACES)
+    chooser = Chooser(told, precision=ASK)
     right, events, claims = movements(0.0)[0]
     for event, claim in zip(events[:40], claims[:40], strict=True):
-        chooser.update(claim, event)
+        told.take(claim, event)
+        chooser.update()
     assert chooser.standing == right
-    chooser.replace([PLACES[0]])
+    told.aim.register([PLACES[0]])
+    chooser.follow_targets()
     assert chooser.finish(right).retracted == 1
 
 
@@ -124,10 +124,12 @@ def test_what_a_release_ended_leads_only_a_movement_that_is_closed_there() -> No
 
 def test_what_is_entered_is_counted_apart_and_is_no_hit() -> None:
     """The account of predictions stays what it was: the scorer knows nothing of entries."""
-    chooser = Chooser(PLACES, precision=0.999, least_lead_s=10.0)
+    pipeline = Told(PLACES)
+    chooser = Chooser(pipeline, precision=0.999, least_lead_s=10.0)
     right, events, _ = movements(0.0)[0]
     for event in events:
-        chooser.update(None, event)
+        pipeline.take(None, event)
+        chooser.update()
     account = chooser.finish(right)
     assert (account.proposed, account.hit, account.wasted, account.lead_entry_s) == (0, False, 0, None)
     assert account.entered == 2  # the one it set out from, and the one it went to

@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 
 from pointpred import PointerEvent, Prediction
 from pointpred.compiled import with_names
-from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.errors import ParameterError
 from pointpred.targets import Prefetcher, Target, around, cursor, prefetch
 from pointpred.targets.prefetch import ARMED, ENTERED, FIRED, PREDICTED, RESTING
 from pointpred.targets.rectangles import table
+from tests.aimed import Told
 
 NEAR, BEHIND, ASIDE = (
     around("near", 200.0, 0.0, 40.0),
@@ -157,52 +158,53 @@ def test_plain_python_agrees_with_the_compiled_law(monkeypatch: pytest.MonkeyPat
         assert one.visits == pytest.approx(other.visits, rel=1e-12)
 
 
-def straight(prefetcher: Prefetcher, until: int, y: float = 0.0) -> list[object]:
-    """What fires on a straight way from x = 0 to 200 px in 40 events, the endpoint known."""
-    fired: list[object] = []
-    for i in range(until):
-        event = PointerEvent(i / 100, 5.0 * i, y)
-        known = Prediction(event.t, 200.0, 0.0, (25.0, 0.0, 25.0), "ballistic", None)
-        fired += prefetcher.update(known, event)
-    return fired
+class Prefetched:
+    """A prefetcher of targets, and a cursor that goes straight from x = 0 to 200 px in 40 events."""
+
+    def __init__(self, *targets: Target, threshold: float = prefetch.THRESHOLD) -> None:
+        self.pipeline = Told(targets)
+        self.prefetcher = Prefetcher(self.pipeline, threshold=threshold)
+
+    def straight(self, until: int, y: float = 0.0) -> list[object]:
+        """What fires on the way, the endpoint known."""
+        fired: list[object] = []
+        for i in range(until):
+            known = Prediction(i / 100, 200.0, 0.0, (25.0, 0.0, 25.0), "ballistic", None)
+            fired += self.at(i / 100, 5.0 * i, y, known)
+        return fired
+
+    def at(self, t: float, x: float, y: float = 0.0, known: Prediction | None = None) -> tuple[object, ...]:
+        self.pipeline.take(known, PointerEvent(t, x, y))
+        return self.prefetcher.update()
 
 
 def test_the_prefetcher_names_what_fires_once() -> None:
-    prefetcher = Prefetcher([NEAR, ASIDE])
-    assert straight(prefetcher, 41) == ["near"]
-    assert prefetcher.visits[0] > prefetcher.visits[1]
+    page = Prefetched(NEAR, ASIDE)
+    assert page.straight(41) == ["near"]
+    assert page.prefetcher.visits[0] > page.prefetcher.visits[1]
 
 
 def test_at_a_threshold_of_1_targets_fire_at_entry_only() -> None:
-    prefetcher = Prefetcher([NEAR, ASIDE], threshold=1.0)
-    assert straight(prefetcher, 36) == []
-    assert prefetcher.update(None, PointerEvent(0.36, 180.0, 0.0)) == ("near",)
+    page = Prefetched(NEAR, ASIDE, threshold=1.0)
+    assert page.straight(36) == []
+    assert page.at(0.36, 180.0) == ("near",)
 
 
 def test_a_target_that_stays_on_the_page_does_not_fire_again_and_a_new_one_does() -> None:
-    prefetcher = Prefetcher([NEAR])
-    assert straight(prefetcher, 41) == ["near"]
-    prefetcher.replace([around("new", 200.0, 0.0, 30.0), NEAR])
-    assert prefetcher.update(None, PointerEvent(0.41, 201.0, 0.0)) == ("new",)
+    page = Prefetched(NEAR)
+    assert page.straight(41) == ["near"]
+    page.pipeline.aim.register([around("new", 200.0, 0.0, 30.0), NEAR])
+    assert page.at(0.41, 201.0) == ("new",)
 
 
 def test_after_a_reset_the_same_movement_fires_the_same() -> None:
-    prefetcher = Prefetcher([NEAR, ASIDE])
-    assert straight(prefetcher, 20) == straight_again(prefetcher, 20) == ["near"]
+    page = Prefetched(NEAR, ASIDE)
+    first = page.straight(20)
+    page.pipeline.aim.reset()
+    page.prefetcher.reset()
+    assert page.straight(20) == first == ["near"]
 
 
-def straight_again(prefetcher: Prefetcher, until: int) -> list[object]:
-    prefetcher.reset()
-    return straight(prefetcher, until)
-
-
-def test_refused_events_change_nothing() -> None:
-    prefetcher = Prefetcher([NEAR])
-    straight(prefetcher, 5)
-    with pytest.raises(EventError, match="finite"):
-        prefetcher.update(None, PointerEvent(1.0, float("nan"), 0.0))
-    with pytest.raises(EventOrderError, match="backwards"):
-        prefetcher.update(None, PointerEvent(0.0, 200.0, 0.0))
+def test_a_threshold_out_of_bounds_is_refused() -> None:
     with pytest.raises(ParameterError, match="threshold"):
-        Prefetcher(threshold=1.5)
-    assert prefetcher.update(None, PointerEvent(0.2, 200.0, 0.0)) in ((), ("near",))
+        Prefetcher(Told(), threshold=1.5)

@@ -162,26 +162,6 @@ def solve(s: Sums, prior: FloatArray, weights: FloatArray) -> None:
 
 
 @law
-def stated(
-    s: Sums,
-    intervals: Intervals,
-    movement: Movement,
-    cursor: tuple[float, float, float],
-    since: float,
-    median: float,
-    estimates: Estimates,
-    way: Way,
-    pace: Pace,
-) -> tuple[float, float]:
-    """The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both.
-
-    ``cursor``: t, x, y.
-    """
-    known = terms(estimates, way, pace, since, median)
-    return weighed(s, intervals, movement, cursor, since, median, estimates.predicted, known, PRIOR)
-
-
-@law
 def weighed(
     s: Sums,
     intervals: Intervals,
@@ -193,7 +173,10 @@ def weighed(
     known: Terms,
     prior: FloatArray,
 ) -> tuple[float, float]:
-    """``stated`` from the terms; ``predicted``: the time left in s by the predictor alone."""
+    """The time left in s and the spread of its logarithm, ``since`` s after the start; remembers both.
+
+    ``cursor``: t, x, y; ``predicted``: the time left in s by the predictor alone; ``known``: by ``terms``.
+    """
     if movement.ready == 0.0:
         solve(s, prior, movement.weights)
         movement.ready = 1.0
@@ -213,6 +196,23 @@ def weighed(
         for i in range(TERMS):
             m.terms[i] = known[i]
     return left, spread
+
+
+@law
+def stated(
+    s: Sums,
+    intervals: Intervals,
+    movement: Movement,
+    cursor: tuple[float, float, float],
+    since: float,
+    median: float,
+    estimates: Estimates,
+    way: Way,
+    pace: Pace,
+) -> tuple[float, float]:
+    """``weighed`` by everybody's weights, from what the terms are made of."""
+    known = terms(estimates, way, pace, since, median)
+    return weighed(s, intervals, movement, cursor, since, median, estimates.predicted, known, PRIOR)
 
 
 @law

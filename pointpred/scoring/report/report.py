@@ -34,7 +34,7 @@ from pointpred.scoring.report.figures import (
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, SetScore, WorstTrials
 from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect, axis_anova, axis_profile
 from pointpred.scoring.summary import FLOOR, PredictorSummary, SetSummary, summarise
-from pointpred.scoring.summary.document import footnotes
+from pointpred.scoring.summary.document import about_targets, footnotes
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -351,7 +351,7 @@ def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return Drawn(
         conclusion=conclusion(summary),
-        footnotes=tuple(footnotes(summary)),
+        footnotes=tuple(filter(None, (about_targets(summary), *footnotes(summary)))),
         front=skill_bars(summary),
         along=tuple(curves(summary, shown, kind, quantity) for kind, quantity in kinds),
         groups=(clean_against_all(summary),) if "clean_trials" in summary.groups else (),

@@ -195,6 +195,8 @@ class SetSummary(msgspec.Struct, frozen=True):
     """Groups beside all trials."""
     predictors: tuple[PredictorSummary, ...]
     """``hold`` first."""
+    candidates: dict[str, int] | None = None
+    """With targets: what the candidates were, in words, and of how many trials; ``None``: without targets."""
 
 
 class Unread(msgspec.Struct, frozen=True):
@@ -234,6 +236,18 @@ SEEN = "fitted to people of this set: too good; see docs/evidence/results.md"
 def footnotes(summary: SetSummary) -> list[str]:
     """Warnings about predictors whose errors are too low, a line each."""
     return [f"{one.name}: {SEEN}" for one in summary.predictors if one.seen]
+
+
+def about_targets(summary: SetSummary) -> str:
+    """What rows with targets were told, in words; "" where nobody asked for them."""
+    if summary.candidates is None:
+        return ""
+    if not summary.candidates:
+        return "With targets: nothing, since no trial has targets that are known beside its own."
+    kinds = ", ".join(f"{kind} ({trials} trials)" for kind, trials in summary.candidates.items())
+    words = f"With targets: all targets of a trial's block are candidates: {kinds}"
+    without = summary.trials - sum(summary.candidates.values())
+    return words + (f"; {without} trials have none." if without else ".")
 
 
 def rows(summary: SetSummary) -> list[tuple[str, ...]]:

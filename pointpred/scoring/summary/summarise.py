@@ -198,6 +198,7 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
         unit=about.unit,
         trials=count,
         users=len(trials.people),
+        candidates=about.candidates,
         events=trials.events,
         skipped=about.skipped,
         notes=about.notes,

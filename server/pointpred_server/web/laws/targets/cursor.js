@@ -20,7 +20,7 @@ export function begins(s, t, pressed, s_at = 0) {
 export function follow(s, t, x, y, pressed, s_at = 0) {
   const dt = t - s[s_at + 1];
   const released = s[s_at + 4] === 1 && pressed === 0;
-  if (begins(s, t, pressed, s_at)) {
+  if (begins(s, t, pressed, s_at) || t === s[s_at + 5]) {
     s[s_at + 5] = t;
     s[s_at + 6] = x;
     s[s_at + 7] = y;

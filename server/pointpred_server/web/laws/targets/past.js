@@ -7,7 +7,8 @@ export const LATELY = 2;
 export const AFTER = 3;
 export const ALIKE = 4;
 export const RULES = 5;
-export const FIRST_RULES = [8, 1, 1, 1, 1];
+export const FIRST_RULES = [12, 1, 1, 1, 1];
+export const FADING_OF = 4;
 export const ID = 0;
 export const KIND = 1;
 export const CAPACITY = 64;
@@ -70,11 +71,12 @@ export function shares(s, own, keys, out, s_at = 0) {
   }
 }
 export function rule_weight(s, rule, s_at = 0) {
+  const fading = FADING_OF / (FADING_OF + s[s_at + 134]);
   let total = 0;
   for (let k = 0; k < RULES; k++) {
-    total += s[s_at + k + 129] + FIRST_RULES[k];
+    total += s[s_at + k + 129] + FIRST_RULES[k] * fading;
   }
-  return (s[s_at + rule + 129] + FIRST_RULES[rule]) / total;
+  return (s[s_at + rule + 129] + FIRST_RULES[rule] * fading) / total;
 }
 export function weigh(s, own, keys, table, s_at = 0) {
   if (s[s_at + 134] === 0) {

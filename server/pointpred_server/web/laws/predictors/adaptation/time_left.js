@@ -70,10 +70,6 @@ export function solve(s, prior, weights, s_at = 0) {
     weights[i] += prior[i];
   }
 }
-export function stated(s, intervals, movement, cursor, since, median, estimates, way, pace, s_at = 0, intervals_at = 0, movement_at = 0) {
-  const known = terms(estimates, way, pace, since, median);
-  return weighed(s, intervals, movement, cursor, since, median, estimates[1], known, $time_left_prior.PRIOR, s_at, intervals_at, movement_at);
-}
 export function weighed(s, intervals, movement, cursor, since, median, predicted, known, prior, s_at = 0, intervals_at = 0, movement_at = 0) {
   if (movement[movement_at] === 0) {
     solve(s, prior, view(movement, movement_at + 1, movement_at + 8), s_at);
@@ -104,6 +100,10 @@ export function weighed(s, intervals, movement, cursor, since, median, predicted
     }
   }
   return [left, spread];
+}
+export function stated(s, intervals, movement, cursor, since, median, estimates, way, pace, s_at = 0, intervals_at = 0, movement_at = 0) {
+  const known = terms(estimates, way, pace, since, median);
+  return weighed(s, intervals, movement, cursor, since, median, estimates[1], known, $time_left_prior.PRIOR, s_at, intervals_at, movement_at);
 }
 export function moment_at(movement, k, span, share, movement_at = 0) {
   while (k + 1 < movement[movement_at + 8] && $moments.has_come(movement, movement[movement_at + (k + 1) * 10 + 12], span, share, movement_at + 8)) {
