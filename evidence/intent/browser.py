@@ -28,7 +28,7 @@ from evidence.data import Table, keep, stored
 from evidence.held_out import HeldOut, held_out
 from evidence.intent.firing import score
 from evidence.intent.fit import GROUPS, Fits, fits, recorded
-from evidence.intent.measure import HEADS, RULE, cells
+from evidence.intent.measure import HEADS, RULE, cells, draw
 from evidence.intent.movements import Movement
 from evidence.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
@@ -195,6 +195,7 @@ def main(layouts: Sequence[str]) -> None:
             resize(page, chosen)
             done = [player.play(one) for one in chosen]
             write(layout, done)
+    draw()
 
 
 def resize(page: Page, chosen: Sequence[Movement]) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from evidence import FIGURES
 from evidence.arguments import parse
 from evidence.data import Table, keep, stored
 from evidence.intent.firing import (
@@ -29,6 +30,8 @@ from evidence.intent.firing import (
 from evidence.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from evidence.intent.movements import Movement
 from evidence.rendering import only
+from evidence.thinning import save
+from pointpred.drawing import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.records import FloatArray
 from pointpred.targets import prefetch
 
@@ -103,6 +106,7 @@ def main() -> None:
     table, curve = compared(everything, fits())
     tables = {"policy": table, "thresholds": curve, "speculation": speculated(everything)}
     keep("intent", tables, part="policy")
+    draw()
 
 
 BESIDE = (
@@ -143,6 +147,33 @@ def beside(whole: Table, ours: str, theirs: str = RULE) -> Table:
             )
         )
     return Table.of(BESIDE, rows)
+
+
+def draw() -> None:
+    """Ours over ForesightJS's on each layout, replayed and in the browser; what is asked for as lines."""
+    tables = context()
+    shown = {"replayed, settings held out": "replayed_held_out", "in one browser": "in_browser"}
+    asked = {
+        "firings": (1.0, "at most"),
+        "before entry, %": (1.0, "at least"),
+        "median lead, ms": (LEADS, "at least"),
+    }
+    with canvas(1, 3, width=11.0, height=3.6) as (figure, axes):
+        for ax, (head, (line, word)) in zip(axes, asked.items(), strict=True):
+            for place, (label, name) in enumerate(shown.items()):
+                table = tables[name]
+                column, layouts = table.columns.index(head), [str(row[0]) for row in table.rows]
+                pairs = [str(row[column]).split(" / ") for row in table.rows]
+                at = np.arange(len(layouts)) + 0.36 * (place - 0.5)
+                ratios = [float(ours) / float(theirs) for ours, theirs in pairs]
+                ax.barh(at, ratios, height=0.34, color=PALETTE[place], label=label)
+            ax.axvline(line, color=GREY, linestyle="--")
+            ax.set_yticks(np.arange(len(layouts)), layouts)
+            ax.invert_yaxis()
+            ax.set_title(f"{head.split(',')[0]}: {word} {line:g}")
+        legend_outside(figure, axes[0], columns=2)
+        alt = "Firings, share before entry and lead of onIntent over those of ForesightJS, for each layout."
+        save(picture(figure, alt, "onIntent over ForesightJS.", wide=True).svg, FIGURES / "intent.svg")
 
 
 def context() -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""A predicted law becomes probabilities over rectangles, proposals, and a ledger of them."""
+"""What can be pointed at: how likely each is, the prediction given these, proposals, and a ledger of them."""
 
 from pointpred.targets.chooser import Choice, Chooser, PlaceChooser
 from pointpred.targets.ledger import Ledger, Movement
