@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-SLOW = (0, -0.3077, -0.5336, -1.368, 0.0313, -1.155)
+SLOW = (0, -0.3066, -0.49, -1.485, 0.02719, -0.9111)
 """Of each feature while the cursor stands."""
-FAST = (0.6033, -0.4542, -0.3237, -0.289, 0.1675, -0.0721)
+FAST = (0.5877, -0.4726, -0.3215, -0.2528, 0.1177, -0.09325)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
-NONE = (-0.6747, -1.433)
-AROUND = (0.4183, 0.8188)
+NONE = (-0.8728, -1.422)
+AROUND = (0.2136, 0.815)
 """Of *none of them*, and of what falls to all targets, standing and at the peak."""
-UNCLAIMED_SLOW = (0, -0.2835, -0.4975, -1.928, 0.131, -0.4188)
-UNCLAIMED_FAST = (0.0004356, -0.5241, -0.4552, -0.6656, 0.3, -0.2734)
-UNCLAIMED_NONE = (-1.075, -1.256)
-UNCLAIMED_AROUND = (-0.2205, 0.1252)
+UNCLAIMED_SLOW = (0, -0.2966, -0.4696, -1.845, 0.05997, -0.4758)
+UNCLAIMED_FAST = (0.0001748, -0.5646, -0.4291, -0.5543, 0.171, -0.2724)
+UNCLAIMED_NONE = (-1.358, -1.322)
+UNCLAIMED_AROUND = (-0.1863, 0.1166)
 """The same where the predictor claims no region."""
-NEAREST = (-2.809, -0.736)
+NEAREST = (-2.784, -0.691)
 """Of the feature NEAR alone, standing and at the peak, for the nearest target to the cursor."""
-NEAREST_NONE = (-5.158, -0.08867)
+NEAREST_NONE = (-5.55, -0.03847)
 PAGES_SLOW = (0.3016, -0.1244, -0.4561, -0.01862, -0.03106, -0.4446)
 PAGES_FAST = (0.5945, -0.2008, -0.09255, 0.1306, -0.0288, 0)
 PAGES_NONE = (-2.041, -1.813)
