@@ -15,7 +15,7 @@ from pointpred.targets.choice_law import LEAST_PX
 from pointpred.targets.decision import HIGHEST, LOWEST, USUAL, Settings
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.posterior import EFFECTIVE
-from pointpred.targets.rectangles import FIELDS, NOBODY, Target, around, holder
+from pointpred.targets.rectangles import FIELDS, NOBODY, Target, around, holder, key_of
 
 Action = Literal["propose", "retract"]
 Reason = Literal["predicted", "entered"]
@@ -155,10 +155,14 @@ class Chooser:
 
         The proposal stands until the next movement starts: at the release, without one at the next event.
         """
+        return self._close(NOBODY if target is None else key_of(str(target)))
+
+    def _close(self, key: float) -> Movement:
+        """Close the movement, for the target of this number or NOBODY."""
         now = self.pipeline.aim.cursor
         if now.t0 < now.t:
             now.pressed = 1.0  # what comes next is a release
-        return self.ledger.finish(float(now.t), target)
+        return self.ledger.close(float(now.t), key)
 
     def reset(self) -> None:
         """Forget the proposals, as the pipeline's ``reset`` forgets its events; the ledger's counts stay.
@@ -263,6 +267,4 @@ class PlaceChooser(Chooser):
         """
         now = self.pipeline.aim.cursor
         place = holder(self._squares, float(now.x), float(now.y))
-        return self.ledger.close(
-            float(now.t), NOBODY if place == NOBODY else float(self._keys[place, past.ID])
-        )
+        return self._close(NOBODY if place == NOBODY else float(self._keys[place, past.ID]))

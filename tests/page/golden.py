@@ -109,15 +109,10 @@ def among_targets() -> Iterator[dict[str, Any]]:
         rows = rows_of(125.0, 40 + seed)
         ends = [row for row in rows if row and row[5] == 1.0]
         random = np.random.default_rng(seed)
+        sides = zip(random.uniform(0.0, 900.0, (30, 2)), random.uniform(8.0, 120.0, (30, 2)), strict=True)
         listed = [
-            Target(
-                f"{i}",
-                *random.uniform(0.0, 900.0, 2),
-                *random.uniform(8.0, 120.0, 2),
-                1.0 + i % 3,
-                "a" * (i % 2),
-            )
-            for i in range(30)
+            Target(f"{i}", float(x), float(y), float(width), float(height), 1.0 + i % 3, "a" * (i % 2))
+            for i, ((x, y), (width, height)) in enumerate(sides)
         ]
         listed += [around(f"end {k}", row[1], row[2] + 9.0 * (k % 2), 40.0) for k, row in enumerate(ends)]
         yield stream(name, rows, build(name, targets=listed), _settings(name))

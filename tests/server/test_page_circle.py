@@ -125,18 +125,16 @@ def given_the_circle(file: Path) -> list[float]:
     The client sends places in steps of 1/64 px.
     """
     recording = read(file)
-    places = dict.fromkeys((trial.target_x, trial.target_y) for trial in recording.trials)
-    circle = [
-        Target(str(i), *(round(64.0 * (float(at) - WIDTH / 2)) / 64.0 for at in place), WIDTH, WIDTH)
-        for i, place in enumerate(places)
-    ]
+    centres = dict.fromkeys((trial.target_x, trial.target_y) for trial in recording.trials)
+    corners = [[round(64.0 * (float(at) - WIDTH / 2)) / 64.0 for at in centre] for centre in centres]
+    circle = [Target(str(i), x, y, WIDTH, WIDTH) for i, (x, y) in enumerate(corners)]
     errors = []
     for i, trial in enumerate(recording.trials):
         prepared = prepare(Recording.of("trial", [recording.rows(i)], [trial]), threads=1)
         own, floor = (
             replay(prepared, each, threads=1) for each in (build(RECOMMENDED, targets=circle), build("hold"))
         )
-        errors.append(score_of(prepared, 0, own, floor).time_averaged_px)
+        errors.append(score_of(prepared, 0, own, floor).time_averaged_px or 0.0)
     return errors
 
 

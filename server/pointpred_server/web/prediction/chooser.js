@@ -1,9 +1,10 @@
 // From how likely each target is to proposals: of targets, and of places that nobody registered. What decides are the laws.
 
 import * as law from "../laws/targets/choice_law.js";
-import { T, X, Y } from "../laws/targets/cursor.js";
+import { PRESSED, T, T0, X, Y } from "../laws/targets/cursor.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { FIELDS, holder, NOBODY } from "../laws/targets/rectangles.js";
+import { keyOf } from "./blake2b.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
 
@@ -75,7 +76,14 @@ export class Chooser {
    * @param {unknown} target its id, null: unknown @returns {import("./ledger.js").Movement}
    */
   finish(target) {
-    return this.ledger.finish(this.pipeline.aim.cursor[T], target);
+    return this.close(target === null ? NOBODY : keyOf(String(target)));
+  }
+
+  /** `finish` for the number of a target, NOBODY for none. @param {number} key @returns {import("./ledger.js").Movement} */
+  close(key) {
+    const { cursor } = this.pipeline.aim;
+    if (cursor[T0] < cursor[T]) cursor[PRESSED] = 1; // what comes next is a release
+    return this.ledger.close(cursor[T], key);
   }
 
   /** Forgets the proposals, as the pipeline's `reset` forgets its events; the counts of the ledger stay. */
@@ -131,7 +139,7 @@ export class PlaceChooser extends Chooser {
   /** Closes the movement at the last event: it went to the smallest place that the cursor is in, or to none. @returns {import("./ledger.js").Movement} */
   finish() {
     const { cursor } = this.pipeline.aim, place = holder(this.#table, cursor[X], cursor[Y]);
-    return this.ledger.close(cursor[T], place === NOBODY ? NOBODY : this.#keys[place][0]);
+    return this.close(place === NOBODY ? NOBODY : this.#keys[place][0]);
   }
 }
 

@@ -154,6 +154,7 @@ export class PredictionStream {
 
   /** Another pipeline begins without a movement. */
   #goOnWith(pipeline) {
+    pipeline.reset();
     this.#pipeline = pipeline;
     for (const one of [this.#tracker, this.#placeTracker]) if (one) one.pipeline = pipeline;
     this.forget();

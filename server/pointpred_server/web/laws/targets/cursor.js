@@ -10,6 +10,7 @@ export const T = 1;
 export const X = 2;
 export const Y = 3;
 export const PRESSED = 4;
+export const T0 = 5;
 export const STATES = 15;
 export function usable(t, x, y) {
   return Math.abs(t) < $records.LATEST_S && Math.abs(x) <= $records.LARGEST && Math.abs(y) <= $records.LARGEST;
