@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
+from copy import copy
 from functools import cache
 from math import nan
 from typing import Any, Literal, Self, overload
@@ -306,6 +307,11 @@ class Pipeline:
         self.predictor.reset()
         if self._aim is not None:
             self._aim.reset()
+
+    def __copy__(self) -> Self:
+        twin = type(self)(self.name, copy(self.differentiator), copy(self.predictor))
+        twin._aim = copy(self._aim)
+        return twin
 
     def fresh(self) -> Self:
         """Return a pipeline with the same parameters and targets and no memory, which knows nobody."""

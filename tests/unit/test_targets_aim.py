@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Sequence
+from copy import copy
 from itertools import pairwise
 
 import numpy as np
@@ -179,6 +180,17 @@ def test_a_pickle_goes_on(name: str) -> None:
     rest = events.rows(333, len(events))
     assert same(run(twin, rest).table, run(pipeline, rest).table)
     assert twin.shares == pipeline.shares
+
+
+@EVERY
+def test_a_copy_goes_on_apart(name: str) -> None:
+    events, pipeline = movements(*MIXED), aimed(name)
+    run(pipeline, events.rows(0, 333))
+    twin, before = copy(pipeline), seen(pipeline)
+    rest = events.rows(333, len(events))
+    answers = run(twin, rest).table
+    assert seen(pipeline) == before
+    assert same(run(pipeline, rest).table, answers)
 
 
 @EVERY

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -163,18 +164,25 @@ class PredictionStream:
         if tracker is None and self.hello.places and self.place_tracker is None:
             self.place_tracker = PlaceTracker(self._outbox, pipeline, self.precision)
         events, predictions, aims = table.copy(), np.empty((len(table), 10)), []
-        for i, row in enumerate(table.tolist()):
-            moved = assistance.move(row) if assistance else tuple(row)
-            answer = pipeline.advance(moved)
-            if answer[0] != answer[0]:
-                raise refusal(moved, answer)
-            events[i], predictions[i] = moved, answer
-            if assistance:
-                assistance.guide(answer)
-            if tracker:
-                aims.append(tracker.follow())
-            elif self.place_tracker:
-                self.place_tracker.follow()
+        before = (copy(pipeline), assistance.remembered()) if assistance else None
+        try:
+            for i, row in enumerate(table.tolist()):
+                moved = assistance.move(row) if assistance else tuple(row)
+                answer = pipeline.advance(moved)
+                if answer[0] != answer[0]:
+                    raise refusal(moved, answer)
+                events[i], predictions[i] = moved, answer
+                if assistance:
+                    assistance.guide(answer)
+                if tracker:
+                    aims.append(tracker.follow())
+                elif self.place_tracker:
+                    self.place_tracker.follow()
+            before = None
+        finally:
+            if before and assistance:
+                self._use(before[0])
+                assistance.recall(before[1])
         return events, predictions, aims if tracker else None
 
     def configure(self, message: Configure) -> None:
@@ -253,11 +261,14 @@ class PredictionStream:
     def _go_on_with(self, pipeline: Pipeline) -> None:
         """Another pipeline begins without a movement."""
         pipeline.reset()
+        self._use(pipeline)
+        self._forget()
+
+    def _use(self, pipeline: Pipeline) -> None:
         self.pipeline = pipeline
         for tracker in (self.tracker, self.place_tracker):
             if tracker:
                 tracker.pipeline = pipeline
-        self._forget()
 
     def enter(self, window: Enter) -> None:
         """The next movement is in this window."""
