@@ -101,11 +101,12 @@ def choices() -> Iterator[Digest]:
     for predictor in ("kinematic", "switched", "kinematic-adaptive"):
         pipeline, seen = build(predictor), []
         for k in range(0, 40, 5):
-            chooser = Chooser(circle)
+            pipeline.register(circle)
+            chooser = Chooser(pipeline)
             for event in recording.rows(k).events():
-                changes = chooser.update(pipeline.update(event), event)
-                seen.append([(one.id, one.p, one.action, one.reason) for one in changes])
-                seen.append(chooser.shares.tolist())
+                pipeline.update(event)
+                seen.append([(one.id, one.p, one.action, one.reason) for one in chooser.update()])
+                seen.append(pipeline.aim.shares.tolist())
             pipeline.reset()
         yield f"choices/{predictor}", digest(seen)
 

@@ -9,7 +9,8 @@ come from the folder named by POINTPRED_RECORDINGS.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from functools import partial
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -17,13 +18,14 @@ import numpy as np
 from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.held_out import HeldOut, held_out
-from pointpred import RECOMMENDED, EventColumns, build, run
+from pointpred import RECOMMENDED, EventColumns, Place, build, run
 from pointpred.recording import Recording
 from pointpred.recordings import read
 from pointpred.records import FloatArray
 from pointpred.scoring import resolution
 from pointpred.targets import Chooser, Target
-from pointpred.targets.posterior import FITTED_NEAREST
+from pointpred.targets.aim import Aim
+from pointpred.targets.posterior import FITTED, FITTED_NEAREST
 from pointpred.training.data import folder
 
 Layout = Callable[[np.random.Generator], list[Target]]
@@ -90,18 +92,29 @@ Movements = list[tuple[FloatArray, FloatArray]]
 """The movements of a person: rows of events, and the predictions made at them."""
 
 
+class Told(NamedTuple):
+    """What a chooser decides by, where the predictions are known already."""
+
+    aim: Aim
+    places: tuple[Place, ...] = ()
+
+
 class Defaults(msgspec.Struct, frozen=True):
     """How a page may choose."""
 
     name: str
     predictor: str
-    make: Callable[[], Chooser]
+    make: Callable[[Told], Chooser]
     entries: bool = True
     """Whether a target is proposed when the cursor enters it."""
+    coefficients: FloatArray = FITTED
 
 
 BEFORE = Defaults(
-    "`switched`, precision 0.8 (before)", "switched", lambda: Chooser(precision=0.8, least_lead_s=0.05), False
+    "`switched`, precision 0.8 (before)",
+    "switched",
+    lambda told: Chooser(told, precision=0.8, least_lead_s=0.05),
+    False,
 )
 NOW = Defaults(f"`{RECOMMENDED}`, precision 0.5 (now)", RECOMMENDED, Chooser)
 
@@ -150,18 +163,23 @@ def with_click(rows: FloatArray, begin_s: float) -> FloatArray:
     return np.vstack([moved, press, release])
 
 
-def outcomes(people: Sequence[Movements], layout: str, make: Callable[[], Chooser]) -> list[Outcome]:
+def outcomes(people: Sequence[Movements], layout: str, way: Defaults) -> list[Outcome]:
     """What a page with this layout hears of everybody."""
     results = []
     for number, movements in enumerate(people):
-        generator, chooser = np.random.default_rng([7, number]), make()
+        generator = np.random.default_rng([7, number])
+        told = Told(Aim(learn=0, coefficients=way.coefficients))
+        chooser = way.make(told)
         for events, answers in movements:
             place = placed(LAYOUTS[layout], events[0, 1:3], events[-1, 1:3], generator)
             if place is None:
                 continue
             targets, right = place
-            chooser.replace(targets)
-            changes, *_ = chooser.follow(events, answers, last=0)
+            told.aim.register(targets)
+            changes = []
+            for event, answer in zip(map(tuple, events.tolist()), map(tuple, answers.tolist()), strict=True):
+                told.aim.given(event, answer)
+                changes += [(event[0], change) for change in chooser.update()]
             results.append(account(targets[right], events, changes))
     return results
 
@@ -206,15 +224,16 @@ def nearest(people: dict[str, list[Movements]], layout: str, proposals: float) -
     """The nearest target, with the dial at which it proposes about as often."""
 
     def often(dial: float) -> float:
-        results = [outcomes(one, layout, lambda: chooser(dial)) for one in people.values()]
+        results = [outcomes(one, layout, way(dial)) for one in people.values()]
         return abs(float(np.mean([summary(rows)[3] for rows in results])) - proposals)
 
-    def chooser(dial: float) -> Chooser:
-        return Chooser(precision=dial, coefficients=FITTED_NEAREST)
+    def way(dial: float) -> Defaults:
+        name = f"nearest target, dial {dial:g}"
+        make = partial(Chooser, precision=dial)
+        return Defaults(name, "hold", make, coefficients=FITTED_NEAREST)
 
     dial = min(DIALS[::5], key=often)
-    dial = min((one for one in DIALS if abs(one - dial) < 0.05), key=often)
-    return Defaults(f"nearest target, dial {dial:g}", "hold", lambda: chooser(dial))
+    return way(min((one for one in DIALS if abs(one - dial) < 0.05), key=often))
 
 
 HEADS = ("right before entry", "right at entry at the latest", "lead", "predictions", "wrong", "passed")
@@ -228,11 +247,11 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
     }
     every, means = [], []
     for layout in LAYOUTS:
-        ours = [summary(outcomes(one, layout, NOW.make)) for one in people[RECOMMENDED].values()]
+        ours = [summary(outcomes(one, layout, NOW)) for one in people[RECOMMENDED].values()]
         near = nearest(people["hold"], layout, float(np.mean([one[3] for one in ours])))
         for way in (NOW, BEFORE, near):
             tables = {
-                name: summary(outcomes(one, layout, way.make), way.entries)
+                name: summary(outcomes(one, layout, way), way.entries)
                 for name, one in people[way.predictor].items()
             }
             every += [(layout, name, way.name, *cells(values)) for name, values in tables.items()]

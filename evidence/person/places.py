@@ -21,10 +21,10 @@ from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
 from pointpred.recordings import read
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, event_row, row_at
 from pointpred.scoring import resolution
-from pointpred.targets import Choice, Chooser, Target
-from pointpred.targets.chooser import rectangle_of
+from pointpred.targets import Choice, PlaceChooser, Target
+from pointpred.targets.aim import Aim
 from pointpred.training.data import folder
 
 DIALS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 0.98)
@@ -93,47 +93,30 @@ def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[M
         ends.append((x, y))
 
 
-class Steps(NamedTuple):
-    """A movement ready to be decided at any dial: rectangles where they change, shares, the end."""
+class Told:
+    """What a chooser decides by, where the places and the time left are known already."""
 
-    steps: list[tuple[list[Target] | None, FloatArray, float, PointerEvent]]
-    repeats: bool
+    def __init__(self) -> None:
+        self.aim, self.places = Aim(learn=0), tuple[Place, ...]()
 
-
-def steps_of(movement: Movement) -> Steps:
-    """The rectangles and shares at each event, as ``PlaceChooser`` lays them out."""
-    before: list[Target] | None = None
-    steps: list[tuple[list[Target] | None, FloatArray, float, PointerEvent]] = []
-    for event, places, left in movement.moments:
-        ordered = sorted(places, key=lambda place: place.id)
-        rectangles_now = [rectangle_of(place) for place in ordered]
-        steps.append(
-            (
-                rectangles_now if rectangles_now != before else None,
-                np.array([*(p.p for p in ordered), 0.0]),
-                left,
-                event,
-            )
-        )
-        shares = steps[-1][1]
-        shares[-1] = max(1.0 - float(shares.sum()), 0.0)
-        before = rectangles_now
-    return Steps(steps, movement.repeats)
+    def take(self, moment: Moment) -> None:
+        """Take in an event, the places after it and the time left that is predicted."""
+        self.places = moment.places
+        unstated = [moment.event.t, *[nan] * 5, moment.remaining_s, 0.0, nan, nan]
+        self.aim.given(event_row(moment.event), row_at(np.array([unstated]), 0))
 
 
-def outcome(movement: Steps, chooser: Chooser) -> Outcome:
+def outcome(movement: Movement, told: Told, chooser: PlaceChooser) -> Outcome:
     """What the chooser proposes in a movement, and what becomes of it."""
+    told.aim.reset()
     chooser.reset()
     changes: list[tuple[float, Choice, Target]] = []
-    rectangles: dict[object, Target] = {}
     path = []
-    for rectangles_now, shares, left, event in movement.steps:
-        if rectangles_now is not None:
-            chooser.replace(rectangles_now)
-            rectangles = {one.id: one for one in rectangles_now}
+    for moment in movement.moments:
+        told.take(moment)
+        event = moment.event
         path.append((event.t, event.x, event.y))
-        made = chooser.update_with_shares(shares, left, event)
-        changes += [(event.t, one, rectangles[one.id]) for one in made]
+        changes += [(event.t, one, one.place) for one in chooser.update() if one.place is not None]
     return account(np.array(path), changes, repeats=movement.repeats)
 
 
@@ -164,11 +147,14 @@ def off(place: Target, end: FloatArray) -> float:
     return hypot(end[1] - place.x - place.width / 2.0, end[2] - place.y - place.height / 2.0)
 
 
-def outcomes(people: Sequence[Sequence[Steps]], dial: float) -> list[Outcome]:
+def outcomes(people: Sequence[Sequence[Movement]], dial: float) -> list[Outcome]:
     """Every movement of everybody at a dial."""
-    return [
-        outcome(one, chooser) for person in people for chooser in [Chooser(precision=dial)] for one in person
-    ]
+    found = []
+    for person in people:
+        told = Told()
+        chooser = PlaceChooser(told, precision=dial)
+        found += [outcome(one, told, chooser) for one in person]
+    return found
 
 
 HEADS = (
@@ -222,7 +208,7 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
     for recording in sets:
         for sequence, words in ((1, "with order"), (0, "without order")):
             people = [
-                [steps_of(one) for one in movements(recording, pipeline.fresh(), user)]
+                list(movements(recording, pipeline.fresh(), user))
                 for user, pipeline in pipelines(recording, held, sequence).items()
             ]
             rows = {dial: outcomes(people, dial) for dial in DIALS}
