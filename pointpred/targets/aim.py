@@ -267,7 +267,7 @@ class Aim(CompiledStage):
     The last stage of a pipeline: ``given`` takes an event and the prediction made at it, as rows. While
     ``learn`` is 1 finished movements teach it which targets the person takes, how often none of them, how
     large regions have to be, and how long movements take; a region and a time left are then this person's.
-    Memory: {length} floats, 9 a target.
+    Memory: some 1,600 floats, 9 a target.
     """
 
     elsewhere: float = parameter(
