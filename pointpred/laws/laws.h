@@ -1425,6 +1425,7 @@ void targets_aim_learn_prediction(targets_heading_Memory * memory, T_Table__Vect
 void targets_aim_learn_regions(predictors_adaptation_region_widening_Radii * s, targets_heading_Movement * movement, T2d end, T2d span, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 void targets_aim_record(targets_heading_Movement * movement, targets_cursor_State * s, targets_endpoint_Ellipse region, T10d answer);
 T10d targets_aim_row_of(Vector values);
+double targets_aim_share_passed(double since, double left, double usual);
 double targets_aim_size_of(Table rows, Vector shares);
 T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);
 void targets_aim_walk(targets_heading_Memory * memory, FlagVector begins, Table events, Table answers, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients);

@@ -9615,6 +9615,25 @@ static PyObject *py_targets_aim_row_of(PyObject *self, PyObject *const *args, Py
   let_go(&held);
   return give_T10d(result);
 }
+static PyObject *py_targets_aim_share_passed(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.aim:share_passed";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  result = targets_aim_share_passed(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_targets_aim_size_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.aim:size_of";
   Held held;
@@ -12346,6 +12365,7 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.aim:learn_regions", (PyCFunction)(void (*)(void))py_targets_aim_learn_regions, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:record", (PyCFunction)(void (*)(void))py_targets_aim_record, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:row_of", (PyCFunction)(void (*)(void))py_targets_aim_row_of, METH_FASTCALL, NULL},
+  {"pointpred.targets.aim:share_passed", (PyCFunction)(void (*)(void))py_targets_aim_share_passed, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:size_of", (PyCFunction)(void (*)(void))py_targets_aim_size_of, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:step", (PyCFunction)(void (*)(void))py_targets_aim_step, METH_FASTCALL, NULL},
   {"pointpred.targets.aim:walk", (PyCFunction)(void (*)(void))py_targets_aim_walk, METH_FASTCALL, NULL},

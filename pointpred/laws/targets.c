@@ -731,6 +731,13 @@ void targets_aim_record(targets_heading_Movement * movement, targets_cursor_Stat
   stage_copy_values((Vector){(double *)s, 15}, (Vector){(double *)&m->cursor, 15});
 }
 
+/* The share of the time that has passed; without a time left, of ``usual``, the usual duration, s. */
+double targets_aim_share_passed(double since, double left, double usual) {
+  double total;
+  total = left == left ? since + left : max_float(usual, since);
+  return total > 0.0 ? since / total : 0.0;
+}
+
 /* The share of movements to none of the targets; ``first``: what it is at least, and at first. */
 double targets_past_elsewhere(targets_past_Past * s, double first) {
   double learned;
@@ -890,7 +897,7 @@ T7d targets_arrival_terms(double predicted, double since, double usual, double l
 
 /* Take in an event and the prediction made at it: the prediction given the targets. */
 T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T_Table__Vector__Table__Vector_ targets, targets_posterior_Coefficients * coefficients) {
-  double t, x, y, buttons, least, since, left, spread, usual, way, total, share, factor, tail, phase;
+  double t, x, y, buttons, least, since, left, spread, usual, way, share, factor, tail, phase;
   Table rows, parts;
   Vector shares;
   targets_cursor_State * s;
@@ -940,8 +947,7 @@ T10d targets_aim_step(targets_heading_Memory * memory, T6d event, T10d answer, T
     left = values_2.f0;
     spread = values_2.f1;
   }
-  total = left == left ? since + left : max_float(usual, since);
-  share = total > 0.0 ? since / total : 0.0;
+  share = targets_aim_share_passed(since, left, usual);
   T2d values_3 = predictors_adaptation_region_widening_widen(&person->regions, share, region.tail);
   factor = values_3.f0;
   tail = values_3.f1;
@@ -961,7 +967,8 @@ Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Tab
   Vector law_of;
   targets_posterior_Law predicted;
   int64_t count;
-  double since, total, share;
+  targets_heading_Person * person;
+  double share;
   predictors_adaptation_levels_Offsets * mixed;
   s = &memory->cursor;
   movement = &memory->movement;
@@ -971,10 +978,9 @@ Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Tab
   law_of = (Vector){movement->elsewhere_law, 6};
   predicted = (targets_posterior_Law){law_of.p[0], law_of.p[1], law_of.p[2], law_of.p[3], law_of.p[4], law_of.p[5]};
   count = targets_endpoint_mixture(targets.f0, targets.f3, predicted, targets_endpoint_NEGLIGIBLE, out);
-  since = s->t - s->t0;
-  total = since + movement->remaining_s;
-  share = total > 0.0 ? since / total : 0.0;
-  mixed = &memory->person.regions.mixed;
+  person = &memory->person;
+  share = targets_aim_share_passed(s->t - s->t0, movement->remaining_s, targets_arrival_mean(&person->durations));
+  mixed = &person->regions.mixed;
   return (Tq2d){count, predictors_adaptation_levels_offset(mixed, share, 0), predictors_adaptation_levels_offset(mixed, share, 1)};
 }
 

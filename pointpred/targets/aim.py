@@ -156,6 +156,13 @@ def record(movement: Movement, s: cursor.State, region: endpoint.Ellipse, answer
 
 
 @law
+def share_passed(since: float, left: float, usual: float) -> float:
+    """The share of the time that has passed; without a time left, of ``usual``, the usual duration, s."""
+    total = since + left if left == left else max(usual, since)
+    return since / total if total > 0.0 else 0.0
+
+
+@law
 def step(
     memory: Memory, event: SixFloats, answer: TenFloats, targets: Targets, coefficients: Coefficients
 ) -> TenFloats:
@@ -198,8 +205,7 @@ def step(
             known,
             PRIOR,
         )
-    total = since + left if left == left else max(usual, since)
-    share = since / total if total > 0.0 else 0.0
+    share = share_passed(since, left, usual)
     factor, tail = region_widening.widen(person.regions, share, region.tail)
     region = endpoint.Ellipse(
         region.x, region.y, factor * region.sxx, factor * region.sxy, factor * region.syy, tail
@@ -223,10 +229,9 @@ def lay_parts(memory: Memory, targets: Targets, out: FloatTable) -> tuple[int, f
     law_of = movement.elsewhere_law
     predicted = posterior.Law(law_of[0], law_of[1], law_of[2], law_of[3], law_of[4], law_of[5])
     count = endpoint.mixture(targets[0], targets[3], predicted, endpoint.NEGLIGIBLE, out)
-    since = s.t - s.t0
-    total = since + movement.remaining_s
-    share = since / total if total > 0.0 else 0.0
-    mixed = memory.person.regions.mixed
+    person = memory.person
+    share = share_passed(s.t - s.t0, movement.remaining_s, arrival.mean(person.durations))
+    mixed = person.regions.mixed
     return count, levels.offset(mixed, share, 0), levels.offset(mixed, share, 1)
 
 

@@ -245,10 +245,6 @@ class Ledger:
         """Note a proposal; it takes the place of one that stands."""
         note_proposal(self.account.memory, self.with_room(1), float(t), key_of(str(id)))
 
-    def propose_entered(self) -> None:
-        """Note that a target was proposed because the cursor had gone into it."""
-        self.account.movement.entered += 1.0
-
     def retract(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
         note_end(self.account.memory, self.rows, float(t), key_of(str(id)), False)

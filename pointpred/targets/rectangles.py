@@ -100,8 +100,8 @@ def holder(table: FloatTable, x: float, y: float) -> int:
 def table(targets: Sequence[Target]) -> FloatArray:
     """The targets as a table, a row each.
 
-    Raises ParameterError for more than MOST_TARGETS, an id that occurs twice or cannot be hashed, and a
-    place, size or weight that is no number or out of bounds.
+    Raises ParameterError for more than MOST_TARGETS, an id that occurs twice, is ``None`` or cannot be
+    hashed, and a place, size or weight that is no number or out of bounds.
 
     >>> table([Target("a", 0.0, 0.0, 20.0, 10.0)]).tolist()
     [[10.0, 5.0, 20.0, 10.0, 0.0]]
@@ -124,7 +124,7 @@ def _plain_rows(targets: Sequence[Target]) -> FloatArray | None:
         rows, ids = np.array(values, dtype=np.float64).reshape(-1, FIELDS), {one.id for one in targets}
     except (TypeError, OverflowError):
         return None
-    usable = len(ids) == len(rows) and bool(((rows >= LEAST) & (rows <= LARGEST)).all())
+    usable = len(ids) == len(rows) and None not in ids and bool(((rows >= LEAST) & (rows <= LARGEST)).all())
     return rows if usable else None
 
 
@@ -135,6 +135,8 @@ def _checked_rows(targets: Sequence[Target]) -> FloatArray:
     for place, target in enumerate(targets):
         if not isinstance(target, Target):
             raise ParameterError(f"a target must be a Target, received {target!r}")
+        if target.id is None:
+            raise ParameterError("the id of a target must not be None, which stands for none of them")
         try:
             twice = target.id in seen
         except TypeError as unhashable:

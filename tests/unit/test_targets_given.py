@@ -99,7 +99,7 @@ def test_a_target_of_wrong_kind_is_refused(name: str, value: Any) -> None:
     [
         [Target(cast(Any, []), 0.0, 0.0, 1.0, 1.0)], [Target(([],), 0.0, 0.0, 1.0, 1.0)], [None], ["a"],
         [Target("a", 0.0, 0.0, 0.0, 5.0)], [Target("a", nan, 0.0, 5.0, 5.0)],
-        [Target("a", 0.0, 0.0, 5.0, 5.0, -1.0)], [*PLACES, PLACES[0]],
+        [Target("a", 0.0, 0.0, 5.0, 5.0, -1.0)], [*PLACES, PLACES[0]], [Target(None, 0.0, 0.0, 5.0, 5.0)],
         [around(i, 10.0 * i, 0.0, 5.0) for i in range(1001)],
     ],
 )  # fmt: skip

@@ -56,7 +56,7 @@ def movements(random: np.random.Generator, targets: list[Target]) -> Iterator[tu
         t, at = t + 0.01 * len(places) + 0.6, places[-1]
 
 
-@pytest.mark.parametrize("name", ["minimum-jerk", "kinematic-adaptive"])
+@pytest.mark.parametrize("name", ["minimum-jerk", "switched", "kinematic-adaptive"])
 def test_regions_hold_the_share_of_ends_that_they_claim(name: str) -> None:
     """At three moments of each movement: the ellipse of the prediction, and the level set of the mixture."""
     held: dict[tuple[str, float], list[bool]] = {(kind, p): [] for kind in ("ellipse", "set") for p in LEVELS}

@@ -105,6 +105,10 @@ export function record(movement, s, region, answer, movement_at = 0, s_at = 0) {
   }
   $stage.copy_values(view(s, s_at, s_at + 15), view(movement, m_at + 17, m_at + 32));
 }
+export function share_passed(since, left, usual) {
+  const total = left === left ? since + left : larger(usual, since);
+  return total > 0 ? since / total : 0;
+}
 export function step(memory, event, answer, targets, coefficients, memory_at = 0, coefficients_at = 0) {
   const t = event[0];
   const x = event[1];
@@ -144,8 +148,7 @@ export function step(memory, event, answer, targets, coefficients, memory_at = 0
     left = values_2[0];
     spread = values_2[1];
   }
-  const total = left === left ? since + left : larger(usual, since);
-  const share = total > 0 ? since / total : 0;
+  const share = share_passed(since, left, usual);
   const values_3 = $region_widening.widen(memory, share, region[5], person_at + 136);
   const factor = values_3[0];
   const tail = values_3[1];
@@ -166,10 +169,9 @@ export function lay_parts(memory, targets, out, memory_at = 0) {
   const law_of = movement_at + 5;
   const predicted = [memory[law_of + 0], memory[law_of + 1], memory[law_of + 2], memory[law_of + 3], memory[law_of + 4], memory[law_of + 5]];
   const count = $targets_endpoint.mixture(targets[0], targets[3], predicted, $targets_endpoint.NEGLIGIBLE, out);
-  const since = memory[s_at + 1] - memory[s_at + 5];
-  const total = since + memory[movement_at + 3];
-  const share = total > 0 ? since / total : 0;
-  const mixed_at = memory_at + 149;
+  const person_at = memory_at + 2;
+  const share = share_passed(memory[s_at + 1] - memory[s_at + 5], memory[movement_at + 3], $arrival.mean(memory, person_at + 157));
+  const mixed_at = person_at + 147;
   return [count, $levels.offset(memory, share, 0, mixed_at), $levels.offset(memory, share, 1, mixed_at)];
 }
 export function fault(learned, learned_at = 0) {
