@@ -1325,6 +1325,7 @@ int64_t predictors_mixture_lines_of(Table parts, int64_t count, double threshold
 int64_t predictors_mixture_outlines(Table parts, int64_t count, double threshold, Table points, Vector ends);
 double predictors_mixture_part_density(predictors_mixture_PartRow * part, double x, double y);
 int64_t predictors_mixture_partner(Vector sides, int64_t side, double middle);
+int64_t predictors_mixture_points_of(int64_t count);
 double predictors_mixture_reach(predictors_mixture_PartRow * part, int64_t count, double threshold);
 double predictors_mixture_share_above(Table parts, int64_t count, int64_t points, Table known, double threshold);
 double predictors_mixture_squared_radius(double share, double tail);

@@ -7328,6 +7328,21 @@ static PyObject *py_predictors_mixture_partner(PyObject *self, PyObject *const *
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
+static PyObject *py_predictors_mixture_points_of(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.predictors.mixture:points_of";
+  Held held;
+  const Py_buffer *view;
+  int64_t a0;
+  int64_t result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_int64_t(args[0], &a0)))
+    return let_go(&held);
+  result = predictors_mixture_points_of(a0);
+  let_go(&held);
+  return PyLong_FromLongLong(result);
+}
 static PyObject *py_predictors_mixture_reach(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.predictors.mixture:reach";
   Held held;
@@ -12267,6 +12282,7 @@ static PyMethodDef methods[] = {
   {"pointpred.predictors.mixture:outlines", (PyCFunction)(void (*)(void))py_predictors_mixture_outlines, METH_FASTCALL, NULL},
   {"pointpred.predictors.mixture:part_density", (PyCFunction)(void (*)(void))py_predictors_mixture_part_density, METH_FASTCALL, NULL},
   {"pointpred.predictors.mixture:partner", (PyCFunction)(void (*)(void))py_predictors_mixture_partner, METH_FASTCALL, NULL},
+  {"pointpred.predictors.mixture:points_of", (PyCFunction)(void (*)(void))py_predictors_mixture_points_of, METH_FASTCALL, NULL},
   {"pointpred.predictors.mixture:reach", (PyCFunction)(void (*)(void))py_predictors_mixture_reach, METH_FASTCALL, NULL},
   {"pointpred.predictors.mixture:share_above", (PyCFunction)(void (*)(void))py_predictors_mixture_share_above, METH_FASTCALL, NULL},
   {"pointpred.predictors.mixture:squared_radius", (PyCFunction)(void (*)(void))py_predictors_mixture_squared_radius, METH_FASTCALL, NULL},

@@ -20,7 +20,12 @@ static const int64_t predictors_mixture_CLOSER = 3;
 static const double predictors_mixture_DENSITY_LEAST = 1e-280;
 static const int64_t predictors_mixture_HALVINGS = 60;
 static const int64_t predictors_mixture_LINES = 24;
+static const int64_t predictors_mixture_LINES_LEAST = 3;
+static const int64_t predictors_mixture_LINES_OF = 120;
 static const double predictors_mixture_OUTSIDE = 1.0001;
+static const int64_t predictors_mixture_POINTS = 2000;
+static const int64_t predictors_mixture_POINTS_LEAST = 30;
+static const int64_t predictors_mixture_POINTS_OF = 10000;
 static const double predictors_mixture_TURN_COS = -0.7373688780783197;
 static const double predictors_mixture_TURN_SIN = 0.6754902942615238;
 static const int64_t predictors_movement_NUMBERS = 7;
@@ -791,10 +796,11 @@ double predictors_mixture_reach(predictors_mixture_PartRow * part, int64_t count
 
 /* Lay out the lines of the grid in one direction, ascending; returns how many. ``across``: 0 x, 1 y. */
 int64_t predictors_mixture_lines_of(Table parts, int64_t count, double threshold, int64_t across, Vector out) {
-  int64_t total, place;
+  int64_t total, lines, place;
   predictors_mixture_PartRow * part;
   double centre, scale, far, at, value;
   total = 0;
+  lines = max_whole(min_whole(predictors_mixture_LINES, floor_divided_whole(predictors_mixture_LINES_OF, count)), predictors_mixture_LINES_LEAST);
   for (int64_t k = 0; k < count; k++) {
     part = (predictors_mixture_PartRow *)((Vector){parts.p + k * parts.m, parts.m}.p);
     centre = part->x;
@@ -804,9 +810,9 @@ int64_t predictors_mixture_lines_of(Table parts, int64_t count, double threshold
       scale = part->syy;
     }
     far = predictors_mixture_reach(part, count, threshold);
-    for (int64_t i = 0; i < predictors_mixture_LINES; i++) {
+    for (int64_t i = 0; i < lines; i++) {
       if (far > 0.0) {
-        at = 2.0 * i / (predictors_mixture_LINES - 1.0) - 1.0;
+        at = 2.0 * i / (lines - 1.0) - 1.0;
         at *= predictors_mixture_AT_CENTRE + (1.0 - predictors_mixture_AT_CENTRE) * at * at;
         value = centre + predictors_mixture_OUTSIDE * at * sqrt(far * scale);
         place = total;
@@ -976,6 +982,11 @@ int64_t predictors_mixture_outlines(Table parts, int64_t count, double threshold
     }
   }
   return polygons;
+}
+
+/* How many points of each of so many parts are enough. */
+int64_t predictors_mixture_points_of(int64_t count) {
+  return max_whole(min_whole(predictors_mixture_POINTS, floor_divided_whole(predictors_mixture_POINTS_OF, count)), predictors_mixture_POINTS_LEAST);
 }
 
 /* One sample of one axis (figure 2.4); returns the endpoint in px from the movement's start. */

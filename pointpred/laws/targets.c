@@ -10,6 +10,7 @@ static const double predictors_adaptation_region_widening_MOVEMENTS_MOST = 10000
 static const double predictors_adaptation_time_left_LONGEST = 4.0;
 static const double targets_aim_JUDGED_LEAST = 0.02;
 static const int64_t targets_aim_JUDGED_POINTS = 128;
+static const double targets_aim_LIKELY = 0.01;
 static const int64_t targets_aim_POINTS_LEAST = 8;
 static const double targets_aim_SIZE_PX = 20.0;
 static const double targets_arrival_DIFFICULTY_OF = 4.0;
@@ -977,7 +978,7 @@ Tq2d targets_aim_lay_parts(targets_heading_Memory * memory, T_Table__Vector__Tab
   }
   law_of = (Vector){movement->elsewhere_law, 6};
   predicted = (targets_posterior_Law){law_of.p[0], law_of.p[1], law_of.p[2], law_of.p[3], law_of.p[4], law_of.p[5]};
-  count = targets_endpoint_mixture(targets.f0, targets.f3, predicted, targets_endpoint_NEGLIGIBLE, out);
+  count = targets_endpoint_mixture(targets.f0, targets.f3, predicted, targets_aim_LIKELY, out);
   person = &memory->person;
   share = targets_aim_share_passed(s->t - s->t0, movement->remaining_s, targets_arrival_mean(&person->durations));
   mixed = &person->regions.mixed;

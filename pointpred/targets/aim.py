@@ -51,6 +51,8 @@ from pointpred.targets.rectangles import (
     table,
 )
 
+LIKELY = 0.01
+"""A target that is less likely is no part of the mixture that is asked for: level sets of many take long."""
 JUDGED_LEAST = 0.02
 """A target that is less likely counts as elsewhere when it is judged whether the end lay in a region."""
 JUDGED_POINTS, POINTS_LEAST = 128, 8
@@ -228,7 +230,7 @@ def lay_parts(memory: Memory, targets: Targets, out: FloatTable) -> tuple[int, f
         return 0, 0.0, 0.0
     law_of = movement.elsewhere_law
     predicted = posterior.Law(law_of[0], law_of[1], law_of[2], law_of[3], law_of[4], law_of[5])
-    count = endpoint.mixture(targets[0], targets[3], predicted, endpoint.NEGLIGIBLE, out)
+    count = endpoint.mixture(targets[0], targets[3], predicted, LIKELY, out)
     person = memory.person
     share = share_passed(s.t - s.t0, movement.remaining_s, arrival.mean(person.durations))
     mixed = person.regions.mixed

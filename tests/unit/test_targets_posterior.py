@@ -179,7 +179,7 @@ def test_other_targets_keep_a_proposal_that_is_still_there() -> None:
 
 def test_a_target_that_is_gone_is_retracted_at_the_next_event_at_the_latest() -> None:
     pipeline, chooser = proposing(A, B)
-    pipeline.aim.register([B])
+    pipeline.aim.register([])
     pipeline.take(LAW, PointerEvent(0.45, 300.0, -120.0))
     assert [(one.id, one.action) for one in chooser.update()] == [("a", "retract")]
 

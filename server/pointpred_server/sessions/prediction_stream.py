@@ -81,6 +81,7 @@ class PredictionStream:
         self.events = 0
         """Events taken in."""
         self._outbox = outbox
+        self._aimed = False
         self._window: Enter | None = None
         self._last_t = EARLIEST_T
         self._trial = TrialBuffer()
@@ -162,7 +163,7 @@ class PredictionStream:
         """The events as assistance moved the cursor, their predictions, what the targets make of each."""
         assistance, pipeline, tracker = self.assistance, self.pipeline, self.tracker
         if tracker is None and self.hello.places and self.place_tracker is None:
-            self.place_tracker = PlaceTracker(self._outbox, pipeline, self.precision)
+            self.place_tracker, self._aimed = PlaceTracker(self._outbox, pipeline, self.precision), True
         events, predictions, aims = table.copy(), np.empty((len(table), 10)), []
         before = (copy(pipeline), assistance.remembered()) if assistance else None
         try:
@@ -209,7 +210,7 @@ class PredictionStream:
             pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, person_of(self.pipeline.predictor))
-            if self.tracker or self.place_tracker:
+            if self._aimed:
                 pipeline.aim = self.pipeline.aim
             self._go_on_with(pipeline)
         if message.assist is not None and self.assistance is not None:
@@ -236,7 +237,7 @@ class PredictionStream:
         """Replace the set of targets; raises ProtocolError, nothing changed."""
         tracker = self.tracker or TargetTracker(self._outbox, self.pipeline, self.precision)
         tracker.replace(targets)
-        self.tracker = tracker if targets else None
+        self.tracker, self._aimed = tracker if targets else None, True
         if self.place_tracker:
             self.place_tracker.reset()
         self.targets = len(targets)

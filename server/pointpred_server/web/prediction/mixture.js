@@ -1,6 +1,6 @@
 // The law of the endpoint as a mixture: targets and places where the movement may end, and elsewhere; as `pointpred/predictors/mixture.py`.
 
-import { corrected_probability as corrected, HEAVINESS_LEAST, outlines, POINTS, POLYGONS, threshold_of as thresholdOf } from "../laws/predictors/mixture.js";
+import { corrected_probability as corrected, HEAVINESS_LEAST, outlines, points_of as pointsOf, POLYGONS, threshold_of as thresholdOf } from "../laws/predictors/mixture.js";
 
 /** Numbers of a part: its share, centre px, scale matrix px^2, tail; 0: a normal law. */
 export const PART = 7;
@@ -49,10 +49,10 @@ export class Mixture {
    * The outlines of the smallest region that holds the endpoint with this probability: closed polygons of points [x, y] px; a hole
    * turns the other way round.
    * @param {number} level in (0, 1); a RangeError otherwise
-   * @param {number} [points] of each part by which the probability is counted: off by less than 0.002 with as many as in Python
+   * @param {number} [points] of each part by which the probability is counted: as many as in Python unless given
    * @returns {[number, number][][]}
    */
-  outlines(level, points = POINTS) {
+  outlines(level, points = pointsOf(this.#rows.length)) {
     if (!(level > 0 && level < 1)) throw new RangeError(`level must be a probability in (0, 1), received ${level}`);
     const rows = this.#rows, content = corrected(level, rows[0][TAIL] || 2 / HEAVINESS_LEAST, ...this.#offsets);
     room.vertices ??= Array.from({ length: VERTICES }, () => new Float64Array(2));

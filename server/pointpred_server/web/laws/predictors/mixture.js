@@ -9,10 +9,14 @@ export const HEAVINESS_LEAST = 1e-06;
 export const HEAVINESS_MOST = 40;
 export const PROBABILITY_MOST = 0.999999999;
 export const LINES = 24;
+export const LINES_OF = 120;
+export const LINES_LEAST = 3;
 export const AT_CENTRE = 0.4;
 export const CLOSER = 3;
 export const OUTSIDE = 1.0001;
 export const POINTS = 2000;
+export const POINTS_OF = 10000;
+export const POINTS_LEAST = 30;
 export const POLYGONS = 256;
 export function squared_radius(share, tail) {
   const normal = -2 * Math.log1p(-share);
@@ -138,6 +142,7 @@ export function reach(part, count, threshold, part_at = 0) {
 }
 export function lines_of(parts, count, threshold, across, out) {
   let total = 0;
+  const lines = larger(smaller(LINES, Math.floor(LINES_OF / count)), LINES_LEAST);
   for (let k = 0; k < count; k++) {
     const part_at = 0;
     let centre = parts[k][part_at + 1];
@@ -147,9 +152,9 @@ export function lines_of(parts, count, threshold, across, out) {
       scale = parts[k][part_at + 5];
     }
     const far = reach(parts[k], count, threshold, part_at);
-    for (let i = 0; i < LINES; i++) {
+    for (let i = 0; i < lines; i++) {
       if (far > 0) {
-        let at = 2 * i / (LINES - 1) - 1;
+        let at = 2 * i / (lines - 1) - 1;
         at *= AT_CENTRE + (1 - AT_CENTRE) * at * at;
         const value = centre + OUTSIDE * at * Math.sqrt(far * scale);
         let place = total;
@@ -290,4 +295,7 @@ export function outlines(parts, count, threshold, points, ends) {
     }
   }
   return polygons;
+}
+export function points_of(count) {
+  return larger(smaller(POINTS, Math.floor(POINTS_OF / count)), POINTS_LEAST);
 }

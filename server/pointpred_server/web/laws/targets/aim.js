@@ -13,6 +13,7 @@ import * as $targets_endpoint from "./endpoint.js";
 import * as $heading from "./heading.js";
 import * as $posterior from "./posterior.js";
 import * as $rectangles from "./rectangles.js";
+export const LIKELY = 0.01;
 export const JUDGED_LEAST = 0.02;
 export const JUDGED_POINTS = 128;
 export const POINTS_LEAST = 8;
@@ -168,7 +169,7 @@ export function lay_parts(memory, targets, out, memory_at = 0) {
   }
   const law_of = movement_at + 5;
   const predicted = [memory[law_of + 0], memory[law_of + 1], memory[law_of + 2], memory[law_of + 3], memory[law_of + 4], memory[law_of + 5]];
-  const count = $targets_endpoint.mixture(targets[0], targets[3], predicted, $targets_endpoint.NEGLIGIBLE, out);
+  const count = $targets_endpoint.mixture(targets[0], targets[3], predicted, LIKELY, out);
   const person_at = memory_at + 2;
   const share = share_passed(memory[s_at + 1] - memory[s_at + 5], memory[movement_at + 3], $arrival.mean(memory, person_at + 157));
   const mixed_at = person_at + 147;
