@@ -86,7 +86,7 @@ def test_choices_of_targets_fit(command: Any, tmp_path: Path) -> None:
     assert left.code == 0
     lines = lines_of(left.out)
     assert sum(line.startswith("nearest to the cursor ") for line in lines) == 2 * sum(
-        line.startswith("some: 13 movements, ") for line in lines
+        line.startswith("some: ") and " movement" in line for line in lines
     )
     assert any(line.startswith("hold + targets ") for line in lines)
 

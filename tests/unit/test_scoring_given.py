@@ -120,7 +120,7 @@ def test_trials_without_targets_are_scored_without_and_counted() -> None:
     assert by_name[NAME][12:].tolist() == by_name[NAME + WITH_TARGETS][12:].tolist()
     assert by_name[NAME][:12].tolist() != by_name[NAME + WITH_TARGETS][:12].tolist()
     assert scored.candidates == {"scattered targets": 12}
-    assert "scattered targets (12 trials); 12 trials have none." in about_targets(summarise(scored))
+    assert "scattered targets (12 of 24 trials), none (12 of 24 trials)." in about_targets(summarise(scored))
 
 
 def test_where_no_trial_has_targets_that_is_said_and_nothing_is_shown_twice() -> None:
@@ -168,9 +168,9 @@ def test_the_command_shows_both_and_says_what_the_candidates_are(
     assert told.code == 0
     rows = [line.split("  ")[0] for line in told.out.splitlines()]
     assert rows.index(NAME + WITH_TARGETS) == rows.index(NAME) + 1
-    words = "all targets of a trial's block are candidates: scattered targets (48 trials)."
+    words = "all targets of a trial's block are candidates: scattered targets (48 of 48 trials)."
     assert words in told.out
-    assert "scattered targets (48 trials)" in report.read_text(encoding="utf-8")
+    assert "scattered targets (48 of 48 trials)" in report.read_text(encoding="utf-8")
     document = json.loads(target.read_text(encoding="utf-8"))
     assert document["version"] == 1
     (one,), (choices,) = document["sets"], document["targets"]

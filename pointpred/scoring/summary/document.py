@@ -244,10 +244,11 @@ def about_targets(summary: SetSummary) -> str:
         return ""
     if not summary.candidates:
         return "With targets: nothing, since no trial has targets that are known beside its own."
-    kinds = ", ".join(f"{kind} ({trials} trials)" for kind, trials in summary.candidates.items())
-    words = f"With targets: all targets of a trial's block are candidates: {kinds}"
-    without = summary.trials - sum(summary.candidates.values())
-    return words + (f"; {without} trials have none." if without else ".")
+    kinds = dict(summary.candidates)
+    if without := summary.trials - sum(kinds.values()):
+        kinds["none"] = without
+    listed = ", ".join(f"{kind} ({trials} of {summary.trials} trials)" for kind, trials in kinds.items())
+    return f"With targets: all targets of a trial's block are candidates: {listed}."
 
 
 def rows(summary: SetSummary) -> list[tuple[str, ...]]:
