@@ -19,4 +19,4 @@ FOLDERS = {
 if __name__ == "__main__":
     for package, folder in FOLDERS.items():
         c_files.write(package, folder)
-    modules.write(ROOT / "server" / "pointpred_server" / "web" / "laws")
+    modules.write(ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws")

@@ -10,8 +10,8 @@ from pathlib import Path
 from translation.source import Name
 
 WEB = Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web"
-LAWS = "laws/"
-OTHERS = ("laws/", "vendor/")
+LAWS = "lib/laws/"
+OTHERS = ("lib/laws/", "page/vendor/")
 """Folders of modules that are not the page's own."""
 HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
 """Files beside the translator that go into the folder of laws as they are."""

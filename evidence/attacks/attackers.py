@@ -32,7 +32,7 @@ MANY = 1200
 TOKEN = "known-to-attackers"
 PREDICTOR = "kinematic-adaptive"
 UPGRADE = upgrade(0, f"/v1/stream?token={TOKEN}")
-LARGEST = "/web/vendor/uPlot.esm.js"
+LARGEST = "/web/page/vendor/uPlot.esm.js"
 
 
 class Here:

@@ -25,7 +25,7 @@ from evidence.machine import machine
 from pointpred.live.devtools import Page, open_page
 from tests.server import browser
 
-WEB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web"
+LIB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib"
 SIZE = 1250, 700
 COUNT, PREDICTORS = 1000, ("minimum-jerk", "kinematic-adaptive")
 SECONDS, ROUNDS, RATE_HZ = 5.0, 5, 1000.0
@@ -131,7 +131,7 @@ def costs(in_view: int) -> dict[str, Costs]:
         .replace("COLUMNS", str(SIZE[0] // step))
         .replace("STEP", str(step))
     )
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(WEB)))
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(LIB)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with (
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,

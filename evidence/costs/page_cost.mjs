@@ -1,8 +1,8 @@
 // The cost of a pipeline in V8, one event at a time: `node evidence/costs/page_cost.mjs`. The last column has 100 targets.
 
-import { build } from "../../server/pointpred_server/web/prediction/build.js";
-import { Chooser } from "../../server/pointpred_server/web/prediction/chooser.js";
-import { PREDICTORS } from "../../server/pointpred_server/web/laws/registry.js";
+import { build } from "../../server/pointpred_server/web/lib/prediction/build.js";
+import { Chooser } from "../../server/pointpred_server/web/lib/prediction/chooser.js";
+import { PREDICTORS } from "../../server/pointpred_server/web/lib/laws/registry.js";
 
 const RATE_HZ = 1000, REPEATS = 7, EVENTS = 5000;
 

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from pointpred.registry import RECOMMENDED
 
-WEB = Path(__file__).resolve().parents[2] / "server" / "pointpred_server" / "web"
+LIB = Path(__file__).resolve().parents[2] / "server" / "pointpred_server" / "web" / "lib"
 STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
@@ -34,7 +34,7 @@ ESBUILD = "esbuild@0.25.12"
 def reached(entry: str, predictor: str) -> list[Path]:
     """Every module that an entry needs with a predictor, its coefficients included."""
     chosen = set(_modules_of(predictor))
-    waiting, found = [WEB / entry], set()
+    waiting, found = [LIB / entry], set()
     while waiting:
         path = waiting.pop().resolve()
         if path in found:
@@ -55,7 +55,7 @@ def _imports(path: Path) -> Iterator[Path]:
 
 def _counts(path: Path, reader: Path, chosen: set[Path], kinematic: bool) -> bool:
     """Whether a module that another one imports is loaded; the registry names those of every predictor."""
-    name = path.relative_to(WEB).as_posix()
+    name = path.relative_to(LIB).as_posix()
     if reader.name == "places.js" and name in ("prediction/build.js", "prediction/chooser.js"):
         return False  # for proposals of places
     if reader.name == "source.js" and path.name == "build.js" and not kinematic:
@@ -65,7 +65,7 @@ def _counts(path: Path, reader: Path, chosen: set[Path], kinematic: bool) -> boo
 
 def _modules_of(predictor: str) -> Iterator[Path]:
     """The modules that the registry loads for a predictor."""
-    laws = WEB / "laws"
+    laws = LIB / "laws"
     for line in (laws / "registry.js").read_text(encoding="utf-8").splitlines():
         named = re.match(r'  "([^"]+)": \{.*import\("(\.[^"]+)"\)', line)
         first = "minimum-jerk" if predictor == RECOMMENDED else predictor  # predicts until that is loaded
@@ -80,7 +80,7 @@ def compressed(files: list[Path]) -> int:
 
 def coefficients(predictor: str) -> list[Path]:
     """The file of numbers that a predictor needs."""
-    return [WEB / "laws" / "kinematic.f32"] if predictor.startswith("kinematic") else []
+    return [LIB / "laws" / "kinematic.f32"] if predictor.startswith("kinematic") else []
 
 
 def bundled(entry: str, files: list[Path], folder: Path) -> int | None:
@@ -93,7 +93,7 @@ def bundled(entry: str, files: list[Path], folder: Path) -> int | None:
         if subprocess.run(command, capture_output=True).returncode:
             return None
     script = Path(__file__).with_name("page_bundle.mjs")
-    command = ["node", str(script), str(module), str(WEB / entry), *map(str, files)]
+    command = ["node", str(script), str(module), str(LIB / entry), *map(str, files)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise RuntimeError(f"esbuild cannot bundle {entry}: {done.stderr[-500:]}")

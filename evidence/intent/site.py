@@ -21,7 +21,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from translation.modules import planes
 
 PACKAGE = "js.foresight@4.2.1"
-WEB, HERE = ROOT / "server" / "pointpred_server" / "web", Path(__file__).parent
+LIB, HERE = ROOT / "server" / "pointpred_server" / "web" / "lib", Path(__file__).parent
 HTML = """<!doctype html><title>side by side</title>
 <style>body { margin: 0; overflow: hidden } .target { position: absolute; background: #ddd }
 .overlapping .target { pointer-events: none }</style>
@@ -51,7 +51,7 @@ class Site(ThreadingHTTPServer):
     """Serves modules as they are, but for what was fitted to the people who are to come."""
 
     def __init__(self, modules: Path) -> None:
-        super().__init__(("127.0.0.1", 0), partial(_Files, folders={"/npm/": modules, "/pointpred/": WEB}))
+        super().__init__(("127.0.0.1", 0), partial(_Files, folders={"/npm/": modules, "/pointpred/": LIB}))
         self.changed: dict[str, bytes] = {}
 
     @property
@@ -72,7 +72,7 @@ class Site(ThreadingHTTPServer):
 
 def _with(law: str, name: str, values: Sequence[float]) -> bytes:
     """A module of the laws with other numbers in a constant; raises ValueError where it has none."""
-    text = (WEB / "laws" / "targets" / f"{law}.js").read_text(encoding="utf-8")
+    text = (LIB / "laws" / "targets" / f"{law}.js").read_text(encoding="utf-8")
     numbers = ", ".join(f"{value:g}" if value else "0" for value in values)
     text, count = re.subn(rf"(export const {name} = [^\[]*\[)[^\]]*", rf"\g<1>{numbers}", text)
     if count != 1:

@@ -39,7 +39,7 @@ from pointpred_server.websocket_protocol import NO_DEVICE
 
 SCRIPT = "text/javascript"
 UPGRADE = "This path speaks WebSocket, subprotocol pointpred.v1.\n"
-CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
+CLIENT_MODULE = 'export * from "./web/lib/pointpred.js";\n'
 """The short address of the client; its parts lie beside the module itself, wherever that is served from."""
 OPEN, GUARDED = error_responses(403), error_responses(401, 403)
 

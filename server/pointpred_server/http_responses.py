@@ -26,10 +26,7 @@ isolated, which lets the browser stamp events to 5 us instead of 100."""
 
 SHARED_HEADERS = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
 """Any page may load the client and its parts, and ask whether its origin may connect."""
-CLIENT = (
-    *("/pointpred.js", "/web/pointpred.js", "/web/client/", "/web/intent/", "/web/laws/", "/web/prediction/"),
-    "/v1/origin",
-)
+CLIENT = ("/pointpred.js", "/web/lib/", "/v1/origin")
 READ = ["GET", "HEAD"]
 OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js", "/v1/origin")
 """Paths that need no token: they hold nothing of anybody."""

@@ -11,11 +11,11 @@ from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred_server.http_responses import SECURITY_HEADERS
 
 WEB = Path(__file__).with_name("web")
-FIRST = ("live/start.js", "prediction/session.js")
+FIRST = ("page/live/start.js", "lib/prediction/session.js")
 """The live view and what it predicts with; what they import follows."""
-REST = "page.js"
+REST = "page/page.js"
 """Every view."""
-REGISTRY_MODULE = "laws/registry.js"
+REGISTRY_MODULE = "lib/laws/registry.js"
 IMPORT = re.compile(r'^(?:import|export) [^;"]*?"(\.[^"]+)"', re.MULTILINE)
 LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
 CHARSET = '<meta charset="utf-8">'
@@ -32,7 +32,7 @@ FILES = (
 
 def page(service: bool = True) -> str:
     """The page; without a service it neither asks one nor offers what needs one."""
-    text = (WEB / "index.html").read_text(encoding="utf-8")
+    text = (WEB / "page" / "index.html").read_text(encoding="utf-8")
     if not service:
         text = text.replace('data-service="same"', 'data-service="none"')
         text = text.replace(

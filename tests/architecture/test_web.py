@@ -8,11 +8,12 @@ import re
 from tests.architecture.tree import ROOT
 
 WEB = ROOT / "server" / "pointpred_server" / "web"
-ORDER = (
-    *("vendor", "laws", "prediction", "client", "pointpred.js", "intent", "index.js", "page", "drawing"),
-    "service",
-    *("live", "circle", "replay", "assist", "device", "page.js", "example.js"),
+PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "index.js")
+PAGE = (
+    *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
+    "example.js",
 )
+ORDER = (*(f"lib/{room}" for room in PACKAGE), *(f"page/{room}" for room in PAGE))
 """The folders, and the modules beside them, from the bottom up."""
 IMPORT = re.compile(r'^(?:import|export) ([^;"]*?) from "([^"]+)"', re.MULTILINE)
 LATER = re.compile(r'\{ ([^}]+) \} = await import\("[^"]+"\)|await import\("[^"]+"\)\)\.(\w+)')
@@ -56,14 +57,14 @@ def test_imports_name_what_exists() -> None:
     texts = modules()
     for path, target, names in imports():
         assert (WEB / target).is_file(), f"{path} imports {target}"
-        assert not target.startswith("vendor/") or not names
+        assert not target.startswith("page/vendor/") or not names
         if target in texts:
             assert names <= exports(texts[target]), f"{path} imports {names} from {target}"
 
 
 def test_imports_go_one_way() -> None:
     for path, target, _ in imports():
-        room, below = (ORDER.index(one.partition("/")[0]) for one in (path, target))
+        room, below = (ORDER.index("/".join(one.split("/")[:2])) for one in (path, target))
         assert below <= room, f"{path} imports {target}"
 
 
@@ -81,6 +82,6 @@ def test_every_export_is_used() -> None:
         f"{path}: {name}"
         for path, text in modules().items()
         for name in exports(text) - used
-        if not path.startswith("laws/") and path not in whole and not re.search(rf"\b{name}\b", tests)
+        if not path.startswith("lib/laws/") and path not in whole and not re.search(rf"\b{name}\b", tests)
     }
     assert not dead

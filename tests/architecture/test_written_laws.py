@@ -15,7 +15,7 @@ from pointpred.compiled import COMPILED
 from translation.modules import texts, write
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "server" / "pointpred_server" / "web" / "laws"
+PAGE = ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws"
 C = {"pointpred": ROOT / "pointpred/laws", "pointpred_observers": ROOT / "observers/pointpred_observers/laws"}
 TRANSLATE = """
 import json, sys

@@ -70,8 +70,8 @@ def test_it_is_a_name_of_the_registry() -> None:
 @pytest.mark.parametrize(
     ("script", "default"),
     [
-        ("laws/registry.js", r'^export const RECOMMENDED = "([^"]*)";'),
-        ("pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" by default$'),
+        ("lib/laws/registry.js", r'^export const RECOMMENDED = "([^"]*)";'),
+        ("lib/pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" by default$'),
     ],
 )
 def test_the_scripts_say_it(script: str, default: str) -> None:
@@ -79,10 +79,10 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
     assert re.findall(default, text, re.MULTILINE) == [RECOMMENDED]
 
 
-@pytest.mark.parametrize("script", ["pointpred.js", "intent/register.js", "service/listing.js"])
+@pytest.mark.parametrize("script", ["lib/pointpred.js", "lib/intent/register.js", "page/service/listing.js"])
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
     text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
-    assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "\.{1,2}/laws/registry\.js"', text)
+    assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "(?:\.{1,2}/)+(?:lib/)?laws/registry\.js"', text)
     assert f'predictor: "{RECOMMENDED}"' not in text
 
 

@@ -12,7 +12,7 @@ from tests.hosts import Silent, file_host
 from tests.intent.page import IntentPage
 from tests.server import page_browser
 
-WEB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web"
+LIB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib"
 EMPTY = b'<!doctype html><title>a page</title><body style="margin:0">'
 
 
@@ -34,7 +34,7 @@ class StaticHost(Silent, SimpleHTTPRequestHandler):
 @pytest.fixture(scope="session")
 def host() -> Iterator[str]:
     """The address of a static host."""
-    with file_host(WEB, StaticHost) as origin:
+    with file_host(LIB, StaticHost) as origin:
         yield origin
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.hosts import file_host
-from tests.intent.conftest import WEB, StaticHost
+from tests.intent.conftest import LIB, StaticHost
 from tests.intent.page import IntentPage
 from tests.server import browser
 from tests.server.page_browser import Visitor
@@ -44,7 +44,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if fetched.returncode:
         pytest.skip(f"npm cannot fetch the frameworks: {fetched.stderr.strip()[-200:]}")
     packed = subprocess.run(
-        ["npm", "pack", "--silent", str(WEB)], cwd=folder, capture_output=True, text=True, check=True
+        ["npm", "pack", "--silent", str(LIB)], cwd=folder, capture_output=True, text=True, check=True
     )
     install = ["npm", "install", "--silent", "--no-audit", "--no-fund", f"./{packed.stdout.split()[-1]}"]
     subprocess.run(install, cwd=folder, capture_output=True, check=True, timeout=300)
@@ -56,7 +56,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     for room in ("client", "intent", "laws", "prediction"):  # for what the tests themselves load
-        (folder / "out" / room).symlink_to(WEB / room)
+        (folder / "out" / room).symlink_to(LIB / room)
     return folder / "out"
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from tests.architecture.test_web import exports
 from tests.hosts import file_host
-from tests.intent.conftest import WEB
+from tests.intent.conftest import LIB
 from tests.server import browser
 from tests.server.page_browser import Visitor
 
@@ -29,7 +29,7 @@ def blocks(language: str, text: str = GUIDE) -> list[str]:
 @pytest.fixture
 def address(tmp_path: Path) -> Iterator[str]:
     """The folder that the first steps of the guide make, on a static host."""
-    (tmp_path / "pointpred").symlink_to(WEB)
+    (tmp_path / "pointpred").symlink_to(LIB)
     (tmp_path / "cards.html").write_text(blocks("html")[0], "utf-8")
     with file_host(tmp_path) as origin:
         yield f"{origin}/cards.html"
@@ -60,7 +60,7 @@ def test_what_the_examples_import_exists() -> None:
         for names, address in re.findall(r'import \{([^}]*)\} from "([^"]+)"', text):
             path = address.replace("./pointpred/", "").replace("pointpred/", "intent/")
             path = path if path.endswith(".js") else f"{path}.js"
-            module = (WEB / path).read_text("utf-8")
+            module = (LIB / path).read_text("utf-8")
             for name in (one.strip() for one in names.split(",")):
                 assert name in exports(module), f"{address} has no {name}"
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-WEB = ROOT / "server" / "pointpred_server" / "web"
-PACKAGE = json.loads((WEB / "package.json").read_text())
+LIB = ROOT / "server" / "pointpred_server" / "web" / "lib"
+PACKAGE = json.loads((LIB / "package.json").read_text())
 NPM = shutil.which("npm")
 NODE = shutil.which("node")
 
@@ -27,13 +27,13 @@ def test_the_version_and_the_licence_are_those_of_the_project() -> None:
 def test_what_is_exported_is_there() -> None:
     for entry in PACKAGE["exports"].values():
         for path in entry.values():
-            assert (WEB / path).is_file(), path
+            assert (LIB / path).is_file(), path
 
 
 @pytest.mark.skipif(NPM is None, reason="no npm on this machine")
 def test_what_belongs_goes_with_it() -> None:
     told = subprocess.run(
-        ["npm", "pack", "--dry-run", "--json"], cwd=WEB, capture_output=True, text=True, check=True
+        ["npm", "pack", "--dry-run", "--json"], cwd=LIB, capture_output=True, text=True, check=True
     )
     files = {one["path"] for one in json.loads(told.stdout)[0]["files"]}
     assert {"index.js", "index.d.ts", "intent/index.js", "laws/kinematic.f32", "prediction/build.js"} <= files
@@ -45,7 +45,7 @@ def test_what_belongs_goes_with_it() -> None:
 def test_it_is_imported_by_its_names_without_a_page(tmp_path: Path) -> None:
     """A server that renders pages imports the same modules."""
     (tmp_path / "node_modules").mkdir()
-    (tmp_path / "node_modules" / "pointpred").symlink_to(WEB)
+    (tmp_path / "node_modules" / "pointpred").symlink_to(LIB)
     script = tmp_path / "use.mjs"
     script.write_text(
         'import { build, connect, onIntent, prefetchLink, regionOf } from "pointpred";\n'
@@ -62,4 +62,4 @@ def test_it_is_imported_by_its_names_without_a_page(tmp_path: Path) -> None:
 
 def test_the_licence_goes_with_it() -> None:
     for name in ("LICENSE", "NOTICE"):
-        assert (WEB / name).read_text() == (ROOT / name).read_text()
+        assert (LIB / name).read_text() == (ROOT / name).read_text()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from evidence.costs.page_size import WEB, reached, sizes
+from evidence.costs.page_size import LIB, reached, sizes
 
 SMALL, LEARNED = 15_000, 90_000
 """Bytes that `onIntent` may take with a small predictor, and with the learned one and its coefficients."""
@@ -16,7 +16,7 @@ SHARED = {"prediction/row.js", "prediction/leads.js"}
 
 
 def test_nothing_is_loaded_that_the_predictor_does_not_need() -> None:
-    names = {path.relative_to(WEB).as_posix() for path in reached("intent/index.js", "minimum-jerk")}
+    names = {path.relative_to(LIB).as_posix() for path in reached("intent/index.js", "minimum-jerk")}
     assert "laws/predictors/minimum_jerk.js" in names
     assert not any("kinematic" in name for name in names)
     assert {name for name in names if name.startswith("prediction/")} <= SHARED

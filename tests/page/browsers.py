@@ -17,7 +17,7 @@ from tests.server.browser import BROWSER, QUIET
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 PATIENCE_S = 300.0
 ROOT = Path(__file__).parents[2]
-FOLDERS = {"laws": ROOT / "server" / "pointpred_server" / "web" / "laws"}
+FOLDERS = {"laws": ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws"}
 """Addresses that begin with such a word lead to this folder, all others to that of the tests."""
 
 COMMANDS = {

@@ -1,7 +1,7 @@
 // A pipeline and its chooser, of places or of targets: steps are calls by name, with what they take.
 
-import { build } from "../../server/pointpred_server/web/prediction/build.js";
-import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/prediction/chooser.js";
+import { build } from "../../server/pointpred_server/web/lib/prediction/build.js";
+import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/lib/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 const { name, targets, settings, steps } = await given();

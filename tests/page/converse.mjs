@@ -1,6 +1,6 @@
 // A session in the page: each frame is a message, or rows of events; answers by frame.
 
-import { PageSession } from "../../server/pointpred_server/web/prediction/session.js";
+import { PageSession } from "../../server/pointpred_server/web/lib/prediction/session.js";
 import { answer, given } from "./given.mjs";
 
 let heard = [];

@@ -1,6 +1,6 @@
 // A pipeline by its name: steps are rows of events, "reset", "fresh", "forget", "person", "places" and {enter: [key, x, y]}.
 
-import { build } from "../../server/pointpred_server/web/prediction/build.js";
+import { build } from "../../server/pointpred_server/web/lib/prediction/build.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 const { name, options, steps } = await given();

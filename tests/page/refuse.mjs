@@ -1,10 +1,10 @@
 // A pipeline of stages that count their rows, and refuse what a test says: each step is a row, or a list of rows.
 
-import { Pipeline } from "../../server/pointpred_server/web/prediction/pipeline.js";
-import { Stage } from "../../server/pointpred_server/web/prediction/stage.js";
+import { Pipeline } from "../../server/pointpred_server/web/lib/prediction/pipeline.js";
+import { Stage } from "../../server/pointpred_server/web/lib/prediction/stage.js";
 import { answer, given } from "./given.mjs";
 
-/** Counts rows; refuses those whose second number is `wrong`, or fails there. @returns {import("../../server/pointpred_server/web/prediction/stage.js").Kind} */
+/** Counts rows; refuses those whose second number is `wrong`, or fails there. @returns {import("../../server/pointpred_server/web/lib/prediction/stage.js").Kind} */
 const counting = (wrong) => ({
   parameters: [], settings: 0, learned: 0, states: 20, fill() {},
   step(memory, row) {

@@ -1,8 +1,8 @@
 // The small source with stages that count their rows: the predictor refuses rows whose second number is 1, the differentiator 2.
 // Gives for each row what both have counted, null where it is refused.
 
-import { open } from "../../server/pointpred_server/web/intent/small-source.js";
-import { DIFFERENTIATORS, PREDICTORS } from "../../server/pointpred_server/web/laws/registry.js";
+import { open } from "../../server/pointpred_server/web/lib/intent/small-source.js";
+import { DIFFERENTIATORS, PREDICTORS } from "../../server/pointpred_server/web/lib/laws/registry.js";
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({

@@ -9,7 +9,7 @@ import pytest
 from tests.page import node
 
 pytestmark = node.needed
-FILE = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "laws" / "kinematic.f32"
+FILE = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib" / "laws" / "kinematic.f32"
 
 
 def test_the_file_of_the_package_is_taken() -> None:

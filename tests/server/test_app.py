@@ -51,7 +51,7 @@ def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
     for reference in references.found:
         assert client.get(reference).status_code == 200, reference
         assert "//" not in reference, "relative to the page, wherever that is"
-    shown = (path for path in WEB.iterdir() if path.suffix in (".html", ".js", ".css", ".svg"))
+    shown = (path for path in (WEB / "page").iterdir() if path.suffix in (".html", ".js", ".css", ".svg"))
     for path in shown:  # what lies in vendor/ names its authors' pages
         text = path.read_text(encoding="utf-8").replace(SVG, "")
         assert "//" not in text.replace("// ", ""), f"{path.name} names another host"
@@ -104,7 +104,7 @@ def test_foreign_hosts_are_refused(bound: str, header: str, admitted: bool) -> N
     service = Service(Settings(host=bound, allow_host=further, token="open-sesame-9"))
     shown = {"Authorization": "Bearer open-sesame-9"}
     with TestClient(create_app(service), base_url="http://127.0.0.1", headers=shown) as client:
-        for path in ("/", "/healthz", "/v1/samples", "/web/page.js"):
+        for path in ("/", "/healthz", "/v1/samples", "/web/page/page.js"):
             answer = client.get(path, headers={"Host": header})
             assert answer.status_code == (200 if admitted else 403)
             assert admitted or answer.json()["code"] == "unauthorized"

@@ -116,7 +116,7 @@ def test_a_rebound_name_gets_nothing(service: Running, rebound: Page) -> None:
     assert not service.service._open
 
 
-@pytest.mark.parametrize("path", ["/", "/healthz", "/web/page.js"])
+@pytest.mark.parametrize("path", ["/", "/healthz", "/web/page/page.js"])
 def test_another_site_shows_nothing_in_a_frame(service: Running, evil: Page, path: str) -> None:
     evil.evaluate(
         f"""new Promise((resolve) => {{

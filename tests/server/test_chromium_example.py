@@ -45,7 +45,7 @@ def proposed(events: EventColumns, listener: Listener) -> set[str]:
 
 def test_the_example_prefetches_before_the_cursor_is_there(chromium: Chromium, listener: Listener) -> None:
     """It prefetches what a batch of the same events says that the mouse is heading for."""
-    with chromium.tab(f"{listener.url}/web/example.html") as page:
+    with chromium.tab(f"{listener.url}/web/page/example.html") as page:
         place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
         places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
         goal = places["/v1/predictors"]

@@ -15,7 +15,7 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
-OPEN = """import("/web/pointpred.js").then(({ connect }) => {
+OPEN = """import("/web/lib/pointpred.js").then(({ connect }) => {
   window.talks = [{}, { page: true }].map((more) => {
     const connection = connect(undefined, { pointer: false, encoding: "json", ...OPTIONS, ...more });
     const heard = [];
@@ -33,7 +33,7 @@ TARGETS = [
 
 def open_both(one: Visitor, url: str, **options: Any) -> None:
     """Two connections with the same options: to the service, and in the page."""
-    one.open(f"{url}/web/example.html")
+    one.open(f"{url}/web/page/example.html")
     one.value(OPEN.replace("OPTIONS", json.dumps(options)))
     soon(lambda: states(one) == ["open", "open"], "both connections are open")
 
@@ -117,7 +117,7 @@ def test_a_person_and_another_predictor_in_the_page(one: Visitor, url: str) -> N
 
 
 def test_a_predictor_that_nobody_knows_leaves_the_connection_refused(one: Visitor, url: str) -> None:
-    one.open(f"{url}/web/example.html")
+    one.open(f"{url}/web/page/example.html")
     one.value(OPEN.replace("OPTIONS", '{ predictor: "nobody" }'))
     soon(lambda: states(one) == ["refused", "refused"], "both are refused")
     both(one, "connection.configure({ predictor: 'hold' })")
@@ -125,7 +125,7 @@ def test_a_predictor_that_nobody_knows_leaves_the_connection_refused(one: Visito
 
 
 def test_modules_that_cannot_be_loaded_are_tried_again(one: Visitor, url: str) -> None:
-    one.open(f"{url}/web/example.html")
+    one.open(f"{url}/web/page/example.html")
     one.hand.call("Network.enable")
     one.hand.call("Network.setBlockedURLs", urls=["*kinematic.f32"])
     one.value(OPEN.replace("OPTIONS", "{}"))
@@ -164,8 +164,8 @@ def test_places_windows_and_forgetting_in_the_page(one: Visitor, url: str) -> No
 
 
 def test_events_that_wait_are_forgotten_with_the_person(one: Visitor, url: str) -> None:
-    one.open(f"{url}/web/example.html")
-    one.value("""import("/web/pointpred.js").then(async ({ connect }) => {
+    one.open(f"{url}/web/page/example.html")
+    one.value("""import("/web/lib/pointpred.js").then(async ({ connect }) => {
       const connection = window.late = connect(undefined, { page: true, pointer: false });
       connection.send([[0, 1, 1, null, null, 0], [0.01, 2, 2, null, null, 0]]);
       await connection.forget();
@@ -179,8 +179,8 @@ def test_no_more_waiting_events_are_sent_than_the_service_takes(
     one: Visitor, url: str, places: str, most: int
 ) -> None:
     """Three quarters of 80 a second; with places each counts 8 times."""
-    one.open(f"{url}/web/example.html")
-    sent = one.value(f"""import("/web/client/event-queue.js").then(({{ EventQueue }}) => {{
+    one.open(f"{url}/web/page/example.html")
+    sent = one.value(f"""import("/web/lib/client/event-queue.js").then(({{ EventQueue }}) => {{
       const queue = new EventQueue(100);
       queue.add(Array.from({{ length: 90 }}, (_, i) => [i, 1, 1, null, null, 0]));
       return queue.drain({{ max_events_per_s: 80 }}, 0, {places}).flatMap(({{ rows }}) => rows).length;

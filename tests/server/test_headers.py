@@ -23,7 +23,7 @@ def client() -> TestClient:
     [
         ("/", "text/html; charset=utf-8"),
         ("/pointpred.js", "text/javascript; charset=utf-8"),
-        ("/web/page.js", "text/javascript; charset=utf-8"),
+        ("/web/page/page.js", "text/javascript; charset=utf-8"),
         ("/healthz", "application/json"),
         ("/v1/predictors", "application/json"),
         ("/v1/samples/nobody", "application/json"),
@@ -52,13 +52,13 @@ def test_every_answer_says_what_it_is_and_what_a_page_may_do(
 
 
 def test_a_page_that_has_not_changed_is_not_sent_again(client: TestClient) -> None:
-    first = client.get("/web/pointpred.js")
-    again = client.get("/web/pointpred.js", headers={"If-None-Match": first.headers["etag"]})
+    first = client.get("/web/lib/pointpred.js")
+    again = client.get("/web/lib/pointpred.js", headers={"If-None-Match": first.headers["etag"]})
     assert again.status_code == 304
 
 
 def test_any_page_may_load_the_client_and_nothing_else(client: TestClient) -> None:
-    for path in ("/pointpred.js", "/web/pointpred.js", "/web/client/frames.js"):
+    for path in ("/pointpred.js", "/web/lib/pointpred.js", "/web/lib/client/frames.js"):
         shared = client.get(path, headers=FOREIGN).headers
         assert shared["access-control-allow-origin"] == "*"
         assert shared["cross-origin-resource-policy"] == "cross-origin"
@@ -74,7 +74,7 @@ def test_any_page_may_load_the_client_and_nothing_else(client: TestClient) -> No
         ("/v1/predictors", "no-cors", "cross-site", 403),
         ("/", "no-cors", "cross-site", 403),
         ("/", "navigate", "cross-site", 200),
-        ("/web/pointpred.js", "cors", "cross-site", 200),
+        ("/web/lib/pointpred.js", "cors", "cross-site", 200),
         ("/v1/predictors", "cors", "same-origin", 200),
     ],
 )

@@ -83,7 +83,7 @@ def test_answers_are_of_the_type_that_is_described(
         ("GET", "/web/nothing.js", 404, "bad_field", "/web/nothing.js"),
         ("POST", "/nowhere", 404, "bad_field", "/nowhere"),
         ("POST", "/healthz", 405, "out_of_place", "/healthz answers GET, HEAD, received POST"),
-        ("DELETE", "/web/page.js", 405, "out_of_place", "answers GET, HEAD, received DELETE"),
+        ("DELETE", "/web/page/page.js", 405, "out_of_place", "answers GET, HEAD, received DELETE"),
     ],
 )
 def test_what_is_not_there_is_said_in_the_shape_of_errors(

@@ -20,7 +20,7 @@ GROUNDS = ("ground", "panel")
 
 def themes() -> dict[str, dict[str, str]]:
     """The colours of the light theme, and of the dark one, by name."""
-    sheet = (WEB / "style.css").read_text(encoding="utf-8")
+    sheet = (WEB / "page" / "style.css").read_text(encoding="utf-8")
     light, dark = re.findall(r":root \{(.*?)\}", sheet, re.DOTALL)[:2]
     return {
         name: dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6});", block))

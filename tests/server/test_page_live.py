@@ -42,7 +42,7 @@ SCENE = "document.querySelector('#live-scene')"
 MARKS = f"JSON.parse({SCENE}.dataset.regions ?? '[null]')"
 PAUSE = "new Promise((done) => setTimeout(done, 700))"
 """Longer than the pause that ends a movement, after which the page judges it."""
-TILES = """import("/web/live/tiles.js").then(({ row }) => {
+TILES = """import("/web/page/live/tiles.js").then(({ row }) => {
   const { clientWidth, clientHeight } = document.querySelector("#live-scene");
   return row(clientWidth, clientHeight);
 })"""
@@ -177,7 +177,7 @@ def test_a_clicked_tile_is_judged_by_how_early_it_was_proposed(visitor: Visitor)
     assert f"Tile: proposed {1000 * verdict['tile']['lead_s']:.0f} ms before" in visitor.text("#live-verdict")
 
 
-KNOWN = """import("/web/live/movement.js").then(({ Movement }) => {
+KNOWN = """import("/web/page/live/movement.js").then(({ Movement }) => {
   const movement = new Movement();
   movement.move(ROWS);
   for (const [t, x] of SAID) movement.addPrediction(0, { t, x, y: x === null ? null : 0 }, "it");
@@ -315,7 +315,7 @@ def test_a_parameter_that_is_refused_says_so_beside_it(visitor: Visitor) -> None
 @pytest.mark.parametrize("name", REGISTRY)
 def test_every_slider_covers_its_default_and_nothing_beyond_the_bounds(visitor: Visitor, name: str) -> None:
     settable = [one for one in describe(name)["parameters"] if one["default"] is not None]
-    code = f"import('/web/live/parameters.js').then(({{ rangeOf }}) => {json.dumps(settable)}.map(rangeOf))"
+    code = f"import('/web/page/live/parameters.js').then(({{ rangeOf }}) => {json.dumps(settable)}.map(rangeOf))"
     for parameter, covered in zip(settable, visitor.value(code), strict=True):
         low, high = covered["from"], covered["to"]
         assert parameter["low"] <= low <= parameter["default"] <= high <= parameter["high"], parameter["name"]

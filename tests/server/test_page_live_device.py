@@ -213,7 +213,7 @@ def test_the_picture_follows_a_device_that_no_window_bounds(visitor: Visitor) ->
     rng = np.random.default_rng(5)
     walks = np.cumsum(rng.normal(0.0, 120.0, (300, 2)), axis=0)
     windows = [walks[max(0, i - 20) : i + 1].tolist() for i in range(len(walks))]
-    code = f"""import('/web/device/camera.js').then(({{ Camera }}) => {{
+    code = f"""import('/web/page/device/camera.js').then(({{ Camera }}) => {{
       const camera = new Camera();
       return {json.dumps(windows)}.map((points) => {{
         camera.follow(points, 800, 400);

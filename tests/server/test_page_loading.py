@@ -34,7 +34,7 @@ class Halting(Silent, BaseHTTPRequestHandler):
         if style.suffix == ".css":
             self.wfile.write(style.read_bytes())
         elif self.path[1:].isdigit():
-            page = (WEB / "index.html").read_text(encoding="utf-8")
+            page = (WEB / "page" / "index.html").read_text(encoding="utf-8")
             first, half, rest = page.partition(HALVES[int(self.path[1:])])
             self.wfile.write((first + half).encode())
             self.wfile.flush()

@@ -36,8 +36,8 @@ def test_an_opened_file_gets_the_predictions_of_the_package(visitor: Visitor, tm
     visitor.page.set_input_files("#replay-file", files)
     visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
     predicted = visitor.value(
-        "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"
-        "const { readFiles } = await import('/web/replay/csv.js');"
+        "import('/web/page/replay/predictions.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/page/replay/csv.js');"
         "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
         "return predictionsAlong(movements[1].rows, 'switched', { dpi, cpi }); })"
     )

@@ -97,7 +97,7 @@ def test_both_places_are_compared_on_the_same_movements_when_asked(visitor: Visi
 def test_predictions_that_differ_are_reported(visitor: Visitor, url: str) -> None:
     visitor.open(url)
     found = visitor.value(
-        "import('/web/live/pairs.js').then(({ Pairs }) => {"
+        "import('/web/page/live/pairs.js').then(({ Pairs }) => {"
         "const pairs = new Pairs();"
         "const add = (which, t, x, y) => pairs.add(which, { t, x, y });"
         "add(0, 1, 5, 5); add(1, 1, 5, 5); add(0, 2, null, null); add(1, 2, null, null);"
@@ -143,8 +143,8 @@ def test_an_opened_file_is_predicted_in_the_page_as_in_python(
     visitor.page.set_input_files("#replay-file", write(own, tmp_path / "study_samples.csv"))
     visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 1 of 2')")
     predicted = visitor.value(
-        "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"
-        "const { readFiles } = await import('/web/replay/csv.js');"
+        "import('/web/page/replay/predictions.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/page/replay/csv.js');"
         "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
         f"return predictionsAlong(movements[1].rows, '{predictor}', {{ dpi, cpi }}); }})"
     )
@@ -158,7 +158,7 @@ def test_an_opened_file_is_predicted_in_the_page_as_in_python(
 def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) -> None:
     visitor.open(url)
     differing = visitor.value(
-        "import('/web/prediction/description.js').then(async ({ describe }) => {"
+        "import('/web/lib/prediction/description.js').then(async ({ describe }) => {"
         "const { predictors } = await (await fetch('/v1/predictors')).json();"
         "const own = await Promise.all(predictors.map(({ name }) => describe(name)));"
         "const text = (one) => JSON.stringify(one, (_, value) =>"
@@ -171,7 +171,7 @@ def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) 
 
 def test_the_list_of_the_page_is_that_of_the_service(visitor: Visitor, url: str) -> None:
     visitor.open(url)
-    own = visitor.value("import('/web/service/listing.js').then(({ predictors }) => predictors())")
+    own = visitor.value("import('/web/page/service/listing.js').then(({ predictors }) => predictors())")
     assert own["recommended"] == RECOMMENDED
     listed = [(entry.name, entry.title) for entry in REGISTRY.values()]
     assert [(one["name"], one["title"]) for one in own["predictors"]] == listed
@@ -191,7 +191,7 @@ def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: 
 
 
 def test_live_predicts_before_the_other_views_are_there(visitor: Visitor, url: str) -> None:
-    part, held = "**/web/circle/view.js", []
+    part, held = "**/web/page/circle/view.js", []
     visitor.page.route(part, lambda route: held.append(route))
     visitor.page.goto("about:blank")
     visitor.page.goto(url, wait_until="commit")

@@ -72,7 +72,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     assert one.shift() < 0.001
 
 
-TILE = """import("/web/live/tiles.js").then(({ row }) => {
+TILE = """import("/web/page/live/tiles.js").then(({ row }) => {
   const { clientWidth, clientHeight } = document.querySelector("#live-scene");
   return row(clientWidth, clientHeight)[3];
 })"""
@@ -187,7 +187,7 @@ def test_a_region_beyond_the_picture_tints_nothing_and_its_number_says_no_more(v
 
 SIZES = [3736.0, 6030.0, 876.0, 596.0, 1497.0, 2441.0]
 """Lengths that the page once drew within 0.3 s."""
-FOLLOWED = """import("/web/drawing/regions.js").then(({ SmoothRegions, regionsOf }) => {
+FOLLOWED = """import("/web/page/drawing/regions.js").then(({ SmoothRegions, regionsOf }) => {
   const smooth = new SmoothRegions();
   const region = (square) => ({ sxx: square, sxy: 0.2 * square, syy: 0.5 * square, tail: 3 });
   const claim = (px) => ({ x: 1, y: 2, region: region(px * px) });
@@ -212,7 +212,7 @@ def test_a_region_glides_and_never_flashes(visitor: Visitor) -> None:
 
 def test_a_region_turns_the_short_way(visitor: Visitor) -> None:
     angles = visitor.value(
-        """import("/web/drawing/regions.js").then(({ SmoothRegions }) => {
+        """import("/web/page/drawing/regions.js").then(({ SmoothRegions }) => {
           const smooth = new SmoothRegions();
           const claim = (turn) => {
             const [c, s] = [Math.cos(turn), Math.sin(turn)];
@@ -247,8 +247,8 @@ def test_nothing_of_a_prediction_stays_at_rest(visitor: Visitor) -> None:
 
 def test_it_fades_within_a_fifth_of_a_second_and_a_resting_pointer_has_none(visitor: Visitor) -> None:
     shown = visitor.value(
-        """import("/web/live/prediction.js").then(async ({ markOf, opacityAfter }) => {
-          const { SmoothRegions } = await import("/web/drawing/regions.js");
+        """import("/web/page/live/prediction.js").then(async ({ markOf, opacityAfter }) => {
+          const { SmoothRegions } = await import("/web/page/drawing/regions.js");
           const one = (phase) => ({ x: 1, y: 2, phase, region: { sxx: 4, sxy: 0, syy: 4, tail: null } });
           const mark = (phase, ms) => markOf(one(phase), new SmoothRegions(), 0, opacityAfter(ms)) !== null;
           const seen = [["ballistic", 0], ["corrective", 199], ["ballistic", 200], ["still", 0]];

@@ -49,7 +49,7 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
     refuse(visitor, "*/v1/*")
     visitor.hand.call("Network.setCacheDisabled", cacheDisabled=True)
     visitor.open(f"{url}?by=service#live")
-    refuse(visitor, "*/v1/*", "*/web/circle*")
+    refuse(visitor, "*/v1/*", "*/web/page/circle*")
     press(visitor, "#tab-circle")
     visitor.wait(f"document.querySelector('{STATUS}').dataset.failed === 'true'")
     refuse(visitor)
@@ -144,7 +144,7 @@ def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> No
 def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: str) -> None:
     circle(visitor, url)
     texts = visitor.value(
-        "import('/web/circle/rows.js').then(({ CircleRows }) => {"
+        "import('/web/page/circle/rows.js').then(({ CircleRows }) => {"
         "const body = document.createElement('tbody'), rows = new CircleRows(body);"
         "const add = (number, asked) =>"
         "rows.add({ block: 1, number, start: [0], end: [1], hit: true }, asked);"

@@ -1,0 +1,223 @@
+// The circle view: the settings, the run, and a row for each movement as it is scored.
+
+import { FrameLoop, onRepaint } from "../drawing/canvas.js";
+import { fillSelect, part, write } from "../shell/elements.js";
+import { accountOf, count } from "../shell/numbers.js";
+import { listenToPointer } from "../shell/pointer.js";
+import { Ledger } from "../../lib/prediction/ledger.js";
+import { predictors } from "../service/listing.js";
+import { PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/place.js";
+import { ConnectionStatus } from "../service/status.js";
+import { CircleChoices } from "./choices.js";
+import { circle } from "./geometry.js";
+import { drawCircle } from "./picture.js";
+import { showResult } from "./results.js";
+import { CircleRows } from "./rows.js";
+import { fitDistance, fitsPicture, overlapWarning, readSettings } from "./settings.js";
+import { CircleTask } from "./task.js";
+
+const SHOWN_MS = 500; // a prediction is drawn for this long
+const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
+const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
+const UNLOADED = "Start is disabled: the predictor could not be loaded. The page tries again by itself.";
+const CANCELLED = { view: "The run was cancelled because another view was opened.", place: "The run was cancelled because you changed where predictions are made." };
+
+const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
+const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);
+const status = new ConnectionStatus(part("circle-connection"));
+const rows = new CircleRows(part("circle-rows"));
+const choices = new CircleChoices();
+const loop = new FrameLoop(frame);
+
+let active = false;
+let filled = false; // whether the predictors are offered
+let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
+let edited = false; // whether the person has set the distance
+let started = false; // whether the session knows where the current movement began
+/** @type {PredictorConnection|null} */ let connection = null;
+let ledger = new Ledger();
+/** @type {CircleTask|null} */ let task = null;
+
+const isRunning = () => task !== null && !task.done;
+
+function move(events) {
+  if (!isRunning()) return;
+  task.move(events);
+  connection?.send(events);
+}
+
+/** A press selects a target; a finger selects by lifting, because it has no path before it touches. */
+function select(row) {
+  if (!isRunning()) return;
+  const trial = task.select(row);
+  if (trial !== null) {
+    if (started) connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
+    rows.add(trial, started);
+  }
+  started = task.running && connection?.state === "open";
+  if (started) connection.trial("start", task.goal);
+  canvas.dataset.target = JSON.stringify(task.done ? null : { ...task.goal, running: task.running });
+  showProgress();
+  if (task.done) finish();
+}
+
+/**
+ * Shows how the run stands; between runs, that nothing can be predicted if so.
+ * @param {string} [text] @param {"ready"|"invalid"|"waiting"|"running"|"done"|"stopped"|"cancelled"} [state]
+ */
+function showRunStatus(text = run.text, state = run.state) {
+  run = { text, state };
+  const down = !isRunning() && ["waiting", "refused"].includes(status.state);
+  write(runStatus, !down ? text : inPage() ? UNLOADED : DOWN);
+  runStatus.dataset.state = down ? "down" : state;
+}
+
+function showProgress() {
+  const misses = task.trials.filter(({ hit }) => !hit).length;
+  progress.max = task.total;
+  progress.value = task.trials.length;
+  const counts = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
+  if (task.done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
+  else if (!task.running) showRunStatus(`Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counts}.`, "waiting");
+  else showRunStatus(`Block ${task.block} of ${task.settings.blocks}: ${counts}.`, "running");
+}
+
+function onState(state) {
+  status.show(state, { error: connection?.error });
+  startButton.disabled = !READY.includes(state);
+  showRunStatus();
+  if (state === "open") return;
+  started = false; // a new session does not know the movement
+  rows.endSession();
+  choices.clear();
+}
+
+function onScore(score) {
+  rows.addScore(score);
+  const { fired, hit, wasted, lead_s } = score;
+  if (fired != null) ledger.add({ proposed: fired, hit, wasted, lead_entry_s: lead_s });
+  write(ledgerLine, accountOf(ledger));
+}
+
+function connectWith(predictor) {
+  if (connection?.predictor === predictor && connection.state !== "closed") return;
+  connection?.close();
+  connection = null;
+  connection = new PredictorConnection(predictor, {
+    state: onState,
+    score: onScore,
+    prediction: (prediction) => choices.addPrediction(prediction),
+    choice: (choice) => choices.addChoice(choice),
+    error: ({ code }) => code === "out_of_place" && rows.endSession(),
+  }, { encoding: "json" }); // packed predictions have no probabilities of targets
+}
+
+function start() {
+  const { settings, problem, field } = readSettings(form, canvas);
+  if (problem) {
+    showRunStatus(problem, "invalid");
+    field.focus();
+    return;
+  }
+  task = new CircleTask(settings);
+  rows.clear();
+  ledger = new Ledger();
+  write(ledgerLine, "");
+  connectWith(form.elements.predictor.value);
+  choices.register(connection, task.places, settings.width);
+  setRunning(true);
+  started = false;
+  canvas.parentElement.scrollIntoView({ block: "nearest" });
+  canvas.dataset.target = JSON.stringify({ ...task.goal, running: false });
+  showProgress();
+}
+
+function setRunning(running) {
+  if (!running) choices.clear();
+  startButton.textContent = running ? "Start again" : "Start";
+  stopButton.disabled = !running;
+  part("circle-invitation").classList.toggle("away", running);
+  for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = running;
+}
+
+/** Ends the run early. @param {string} reason a sentence to add */
+function stop(reason = "") {
+  if (!isRunning()) return;
+  const trials = task.trials;
+  task = null;
+  setRunning(false);
+  showRunStatus((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason, "stopped");
+  if (trials.length > 1) showResult(trials);
+}
+
+function finish() {
+  setRunning(false);
+  showResult(task.trials);
+}
+
+function frame() {
+  const { settings, problem } = readSettings(form, canvas);
+  const scene = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
+  const running = isRunning(), showsPrediction = running && form.elements.shown.checked;
+  write(part("circle-warning"), problem || running ? "" : overlapWarning(settings));
+  const recent = connection !== null && performance.now() - connection.at < SHOWN_MS;
+  drawCircle(canvas, {
+    places: scene.places, width: scene.settings.width, current: running ? task.current : null,
+    last: task?.trials[task.trials.length - 1] ?? null, prediction: showsPrediction && recent ? connection.latest : null,
+    probabilities: showsPrediction ? choices.probabilities : [], proposed: choices.proposed,
+  });
+}
+
+/** The window has another size: a run whose circle no longer fits is stopped. */
+function onResize() {
+  if (!active) return;
+  if (!isRunning()) updateDistance();
+  else if (!fitsPicture(task, canvas)) stop(" The window has become too small for this circle.");
+}
+
+/** Fits the distance to the window unless the person has set it. */
+function updateDistance() {
+  if (!edited) fitDistance(form, canvas);
+}
+
+/** Connects and draws from now on. */
+export async function open() {
+  active = true;
+  updateDistance();
+  loop.start();
+  const listing = await predictors();
+  if (!filled) fillSelect(part("circle-predictor"), listing.predictors, listing.recommended);
+  filled = true;
+  showRunStatus();
+  if (active) connectWith(form.elements.predictor.value);
+}
+
+/** Cancels the run and closes the connection. @param {"view"|"place"} reason another view was opened, or another place chosen */
+export function close(reason = "view") {
+  if (isRunning()) {
+    task = null;
+    setRunning(false);
+    showRunStatus(CANCELLED[reason], "cancelled");
+  }
+  active = false;
+  loop.stop();
+  connection?.close();
+  connection = null;
+}
+
+if (window.matchMedia("(pointer: coarse)").matches) {
+  write(part("circle-invitation").querySelector("span"), "drag to each next one and lift your finger on it");
+}
+form.addEventListener("submit", (event) => { event.preventDefault(); start(); });
+form.elements.predictor.addEventListener("change", () => active && connectWith(form.elements.predictor.value));
+for (const name of ["targets", "width"]) form.elements[name].addEventListener("input", updateDistance);
+form.elements.distance.addEventListener("input", () => (edited = true));
+stopButton.addEventListener("click", () => stop());
+onRepaint(onResize);
+document.addEventListener("keydown", (event) => event.key === "Escape" && active && stop());
+listenToPointer(canvas, {
+  onMove: move,
+  onPress: (row, event) => event.pointerType !== "touch" && event.button === 0 && select(row),
+  onRelease: (row, event) => event.pointerType === "touch" && select(row),
+});

@@ -1,0 +1,28 @@
+// The predictors that can be chosen, and what can be set of each.
+
+import { PREDICTORS } from "../../lib/laws/descriptions.js";
+import { RECOMMENDED } from "../../lib/laws/registry.js";
+import { describe } from "../../lib/prediction/description.js";
+import { read } from "./http.js";
+import { inPage } from "./place.js";
+
+/**
+ * @typedef {{name: string, title: string, parameters?: import("../../lib/prediction/description.js").Described[]}} Listed
+ * @typedef {{recommended: string, predictors: Listed[]}} Listing
+ */
+
+const OWN = { recommended: RECOMMENDED, predictors: Object.entries(PREDICTORS).map(([name, { title }]) => ({ name, title })) };
+let requested = null;
+
+/** The predictors of the page, or those of the service where that predicts; these are requested once, and again after a failure. @returns {Promise<Listing>} */
+export async function predictors() {
+  if (inPage()) return OWN;
+  requested ??= read("/v1/predictors").then((answer) => ({ recommended: RECOMMENDED, ...answer })).catch((error) => {
+    requested = null;
+    throw error;
+  });
+  return requested;
+}
+
+/** A predictor with its parameters. @param {Listed} predictor @returns {Promise<Listed>} */
+export const withParameters = async (predictor) => predictor.parameters ? predictor : describe(predictor.name);

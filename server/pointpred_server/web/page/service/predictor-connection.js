@@ -1,0 +1,121 @@
+// A connection with one predictor, in the page or at the service: its newest prediction, and how long answers take.
+
+import { median } from "../shell/numbers.js";
+import { token } from "./http.js";
+import { inPage } from "./place.js";
+import { connect } from "../../lib/pointpred.js";
+
+const PAGE_TEXTS = {
+  connecting: "Loading the predictor…",
+  open: "Predicted in this page.",
+  waiting: "The predictor could not be loaded. Trying again…",
+  refused: "The predictor cannot be used.",
+  closed: "Not predicting.",
+};
+const SERVICE_TEXTS = {
+  connecting: "Connecting…",
+  open: "Predicted by the service.",
+  waiting: "The service does not answer. Trying again…",
+  idle: "Paused. Move to connect again.",
+  refused: "The service refused the connection.",
+  closed: "Not connected.",
+};
+const MOST_DELAYS = 4000;
+
+/** The state of a connection in words. */
+export const stateText = (state) => (inPage() ? PAGE_TEXTS : SERVICE_TEXTS)[state] ?? state;
+
+/** A connection with one predictor; the page sends the events. */
+export class PredictorConnection {
+  /** @type {import("../../lib/pointpred.js").Prediction|null} */ latest = null;
+  /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
+  /** Predictions received. */ received = 0;
+  /** The newest error. @type {string|null} */ error = null;
+  #connection; #delays = [];
+
+  /**
+   * @param {string} predictor
+   * @param {{state?: (state: string) => void, prediction?: (one: object) => void, score?: (one: object) => void,
+   *   choice?: (one: object) => void, cursor?: (one: object) => void, error?: (one: object) => void}} handlers
+   * @param {import("../../lib/pointpred.js").Options} options
+   */
+  constructor(predictor, handlers = {}, options = {}) {
+    this.predictor = predictor;
+    this.#connection = connect(undefined, { predictor, pointer: false, token, page: inPage(), ...options });
+    this.#connection.on("prediction", (prediction) => {
+      this.latest = { ...prediction, mixture: this.#connection.mixture };
+      this.at = performance.now();
+      this.received += 1;
+      this.#delays.push([this.at, this.#connection.delayMs]);
+      if (this.#delays.length > MOST_DELAYS) this.#delays.splice(0, MOST_DELAYS / 2);
+      handlers.prediction?.(prediction);
+    });
+    this.#connection.on("state", (state) => {
+      if (state === "open") this.error = null;
+      handlers.state?.(state);
+    });
+    this.#connection.on("error", (error) => {
+      this.error = error.message;
+      handlers.error?.(error);
+    });
+    for (const name of ["score", "choice", "cursor"]) if (handlers[name]) this.#connection.on(name, handlers[name]);
+    handlers.state?.(this.state);
+  }
+
+  get state() {
+    return this.#connection.state;
+  }
+
+  /** The newest delay, ms; null before the first prediction. @returns {number|null} */
+  get delayMs() {
+    return this.#connection.delayMs;
+  }
+
+  /** The median delay of the last second, ms; NaN if there was no prediction. */
+  delay() {
+    const since = performance.now() - 1000;
+    while (this.#delays.length && this.#delays[0][0] < since) this.#delays.shift();
+    return median(this.#delays.map(([, ms]) => ms).filter((ms) => ms !== null));
+  }
+
+  /** The predictor of the newest prediction: answers come in order, so a change is in force from its welcome on. */
+  get activePredictor() {
+    return this.#connection.welcome?.predictor ?? this.predictor;
+  }
+
+  /** @param {number[][]} rows of events */
+  send(rows) {
+    this.#connection.send(rows);
+  }
+
+  /** @param {import("../../lib/pointpred.js").Target[]} list */
+  setTargets(list) {
+    this.#connection.targets(list);
+  }
+
+  /** @param {"start"|"end"} action @param {import("../../lib/pointpred.js").Goal} goal */
+  trial(action, goal) {
+    this.#connection.trial(action, goal);
+  }
+
+  /** Changes the predictor. */
+  choose(predictor) {
+    this.predictor = predictor;
+    this.latest = null;
+    this.#connection.configure({ predictor });
+  }
+
+  /** Changes parameters; the others have their defaults. @param {Object<string, number>} parameters */
+  configure(predictor, parameters) {
+    this.#connection.configure({ predictor, parameters });
+  }
+
+  /** @param {import("../../lib/pointpred.js").Options["assist"]} assist */
+  setAssistance(assist) {
+    this.#connection.configure({ assist });
+  }
+
+  close() {
+    this.#connection.close();
+  }
+}
